@@ -40,7 +40,7 @@ groups_of() { # BUILD-FOLDER [ci]: only those of .ci/run
 # Builds these within so many seconds, and runs those of them that are tests; sets passed and failed. Fails, with neither, where the
 # time did not suffice for the build: a slow machine must not take what it has shown for nothing.
 run_group() { # BUILD-FOLDER SECONDS NAME…
-    local folder=$1 time=$2 targets=(wend-tetgen) status
+    local folder=$1 time=$2 targets=(wend-tetgen wend-cage) status
     shift 2
     # A test that is no program of its own is a script, or another program once more.
     mapfile -t -O 1 targets < <(ninja -C "$folder" -t targets all | sed 's/:.*//' | grep -xF -f <(printf '%s\n' "$@"))

@@ -721,6 +721,22 @@
         <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
         <translation>1 Punkt gehört zu keiner Zelle. Er bleibt in dem, was geschrieben wird: Manche Löser wollen ihn vorher entfernt haben</translation>
     </message>
+    <message>
+        <source>holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be made of the points first, as MeshLab and CloudCompare do</source>
+        <translation>enthält %1 Punkte, aber weder Dreiecke noch Tetraeder dazwischen: Aus den Punkten muss erst eine Oberfläche werden, etwa mit MeshLab oder CloudCompare</translation>
+    </message>
+    <message>
+        <source>%1: its points have four coordinates; only points in space, which have three, are read</source>
+        <translation>%1: Die Punkte haben vier Koordinaten; gelesen werden nur Punkte im Raum, die drei haben</translation>
+    </message>
+    <message>
+        <source>the cage mesher did not finish within %1 s of computing; fewer vertices or larger cells may help</source>
+        <translation>der Käfig war nach %1 s Rechnen nicht fertig; weniger Eckpunkte oder größere Zellen helfen vielleicht</translation>
+    </message>
+    <message>
+        <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
+        <translation>für einen Käfig aus so vielen Zellen reicht der Speicher nicht; weniger Eckpunkte oder größere Zellen helfen vielleicht</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3627,6 +3643,10 @@
         <source>Open a gap</source>
         <translation>Spalt öffnen</translation>
     </message>
+    <message>
+        <source>sides</source>
+        <translation>Seiten</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileCard</name>
@@ -6114,10 +6134,6 @@
         <translation>Zeit je Bild</translation>
     </message>
     <message>
-        <source>What computing the last frame took</source>
-        <translation>Was die Berechnung des letzten Bildes gedauert hat</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -6141,6 +6157,10 @@
         <source>worst %1</source>
         <comment>a ratio</comment>
         <translation>am stärksten: %1</translation>
+    </message>
+    <message>
+        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <translation>Beim Ziehen: wie lange nach der Hand kommt, was zu sehen ist. In Ruhe: was die Berechnung gedauert hat</translation>
     </message>
 </context>
 <context>
@@ -6232,6 +6252,14 @@
     <message>
         <source>Fix one fault</source>
         <translation>Einen Fehler beheben</translation>
+    </message>
+    <message>
+        <source>No simple steps put all of these right.</source>
+        <translation>Keine einfachen Schritte bringen sie alle in Ordnung.</translation>
+    </message>
+    <message>
+        <source>Fix all faults of a kind</source>
+        <translation>Alle Fehler einer Art beheben</translation>
     </message>
 </context>
 <context>
@@ -6355,6 +6383,14 @@
     <message>
         <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>Bringt nur in Ordnung, was betrachtet wird: Was hinzukommt, ist grün; was wegfällt oder gedreht wird, gelb.</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>Alle beheben</translation>
+    </message>
+    <message>
+        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <translation>Bringt von dieser Art alles in Ordnung, was einfache Schritte können, in einem Schritt, der sich rückgängig machen lässt; von Löchern die mit höchstens so vielen Kanten, wie unten gewählt sind.</translation>
     </message>
 </context>
 <context>

@@ -721,6 +721,22 @@
         <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
         <translation>1 vértice no pertenece a ninguna celda. Se conserva en lo que se escribe: algunos solucionadores piden quitarlo antes</translation>
     </message>
+    <message>
+        <source>holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be made of the points first, as MeshLab and CloudCompare do</source>
+        <translation>contiene %1 puntos, pero ni triángulos ni tetraedros entre ellos: primero hay que hacer una superficie con los puntos, por ejemplo con MeshLab o CloudCompare</translation>
+    </message>
+    <message>
+        <source>%1: its points have four coordinates; only points in space, which have three, are read</source>
+        <translation>%1: sus puntos tienen cuatro coordenadas; solo se leen puntos del espacio, que tienen tres</translation>
+    </message>
+    <message>
+        <source>the cage mesher did not finish within %1 s of computing; fewer vertices or larger cells may help</source>
+        <translation>la jaula no terminó en %1 s de cálculo; puede ayudar usar menos vértices o celdas mayores</translation>
+    </message>
+    <message>
+        <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
+        <translation>no hay memoria para una jaula de tantas celdas; puede ayudar usar menos vértices o celdas mayores</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3627,6 +3643,10 @@
         <source>Open a gap</source>
         <translation>Abrir un hueco</translation>
     </message>
+    <message>
+        <source>sides</source>
+        <translation>caras</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileCard</name>
@@ -6122,10 +6142,6 @@
         <translation>Tiempo por fotograma</translation>
     </message>
     <message>
-        <source>What computing the last frame took</source>
-        <translation>Lo que tardó en calcularse el último fotograma</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -6141,6 +6157,10 @@
     <message>
         <source>volume %1 %</source>
         <translation>volumen %1 %</translation>
+    </message>
+    <message>
+        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <translation>Al arrastrar: cuánto tarda en seguir a la mano lo que se ve. En reposo: lo que llevó calcularlo</translation>
     </message>
 </context>
 <context>
@@ -6232,6 +6252,14 @@
     <message>
         <source>Fix one fault</source>
         <translation>Corregir un fallo</translation>
+    </message>
+    <message>
+        <source>No simple steps put all of these right.</source>
+        <translation>Ningún paso sencillo los corrige todos.</translation>
+    </message>
+    <message>
+        <source>Fix all faults of a kind</source>
+        <translation>Corregir todos los fallos de un tipo</translation>
     </message>
 </context>
 <context>
@@ -6355,6 +6383,14 @@
     <message>
         <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>Corrige solo lo que se mira: lo que añade es verde; lo que quita o gira, amarillo.</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>Corregir todos</translation>
+    </message>
+    <message>
+        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <translation>Corrige todos los de este tipo que unos pasos sencillos puedan corregir, en un solo paso que se puede deshacer; de los agujeros, los que no tengan más bordes que los elegidos abajo.</translation>
     </message>
 </context>
 <context>

@@ -721,6 +721,22 @@
         <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
         <translation>1 sommet n&apos;appartient à aucune cellule. Il reste dans ce qui est écrit&#x202f;: certains solveurs veulent qu&apos;on l&apos;ôte d&apos;abord</translation>
     </message>
+    <message>
+        <source>holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be made of the points first, as MeshLab and CloudCompare do</source>
+        <translation>contient %1 points, mais ni triangles ni tétraèdres entre eux&#x202f;: il faut d’abord faire une surface de ces points, avec MeshLab ou CloudCompare par exemple</translation>
+    </message>
+    <message>
+        <source>%1: its points have four coordinates; only points in space, which have three, are read</source>
+        <translation>%1&#x202f;: ses points ont quatre coordonnées&#x202f;; seuls les points de l’espace, qui en ont trois, sont lus</translation>
+    </message>
+    <message>
+        <source>the cage mesher did not finish within %1 s of computing; fewer vertices or larger cells may help</source>
+        <translation>la cage n’était pas finie après %1 s de calcul&#x202f;; moins de sommets ou de plus grandes cellules peuvent aider</translation>
+    </message>
+    <message>
+        <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
+        <translation>la mémoire ne suffit pas pour une cage d’autant de cellules&#x202f;; moins de sommets ou de plus grandes cellules peuvent aider</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3627,6 +3643,10 @@
         <source>Open a gap</source>
         <translation>Ouvrir une fente</translation>
     </message>
+    <message>
+        <source>sides</source>
+        <translation>faces</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileCard</name>
@@ -6122,10 +6142,6 @@
         <translation>Temps par image</translation>
     </message>
     <message>
-        <source>What computing the last frame took</source>
-        <translation>Durée du calcul de la dernière image</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -6141,6 +6157,10 @@
     <message>
         <source>volume %1 %</source>
         <translation>volume %1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <translation>Pendant un glissement&#x202f;: le retard de ce que vous voyez sur la main. Au repos&#x202f;: la durée du calcul</translation>
     </message>
 </context>
 <context>
@@ -6232,6 +6252,14 @@
     <message>
         <source>Fix one fault</source>
         <translation>Corriger un défaut</translation>
+    </message>
+    <message>
+        <source>No simple steps put all of these right.</source>
+        <translation>Aucune étape simple ne les corrige tous.</translation>
+    </message>
+    <message>
+        <source>Fix all faults of a kind</source>
+        <translation>Corriger tous les défauts d’un type</translation>
     </message>
 </context>
 <context>
@@ -6355,6 +6383,14 @@
     <message>
         <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>Ne corrige que ce qui est regardé&#x202f;: l’ajout est en vert, ce qui est retiré ou retourné en jaune.</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>Tout corriger</translation>
+    </message>
+    <message>
+        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <translation>Corrige tous les défauts de ce type que des étapes simples corrigent, en une seule étape d’annulation&#x202f;; parmi les trous, ceux qui n’ont pas plus d’arêtes que choisi plus bas.</translation>
     </message>
 </context>
 <context>

@@ -721,6 +721,22 @@
         <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
         <translation>1 頂点がどのセルにも属しません。書き出しには残ります。先に除く必要のあるソルバーもあります</translation>
     </message>
+    <message>
+        <source>holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be made of the points first, as MeshLab and CloudCompare do</source>
+        <translation>%1 個の点がありますが、それらをつなぐ三角形も四面体もありません。まず MeshLab や CloudCompare などで点から面を作ってください</translation>
+    </message>
+    <message>
+        <source>%1: its points have four coordinates; only points in space, which have three, are read</source>
+        <translation>%1: 点の座標が四つあります。読めるのは座標が三つの空間の点だけです</translation>
+    </message>
+    <message>
+        <source>the cage mesher did not finish within %1 s of computing; fewer vertices or larger cells may help</source>
+        <translation>ケージは %1 秒の計算で終わりませんでした。頂点を減らすか、セルを大きくすると良いかもしれません</translation>
+    </message>
+    <message>
+        <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
+        <translation>これほど多くのセルのケージにはメモリーが足りません。頂点を減らすか、セルを大きくすると良いかもしれません</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3620,6 +3636,10 @@
         <source>Open a gap</source>
         <translation>隙間を開く</translation>
     </message>
+    <message>
+        <source>sides</source>
+        <translation>面の側</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileCard</name>
@@ -6112,10 +6132,6 @@
         <translation>フレームあたりの時間</translation>
     </message>
     <message>
-        <source>What computing the last frame took</source>
-        <translation>直前のフレームの計算にかかった時間</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -6131,6 +6147,10 @@
     <message>
         <source>volume %1 %</source>
         <translation>体積 %1%</translation>
+    </message>
+    <message>
+        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <translation>ドラッグ中: 見えているものが手からどれだけ遅れるか。静止時: 計算にかかった時間</translation>
     </message>
 </context>
 <context>
@@ -6222,6 +6242,14 @@
     <message>
         <source>Fix one fault</source>
         <translation>不具合を一つ修正</translation>
+    </message>
+    <message>
+        <source>No simple steps put all of these right.</source>
+        <translation>これらすべてを直す簡単な手順はありません。</translation>
+    </message>
+    <message>
+        <source>Fix all faults of a kind</source>
+        <translation>同じ種類の不具合をすべて修正</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +6373,14 @@
     <message>
         <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>表示中の箇所だけを直します。追加は緑、削除や向きの変更は黄で示します。</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>すべて修正</translation>
+    </message>
+    <message>
+        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <translation>この種類のうち簡単な手順で直せるものを、一回で取り消せる一つの手順ですべて直します。穴は、辺の数が下で選んだ数以下のものだけです。</translation>
     </message>
 </context>
 <context>

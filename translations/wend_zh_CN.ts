@@ -721,6 +721,22 @@
         <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
         <translation>有 1 个顶点不属于任何单元。写出时会保留：某些求解器要求先将其去除</translation>
     </message>
+    <message>
+        <source>holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be made of the points first, as MeshLab and CloudCompare do</source>
+        <translation>含有 %1 个点，但点之间既没有三角形也没有四面体：请先用 MeshLab 或 CloudCompare 等由这些点生成曲面</translation>
+    </message>
+    <message>
+        <source>%1: its points have four coordinates; only points in space, which have three, are read</source>
+        <translation>%1：其点有四个坐标；只能读取有三个坐标的空间点</translation>
+    </message>
+    <message>
+        <source>the cage mesher did not finish within %1 s of computing; fewer vertices or larger cells may help</source>
+        <translation>笼子在 %1 秒计算内未完成；减少顶点或增大单元可能有帮助</translation>
+    </message>
+    <message>
+        <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
+        <translation>内存不足以生成这么多单元的笼子；减少顶点或增大单元可能有帮助</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3620,6 +3636,10 @@
         <source>Open a gap</source>
         <translation>打开缝隙</translation>
     </message>
+    <message>
+        <source>sides</source>
+        <translation>侧面</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileCard</name>
@@ -6112,10 +6132,6 @@
         <translation>每帧用时</translation>
     </message>
     <message>
-        <source>What computing the last frame took</source>
-        <translation>计算上一帧所用的时间</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -6131,6 +6147,10 @@
     <message>
         <source>volume %1 %</source>
         <translation>体积 %1%</translation>
+    </message>
+    <message>
+        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <translation>拖动时：所见比手慢多久。静止时：计算所用的时间</translation>
     </message>
 </context>
 <context>
@@ -6222,6 +6242,14 @@
     <message>
         <source>Fix one fault</source>
         <translation>修正一处问题</translation>
+    </message>
+    <message>
+        <source>No simple steps put all of these right.</source>
+        <translation>没有简单的步骤能把它们全部修正。</translation>
+    </message>
+    <message>
+        <source>Fix all faults of a kind</source>
+        <translation>修正某一类的所有问题</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +6373,14 @@
     <message>
         <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>只修正正在查看的一处：添加的为绿色，去除或翻转的为黄色。</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>全部修正</translation>
+    </message>
+    <message>
+        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <translation>修正此类中简单步骤能修正的全部问题，只占一步撤销；孔洞只修正边数不超过下方所选数目的。</translation>
     </message>
 </context>
 <context>

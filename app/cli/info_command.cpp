@@ -115,6 +115,7 @@ void addFacts(const SurfaceFacts& facts, Json& json) {
                    {"high", vectorOf(facts.high)},
                    {"size", vectorOf(facts.high - facts.low)}};
     json["area"] = facts.area;
+    if (facts.sides > 0) json["sides"] = facts.sides;
     if (facts.genus) json["genus"] = *facts.genus;
     json["boundaryLoops"] = facts.boundaryLoops;
     json["edges"] = {{"count", facts.edges},

@@ -91,6 +91,13 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "has %1 x %2 pixels, more than %3 million"),
     QT_TRANSLATE_NOOP("Core", "is truncated or corrupt"),
     QT_TRANSLATE_NOOP("Core", "is transparent everywhere"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be "
+        "made of the points first, as MeshLab and CloudCompare do"),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: its points have four coordinates; only points in space, which have three, are "
+                      "read"),
     QT_TRANSLATE_NOOP("Core", "holds tetrahedra, but the project is in the plane"),
     QT_TRANSLATE_NOOP("Core", "holds no tetrahedra, but the project is in space"),
     // Surfaces and what is made of them.
@@ -105,6 +112,13 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "the volume mesher did not finish within %1 s of computing; a coarser quality or a "
                       "larger maxVolume may help"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "the cage mesher did not finish within %1 s of computing; fewer vertices or larger cells "
+        "may help"),
+    QT_TRANSLATE_NOOP("Core",
+                      "there is no memory for a cage of so many cells; fewer vertices or larger cells may "
+                      "help"),
     QT_TRANSLATE_NOOP("Core", "all points lie in one plane"),
     QT_TRANSLATE_NOOP("Core", "%1 open edge (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 open edges (first: %2)"),

@@ -41,7 +41,7 @@ QString factsText(const MeshInspection& found, const QString& unit) {
             FactsPanel::tr("size"),
             with(QStringLiteral("%1 × %2 × %3").arg(number(size[0]), number(size[1]), number(size[2])), "")) +
         tableLine(FactsPanel::tr("area"), with(number(facts.area), "²"));
-    if (facts.volume) lines += tableLine(FactsPanel::tr("volume"), with(number(*facts.volume), "³"));
+    if (found.volume > 0) lines += tableLine(FactsPanel::tr("volume"), with(number(found.volume), "³"));
     lines +=
         tableLine(FactsPanel::tr("triangles"), count(found.triangles > 0 ? found.triangles : 0)) +
         tableLine(
@@ -51,6 +51,7 @@ QString factsText(const MeshInspection& found, const QString& unit) {
         tableLine(FactsPanel::tr("parts"), count(facts.parts)) +
         tableLine(FactsPanel::tr("boundary loops"), count(facts.boundaryLoops));
     if (facts.genus) lines += tableLine(FactsPanel::tr("genus"), count(*facts.genus));
+    if (facts.sides == 1) lines += tableLine(FactsPanel::tr("sides"), count(1));
     if (found.intersectingPairs)
         lines += tableLine(FactsPanel::tr("crossing pairs"), count(*found.intersectingPairs));
     return lines;

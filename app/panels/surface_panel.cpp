@@ -22,6 +22,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_show(new QPushButton(tr("Show them"), this)),
       m_save(new QPushButton(tr("Save list…"), this)),
       m_fix(new QPushButton(tr("Fix this one"), this)),
+      m_fixAll(new QPushButton(tr("Fix all"), this)),
       m_preview(new QPushButton(tr("See the repair"), this)),
       m_repair(new QPushButton(tr("Repair"), this)),
       m_fit(new QPushButton(this)),
@@ -49,7 +50,9 @@ void SurfacePanel::arrange() {
         steps->addWidget(widget, widget == m_case);
     layout->addLayout(steps);
     layout->addWidget(m_fixText);
-    layout->addWidget(m_fix);
+    auto* fixes = new QHBoxLayout;
+    for (QPushButton* button : {m_fix, m_fixAll}) fixes->addWidget(button);
+    layout->addLayout(fixes);
     layout->addWidget(m_text);
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
@@ -98,6 +101,7 @@ void SurfacePanel::connectControls() {
     });
     connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
     connect(m_fix, &QPushButton::clicked, this, &SurfacePanel::fixRequested);
+    connect(m_fixAll, &QPushButton::clicked, this, &SurfacePanel::fixAllRequested);
     connect(m_preview, &QPushButton::clicked, this, [this](bool on) {
         m_show->setChecked(!on && !m_contents.isCaged);
         emit repairShown(on);
@@ -135,7 +139,8 @@ void SurfacePanel::showProblems(const Contents& contents) {
     const bool any = !contents.kinds.empty();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_kind, m_previous, m_next, m_case, m_show})
         widget->setEnabled(any);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_fixText, m_fix}) widget->setVisible(any);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_fixText, m_fix, m_fixAll})
+        widget->setVisible(any);
     tellCase();
     m_show->setChecked(!contents.isCaged);
     m_hole->setNumber(contents.largestHole);
@@ -169,6 +174,16 @@ int SurfacePanel::largestHole() const {
 void SurfacePanel::showFix(const QString& text, bool mayFix) {
     m_fixText->setText(text);
     m_fix->setEnabled(mayFix);
+}
+
+/// What it would do comes with its help: it may come late, and moves nothing.
+void SurfacePanel::showFixOfAll(const QString& text, bool mayFix) {
+    const QString help =
+        tr("Puts right all of this kind that simple steps can, in one step of undo; of holes those "
+           "of no more edges than are chosen below.");
+    describe(m_fixAll, m_fixAll->text(), text.isEmpty() ? help : text + ' ' + help);
+    const int kind = m_kind->currentIndex();
+    m_fixAll->setEnabled(mayFix && kind >= 0 && m_contents.kinds[kind].count > 1);
 }
 
 }  // namespace wend

@@ -37,6 +37,8 @@ class SurfacePanel : public QWidget {
     void showPlace() { step(0); }
     /// What could be done about this place alone; while that is not known it is not offered.
     void showFix(const QString& text, bool mayFix);
+    /// And about all of its kind.
+    void showFixOfAll(const QString& text, bool mayFix);
 
   signals:
     /// One of the cases of a kind is to be seen.
@@ -46,6 +48,8 @@ class SurfacePanel : public QWidget {
     void saveRequested();
     /// Only what is looked at is to be put right.
     void fixRequested();
+    /// All of the kind that is looked at are.
+    void fixAllRequested();
     void repairRequested(int largestHole);
     /// Holes of so many edges are to be filled by it.
     void limitChanged(int largestHole);
@@ -64,7 +68,7 @@ class SurfacePanel : public QWidget {
     QLabel *m_title, *m_text, *m_case, *m_fixText;
     QComboBox* m_kind;
     QToolButton *m_previous, *m_next;
-    QPushButton *m_show, *m_save, *m_fix, *m_preview, *m_repair, *m_fit;
+    QPushButton *m_show, *m_save, *m_fix, *m_fixAll, *m_preview, *m_repair, *m_fit;
     OptionField* m_hole;
     Contents m_contents;
     int m_number = 0;

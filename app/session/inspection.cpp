@@ -166,13 +166,6 @@ std::vector<int> coincident(const Points<3>& points) {
     return found;
 }
 
-double enclosed(const Surface& surface) {
-    double sum = 0;
-    for (const auto& t : surface.triangles)
-        sum += surface.points.col(t[0]).dot(surface.points.col(t[1]).cross(surface.points.col(t[2]))) / 6;
-    return std::abs(sum);
-}
-
 void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     inspection.diagonal = boundingBoxDiagonal<3>(file.points);
     const auto edges = cellsOfFacets<2>(file.triangles);
@@ -184,7 +177,7 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     inspection.suspects = found.triangles(surface);
     inspection.faults = faultsOf(surface, found);
     if (found.notFinite.empty()) inspection.intersectingPairs = static_cast<int>(found.intersecting.size());
-    if (found.boundsVolume() && found.misoriented.empty()) inspection.volume = enclosed(surface);
+    if (found.boundsVolume()) inspection.volume = inspection.facts->volume.value_or(0);
     const auto add = [&](const char* what, const std::vector<int>& where) {
         if (!where.empty()) inspection.problems.push_back({what, where, true});
     };

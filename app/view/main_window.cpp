@@ -291,6 +291,10 @@ void MainWindow::connectView() {
     connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
     connect(m_solids, &SolidWorkshop::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
+    m_fields->delay().watch(*m_canvas, [this]() -> FramePtr {
+        const auto& drawn = m_canvas->drawn();
+        return drawn ? drawn->request.frame : nullptr;
+    });
 }
 
 void MainWindow::connectHelp() {

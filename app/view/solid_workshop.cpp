@@ -112,6 +112,7 @@ void SolidWorkshop::connectView() {
     connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
     connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
+    m_around.fields.delay().watch(*m_canvas, [this] { return m_around.session.frame(); });
 }
 
 void SolidWorkshop::connectLooks(SolidCanvas* canvas) {

@@ -61,7 +61,7 @@ class StatusFields::HintLabel : public QLabel {
 };
 
 StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
-    : QObject(&bar), m_bar(bar), m_session(session), m_hint(new HintLabel(&bar)) {
+    : QObject(&bar), m_bar(bar), m_session(session), m_delay(session), m_hint(new HintLabel(&bar)) {
     bar.setSizeGripEnabled(false);
     m_hint->setIndent(kIndent);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
@@ -76,9 +76,11 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     m_worst->setObjectName(QStringLiteral("worstField"));
     m_area = add(tr("Area change"), tr("How much larger or smaller the shape is than at rest"),
                  tr("area %1 %").arg(QStringLiteral("+00.0")));
-    m_time = add(tr("Time per frame"), tr("What computing the last frame took"),
+    m_time = add(tr("Time per frame"),
+                 tr("In a drag: how long what you see comes after the hand. At rest: what computing it took"),
                  tr("%1 ms").arg(QStringLiteral("0000")));
     connect(&session, &ShapeSession::frameChanged, this, &StatusFields::showFrame);
+    connect(&m_delay, &SeenDelay::seen, this, &StatusFields::showTime);
 }
 
 QLabel* StatusFields::add(const QString& name, const QString& help, const QString& widest) {
@@ -157,8 +159,12 @@ void StatusFields::showFrame() {
     const QString percent = (change >= 0.05 ? QStringLiteral("+") : QString()) +
                             locale.toString(std::abs(change) < 0.05 ? 0.0 : change, 'f', 1);
     m_area->setText(frame->dimension == 2 ? tr("area %1 %").arg(percent) : tr("volume %1 %").arg(percent));
-    m_time->setText(frame->milliseconds > 0 ? tr("%1 ms").arg(locale.toString(frame->milliseconds, 'f', 0))
-                                            : QString());
+    if (!m_session.isDragging()) showTime(frame->milliseconds);
+}
+
+/// Of what is seen.
+void StatusFields::showTime(double milliseconds) {
+    m_time->setText(milliseconds > 0 ? tr("%1 ms").arg(QLocale().toString(milliseconds, 'f', 0)) : QString());
 }
 
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "app/panels/colour_map.h"
+#include "app/view/seen_delay.h"
 
 class QLabel;
 class QStatusBar;
@@ -24,6 +25,8 @@ class StatusFields : public QObject {
     void showTip(const QString& tip);
     /// What was told is of another document.
     void forgetTold() { m_toldUntil.setRemainingTime(0); }
+    /// Of the views that it is to look at.
+    SeenDelay& delay() { return m_delay; }
 
   public slots:
     void setHint(const QString& hint);
@@ -39,10 +42,12 @@ class StatusFields : public QObject {
     class HintLabel;
     QLabel* add(const QString& name, const QString& help, const QString& widest);
     void showFrame();
+    void showTime(double milliseconds);
     QString fitting(const QString& hint) const;
 
     QStatusBar& m_bar;
     ShapeSession& m_session;
+    SeenDelay m_delay;
     Measure m_measure = Measure::Length;
     HintLabel* m_hint;
     QString m_told, m_tip;  // the last ones

@@ -67,7 +67,8 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     connect(&panel, &SurfacePanel::solidWanted, this, &SurfaceCheck::showSolid);
     connect(&panel, &SurfacePanel::fitRequested, this, &SurfaceCheck::fitCage);
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
-    connect(&panel, &SurfacePanel::fixRequested, this, &SurfaceCheck::fixOne);
+    connect(&panel, &SurfacePanel::fixRequested, this, [this] { fix(m_fix, tr("Fix one fault")); });
+    connect(&panel, &SurfacePanel::fixAllRequested, this, &SurfaceCheck::fixAll);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
     connect(&panel, &SurfacePanel::limitChanged, this, &SurfaceCheck::tryLimit);
     connect(&panel, &SurfacePanel::repairShown, this, &SurfaceCheck::showRepair);
@@ -76,6 +77,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
 void SurfaceCheck::hide() {
     m_found.reset();
     m_fix.reset();
+    m_all = {};
     m_isPlaceShown = false;
     m_panel.hide();
 }
@@ -239,6 +241,7 @@ void SurfaceCheck::showCase(int kind, int number) {
     m_isPlaceShown = true;
     const Place place{kind, number};
     if (std::exchange(m_place, place) != place) propose();
+    proposeAll();
     showPlace(true);
 }
 
@@ -258,51 +261,6 @@ void SurfaceCheck::showPlace(bool fromNear) {
         m_canvas->showPlace(std::move(marked), direction, place);
     else
         m_canvas->showRefused(std::move(marked), direction);
-}
-
-/// Finds what could be done about this place alone.
-void SurfaceCheck::propose() {
-    m_fix.reset();
-    m_panel.showFix({}, false);
-    if (m_found->faults.empty()) return;
-    const auto find = [found = m_found, place = m_place] {
-        const FaultKind& kind = found->faults[place.kind];
-        return std::make_shared<const FaultFix>(
-            fixFor(found->source, found->fixes, kind.name, kind.cases[place.number]));
-    };
-    const auto take = [this, found = m_found, place = m_place](const std::shared_ptr<const FaultFix>& fix) {
-        if (m_found != found || m_place != place) return;
-        m_fix = fix;
-        tellOfFix();
-        if (m_isPlaceShown && m_canvas) showPlace(true);
-    };
-    inBackground(this, find, take);
-}
-
-void SurfaceCheck::tellOfFix() {
-    if (m_fix->steps.empty()) return m_panel.showFix(tr("No simple step puts this one right."), false);
-    int all = 0;
-    for (const FaultKind& kind : m_found->faults) all += static_cast<int>(kind.cases.size());
-    const QString does = wouldDo({{tr("drop triangles (%1)"), m_fix->dropped},
-                                  {tr("turn triangles (%1)"), m_fix->turned},
-                                  {tr("add triangles (%1)"), m_fix->added}});
-    m_panel.showFix(does + ' ' +
-                        tr("It would leave %1 of %2 faults.")
-                            .arg(QLocale().toString(m_fix->faults), QLocale().toString(all)),
-                    true);
-}
-
-void SurfaceCheck::fixOne() {
-    if (!m_found || !m_fix || m_fix->steps.empty()) return;
-    Document& document = m_session.document();
-    Domain next = document.domain();
-    next.fixes = m_found->fixes;
-    next.fixes.insert(next.fixes.end(), m_fix->steps.begin(), m_fix->steps.end());
-    m_fix.reset();
-    m_panel.showFix({}, false);  // once only
-    m_goesOn = true;
-    m_fixedKind = m_found->faults[m_place.kind].name;
-    document.changeDomain(tr("Fix one fault"), std::move(next));
 }
 
 void SurfaceCheck::showSolid() {
@@ -325,49 +283,6 @@ void SurfaceCheck::saveList() {
     if (!file.open(QIODevice::WriteOnly | QIODevice::Text)) return;
     file.write(listOf(m_found->problems, m_found->numbers));
     file.commit();
-}
-
-void SurfaceCheck::repair(int largestHole) {
-    Document& document = m_session.document();
-    Domain next = document.domain();
-    next.repair = true;
-    next.largestHole = largestHole;
-    document.changeDomain(tr("Repair surface"), std::move(next));
-}
-
-/// What the repair would do with another limit, before anything is done.
-void SurfaceCheck::tryLimit(int largestHole) {
-    if (!m_found) return;
-    const auto attempt = [found = m_found, largestHole] {
-        return std::make_shared<const Repaired>(found->surface, largestHole);
-    };
-    inBackground(this, attempt,
-                 [this, found = m_found, largestHole](const std::shared_ptr<const Repaired>& repaired) {
-                     if (m_found != found || m_panel.largestHole() != largestHole) return;
-                     m_repaired = repaired;
-                     tellOfRepair();
-                 });
-}
-
-void SurfaceCheck::tellOfRepair() {
-    const bool done = m_session.document().domain().repair;
-    m_panel.tellOfRepair(!done && m_repaired->left.boundsVolume(), done ? QString() : repairText());
-}
-
-QString SurfaceCheck::repairText() const {
-    const RepairReport& report = m_repaired->report;
-    return wouldDo({{tr("merge points (%1)"), report.mergedVertices},
-                    {tr("drop triangles (%1)"), report.droppedDegenerate + report.droppedDuplicate},
-                    {tr("turn triangles (%1)"), report.flipped},
-                    {tr("fill holes (%1)"), report.filledHoles}});
-}
-
-/// Of those that would change something; empty if none would.
-QString SurfaceCheck::wouldDo(const std::vector<std::pair<QString, int>>& repairs) {
-    QStringList parts;
-    for (const auto& [text, count] : repairs)
-        if (count > 0) parts << text.arg(QLocale().toString(count));
-    return parts.isEmpty() ? QString() : tr("It would %1.").arg(parts.join(QStringLiteral(", ")));
 }
 
 /// What fills holes in a colour of its own.

@@ -45,6 +45,13 @@ class SurfaceCheck : public QObject {
         int kind = 0, number = 0;
         bool operator==(const Place&) const = default;
     };
+    /// What could be done about all faults of a kind.
+    struct All {
+        std::shared_ptr<const Found> found;
+        int kind = 0, limit = 0;                   // edges of the largest hole, if the user has chosen that
+        std::shared_ptr<const FaultFix> fix = {};  // once that is known
+        bool isSought = false, isWanted = false;
+    };
     void preview();
     void look();
     void take(const std::shared_ptr<const Found>& found);
@@ -57,8 +64,11 @@ class SurfaceCheck : public QObject {
     void showCase(int kind, int number);
     void showPlace(bool fromNear);
     void propose();
+    void proposeAll();
+    QString textOf(const FaultFix& fix) const;
     void tellOfFix();
-    void fixOne();
+    void fix(const std::shared_ptr<const FaultFix>& fix, const QString& name);
+    void fixAll();
     void showSolid();
     void fitCage(bool cage);
     void saveList();
@@ -78,10 +88,11 @@ class SurfaceCheck : public QObject {
     Place m_place;                               // in m_found
     bool m_isPlaceShown = false;
     std::shared_ptr<const FaultFix> m_fix;  // what could be done there, once that is known
-    bool m_goesOn = false;                  // one was fixed: the next one is looked at …
-    std::string m_fixedKind;                // … of this kind
-    std::shared_ptr<const void> m_shape;    // the last one that was seen
-    bool m_isCaged = false;                 // it is embedded in a cage
+    All m_all;
+    bool m_goesOn = false;                // one was fixed: the next one is looked at …
+    std::string m_fixedKind;              // … of this kind
+    std::shared_ptr<const void> m_shape;  // the last one that was seen
+    bool m_isCaged = false;               // it is embedded in a cage
 };
 
 }  // namespace wend

@@ -28,6 +28,12 @@ void appendNumber(std::string& text, double value) {
     appendDigits(text, value, 17);
 }
 
+std::string numberText(double value) {
+    std::string text;
+    appendDigits(text, value, 9);
+    return text;
+}
+
 template <int Dim>
 std::string placeName(const Vec<Dim>& p) {
     std::string text;

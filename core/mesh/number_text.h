@@ -14,6 +14,9 @@ namespace wend {
 /// 17 significant digits, enough to read the identical double back.
 void appendNumber(std::string& text, double value);
 
+/// At most nine significant digits, for messages and command lines.
+std::string numberText(double value);
+
 /// (x, y) or (x, y, z) with nine significant digits at the most, for messages: of a shape far from the origin
 /// the places of two of its points are told apart, and 0.1 + 0.2 is 0.3.
 template <int Dim>

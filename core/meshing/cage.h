@@ -4,6 +4,7 @@
 
 #include "core/mesh/simplicial_mesh.h"
 #include "core/meshing/closed_gaps.h"
+#include "core/meshing/mesher_process.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -34,7 +35,9 @@ struct Cage {
 /// Cubes of one size that cover the surface and what it encloses (see fullCubes), each filled with
 /// tetrahedra between its middle, its neighbours' middles and the corners: all of a few shapes, none worse
 /// than a quarter of a cube. Every triangle lies inside, whether the surface is closed, crosses itself, or
-/// is a heap of loose parts. Throws InputError: no triangle, or no extent; Cancelled.
+/// is a heap of loose parts. It is made in a process of its own (wend-cage beside the program), which can be
+/// stopped at any moment, and alone ends where memory or time do not suffice. Throws InputError: that, or no
+/// triangle, or no extent; MesherLost; Cancelled.
 Cage fitCage(const Surface& surface, const CageOptions& options);
 
 }  // namespace wend

@@ -1,3 +1,5 @@
+#include "core/meshing/surface_check.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
@@ -6,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "core/meshing/surface.h"
+#include "core/mesh/error.h"
 #include "core/meshing/surface_edges.h"
 
 namespace wend {
@@ -71,8 +73,10 @@ class Crossing {
     const Points<3>& m_points;
 };
 
+/// Of a heap of triangles there may be millions: the search is left when enough are found.
 void findCrossings(const Surface& surface, const std::vector<Ids>& canonical, const std::vector<bool>& usable,
-                   int limit, SurfaceProblems& problems) {
+                   int limit, const std::stop_token& stop, SurfaceProblems& problems) {
+    struct Enough {};
     using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, std::vector<Ids>::const_iterator>;
     const Crossing crosses(surface.points);
     std::vector<Box> boxes;
@@ -84,12 +88,16 @@ void findCrossings(const Surface& surface, const std::vector<Ids>& canonical, co
     }
     const auto index = [&](const Box& box) { return static_cast<int>(box.handle() - canonical.begin()); };
     const auto report = [&](const Box& a, const Box& b) {
-        if (static_cast<int>(problems.intersecting.size()) >= limit || !crosses(*a.handle(), *b.handle()))
-            return;
+        if (stop.stop_requested()) throw Cancelled();
+        if (!crosses(*a.handle(), *b.handle())) return;
         const int i = index(a), j = index(b);
         problems.intersecting.push_back({std::min(i, j), std::max(i, j)});
+        if (static_cast<int>(problems.intersecting.size()) >= limit) throw Enough();
     };
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report);
+    try {
+        CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report);
+    } catch (const Enough&) {
+    }
     std::sort(problems.intersecting.begin(), problems.intersecting.end());
 }
 
@@ -198,7 +206,7 @@ std::vector<int> canonicalVertices(const Points<3>& points) {
     return canonical;
 }
 
-SurfaceProblems checkSurface(const Surface& surface, int limit) {
+SurfaceProblems checkSurface(const Surface& surface, int limit, const std::stop_token& stop) {
     SurfaceProblems problems;
     for (int i = 0; i < surface.vertexCount(); ++i)
         if (!surface.points.col(i).allFinite()) problems.notFinite.push_back(i);
@@ -210,8 +218,12 @@ SurfaceProblems checkSurface(const Surface& surface, int limit) {
     if (!problems.notFinite.empty()) return problems;
     problems.flat = liesInAPlane(surface);
     checkEdges(surface, canonical, usable, problems);
-    if (limit > 0) findCrossings(surface, canonical, usable, limit, problems);
+    if (limit > 0) findCrossings(surface, canonical, usable, limit, stop, problems);
     return problems;
+}
+
+SurfaceProblems checkSurface(const Surface& surface, int limit) {
+    return checkSurface(surface, limit, {});
 }
 
 }  // namespace wend

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/mesh/disjoint_sets.h"
+#include "core/meshing/solid_angle.h"
 #include "core/meshing/surface_edges.h"
 
 namespace wend {
@@ -61,11 +63,62 @@ int countSets(DisjointSets& sets, const std::vector<bool>& of) {
     return count;
 }
 
-int partsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
+/// Triangles that hang together by edges.
+struct Part {
+    std::vector<int> triangles;
+    Eigen::AlignedBox3d box;
+};
+
+std::vector<Part> partsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
     DisjointSets sets(surface.triangleCount());
     for (const SurfaceEdge& edge : edges)
         for (const int t : edge.triangles) sets.join(t, edge.triangles[0]);
-    return countSets(sets, std::vector<bool>(surface.triangles.size(), true));
+    std::map<int, Part> byRoot;
+    for (int t = 0; t < surface.triangleCount(); ++t) {
+        Part& part = byRoot[sets.root(t)];
+        part.triangles.push_back(t);
+        for (const int v : surface.triangles[t]) part.box.extend(surface.points.col(v).eval());
+    }
+    std::vector<Part> parts;
+    for (auto& [root, part] : byRoot) parts.push_back(std::move(part));
+    return parts;
+}
+
+double signedVolume(const Surface& surface, const Part& part) {
+    double volume = 0;
+    const Vec<3> origin = part.box.center();
+    for (const int t : part.triangles) {
+        const auto& ids = surface.triangles[t];
+        const Vec<3> a = surface.points.col(ids[0]) - origin, b = surface.points.col(ids[1]) - origin,
+                     c = surface.points.col(ids[2]) - origin;
+        volume += a.dot(b.cross(c)) / 6;
+    }
+    return volume;
+}
+
+/// Of closed parts that do not cross, however they are oriented.
+bool encloses(const Surface& surface, const Part& part, const Vec<3>& p) {
+    if (!part.box.contains(p)) return false;
+    double angle = 0;
+    for (const int t : part.triangles) {
+        const auto& ids = surface.triangles[t];
+        angle +=
+            solidAngle(p, surface.points.col(ids[0]), surface.points.col(ids[1]), surface.points.col(ids[2]));
+    }
+    return std::lround(std::abs(angle) / (4 * std::numbers::pi)) % 2 == 1;
+}
+
+double enclosedVolume(const Surface& surface, const std::vector<Part>& parts) {
+    double volume = 0;
+    for (const Part& part : parts) {
+        const auto& first = surface.triangles[part.triangles[0]];
+        const Vec<3> p =
+            (surface.points.col(first[0]) + surface.points.col(first[1]) + surface.points.col(first[2])) / 3;
+        const auto around = std::ranges::count_if(
+            parts, [&](const Part& other) { return &other != &part && encloses(surface, other, p); });
+        volume += (around % 2 == 0 ? 1 : -1) * std::abs(signedVolume(surface, part));
+    }
+    return volume;
 }
 
 int loopsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges, Corners& corners) {
@@ -86,6 +139,16 @@ bool isOriented(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
         const auto [from, to] = edge.vertices;
         return edge.triangles.size() != 2 || runsAlong(surface.triangles[edge.triangles[0]], from, to) !=
                                                  runsAlong(surface.triangles[edge.triangles[1]], from, to);
+    });
+}
+
+/// Every edge is run along as often in one direction as in the other.
+bool isClosed(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
+    return std::ranges::all_of(edges, [&](const SurfaceEdge& edge) {
+        const auto [from, to] = edge.vertices;
+        return 2 * std::ranges::count_if(edge.triangles,
+                                         [&](int t) { return runsAlong(surface.triangles[t], from, to); }) ==
+               std::ssize(edge.triangles);
     });
 }
 
@@ -115,27 +178,26 @@ SurfaceFacts factsOf(const Surface& surface) {
     const Surface clean = cleaned(surface);
     if (clean.triangles.empty()) return facts;
     Eigen::AlignedBox3d box;
-    double volume = 0;
-    const Vec<3> origin = clean.points.col(clean.triangles[0][0]);
     for (const auto& t : clean.triangles) {
         const Vec<3> a = clean.points.col(t[0]), b = clean.points.col(t[1]), c = clean.points.col(t[2]);
         for (const Vec<3>& p : {a, b, c}) box.extend(p);
         facts.area += (b - a).cross(c - a).norm() / 2;
-        volume += (a - origin).dot((b - origin).cross(c - origin)) / 6;
     }
     facts.low = box.min();
     facts.high = box.max();
     const std::vector<SurfaceEdge> edges = edgesOf(clean);
     measureEdges(clean, edges, facts);
-    facts.parts = partsOf(clean, edges);
+    const std::vector<Part> parts = partsOf(clean, edges);
+    facts.parts = static_cast<int>(parts.size());
     Corners corners(clean, edges);
     facts.boundaryLoops = loopsOf(clean, edges, corners);
+    if (isClosed(clean, edges)) facts.volume = enclosedVolume(clean, parts);
     const bool isManifold =
         std::ranges::all_of(edges, [](const SurfaceEdge& edge) { return edge.triangles.size() <= 2; });
     if (!isManifold) return facts;
-    if (facts.boundaryLoops == 0 && isOriented(clean, edges)) facts.volume = std::abs(volume);
+    facts.sides = hasTwoSides(clean) ? 2 : 1;
     // Euler: V − E + F = 2 parts − 2 genus − loops
-    if (hasTwoSides(clean))
+    if (facts.sides == 2)
         facts.genus =
             facts.parts - (corners.count() - facts.edges + clean.triangleCount() + facts.boundaryLoops) / 2;
     return facts;

@@ -12,10 +12,12 @@ struct SurfaceFacts {
     double area = 0;
     int edges = 0;
     double shortestEdge = 0, meanEdge = 0, longestEdge = 0;
-    int parts = 0;             // that hang together by edges
-    int boundaryLoops = 0;     // boundaries of holes
-    std::optional<int> genus;  // handles of all parts together, if the surface is a manifold with two sides
-    std::optional<double> volume;  // enclosed, inner shells being holes; if it is closed and oriented too
+    int parts = 0;                 // that hang together by edges
+    int boundaryLoops = 0;         // boundaries of holes
+    int sides = 0;                 // 1 of a Möbius band, 2; 0 where more than two triangles meet at an edge
+    std::optional<int> genus;      // handles of all parts together, if it has two sides
+    std::optional<double> volume;  // enclosed, shells in an odd number of others being holes; if every
+                                   // edge is run along as often in both directions
 };
 
 /// The surface's indices are valid and its coordinates finite. Crossings are not looked for.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/error.h"
+#include "core/meshing/fix_all.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/surface_faults.h"
 #include "core/meshing/surface_holes.h"
@@ -13,8 +15,9 @@ namespace wend {
 namespace {
 
 using Edge = std::array<int, 2>;
-constexpr int kMostRings = 2;       // around triangles that cross
-constexpr int kLeastThatStays = 4;  // times what goes away with them
+constexpr int kMostRings = 2;                     // around triangles that cross
+constexpr int kMostRounds = 50, kMostTries = 20;  // in each, for all faults of a kind
+constexpr int kLeastThatStays = 4;                // times what goes away with them
 
 Edge sorted(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
@@ -173,7 +176,55 @@ class FaultFixer {
         return helps ? fix : FaultFix{};
     }
 
+    /// What steps that are known would do.
+    FaultFix withEffect(std::vector<SurfaceFix> steps) const {
+        FaultFix fix;
+        fix.after = after(steps);
+        fix.steps = std::move(steps);
+        const Surface &before = m_now.surface, &then = fix.after.surface;
+        std::size_t k = 0;  // in what is left
+        for (int t = 0; t < before.triangleCount(); ++t) {
+            const bool stays = k < fix.after.numbers.size() && fix.after.numbers[k] == m_now.numbers[t];
+            const bool turned = stays && then.triangles[k] != before.triangles[t];
+            fix.dropped += !stays;
+            fix.turned += turned;
+            if (!stays || turned) fix.changed.push_back(t);
+            k += stays;
+        }
+        fix.added = then.triangleCount() - static_cast<int>(k);
+        fix.left = checkSurface(then);
+        fix.faults = countOf(then, fix.left);
+        return fix;
+    }
+
+    /// For all cases of a kind together, or where that does not help for as many of them as it does.
+    FaultFix fixForMost(const std::string& kind, int largestHole) {
+        std::vector<std::vector<int>> cases;
+        for (FaultKind& found : faultsOf(m_now.surface, m_problems))
+            if (found.name == kind) cases = std::move(found.cases);
+        if (kind == "hole")
+            std::erase_if(cases, [&](const auto& hole) { return std::ssize(hole) > largestHole; });
+        if (kind == "turned_edge" && cases.size() > 1) cases.resize(1);  // the others may be turned with it
+        int tries = kMostTries;
+        return fixForMost(kind, cases, tries);
+    }
+
   private:
+    FaultFix fixForMost(const std::string& kind, std::span<const std::vector<int>> cases, int& tries) {
+        if (cases.empty() || tries-- <= 0) return {};
+        std::vector<int> triangles;
+        for (const auto& one : cases) triangles.insert(triangles.end(), one.begin(), one.end());
+        if (kind == "crossing") {  // others have a triangle for each edge
+            std::ranges::sort(triangles);
+            const auto rest = std::ranges::unique(triangles);
+            triangles.erase(rest.begin(), rest.end());
+        }
+        FaultFix fix = fixFor(kind, triangles);
+        if (!fix.steps.empty() || cases.size() == 1) return fix;
+        fix = fixForMost(kind, cases.first(cases.size() / 2), tries);
+        return fix.steps.empty() ? fixForMost(kind, cases.subspan(cases.size() / 2), tries) : fix;
+    }
+
     SurfaceFix drop(const std::vector<int>& triangles) const {
         SurfaceFix fix;
         for (const int t : triangles) fix.ids.push_back(m_now.numbers[t]);
@@ -298,26 +349,6 @@ class FaultFixer {
         return fixSurface(m_source, all);
     }
 
-    FaultFix withEffect(std::vector<SurfaceFix> steps) const {
-        FaultFix fix;
-        fix.after = after(steps);
-        fix.steps = std::move(steps);
-        const Surface &before = m_now.surface, &then = fix.after.surface;
-        std::size_t k = 0;  // in what is left
-        for (int t = 0; t < before.triangleCount(); ++t) {
-            const bool stays = k < fix.after.numbers.size() && fix.after.numbers[k] == m_now.numbers[t];
-            const bool turned = stays && then.triangles[k] != before.triangles[t];
-            fix.dropped += !stays;
-            fix.turned += turned;
-            if (!stays || turned) fix.changed.push_back(t);
-            k += stays;
-        }
-        fix.added = then.triangleCount() - static_cast<int>(k);
-        fix.left = checkSurface(then);
-        fix.faults = countOf(then, fix.left);
-        return fix;
-    }
-
     const Surface& m_source;
     const std::vector<SurfaceFix>& m_done;
     const FixedSurface m_now;
@@ -339,6 +370,17 @@ FixedSurface fixSurface(const Surface& surface, const std::vector<SurfaceFix>& f
 FaultFix fixFor(const Surface& surface, const std::vector<SurfaceFix>& done, const std::string& kind,
                 const std::vector<int>& triangles) {
     return FaultFixer(surface, done).fixFor(kind, triangles);
+}
+
+FaultFix fixForAll(const Surface& surface, const std::vector<SurfaceFix>& done, const std::string& kind,
+                   int largestHole) {
+    std::vector<SurfaceFix> all = done, steps;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const FaultFix fix = FaultFixer(surface, all).fixForMost(kind, largestHole);
+        if (fix.steps.empty()) break;
+        for (auto* list : {&all, &steps}) list->insert(list->end(), fix.steps.begin(), fix.steps.end());
+    }
+    return steps.empty() ? FaultFix{} : FaultFixer(surface, done).withEffect(std::move(steps));
 }
 
 }  // namespace wend

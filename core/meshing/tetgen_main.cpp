@@ -2,37 +2,18 @@
 // A program of its own because TetGen may abort, exit, crash or never end: then only this process does.
 
 #include <fcntl.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <tetgen.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
 #include <new>
 
+#include "core/meshing/helper_program.h"
 #include "core/meshing/tetgen_protocol.h"
 
 namespace {
-
-std::string readAll(int fd) {
-    std::string bytes;
-    std::array<char, 65536> buffer;
-    for (ssize_t got; (got = read(fd, buffer.data(), buffer.size())) > 0;) bytes.append(buffer.data(), got);
-    return bytes;
-}
-
-bool writeAll(int fd, const std::string& bytes) {
-    for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t wrote = write(fd, bytes.data() + at, bytes.size() - at);
-        if (wrote <= 0) return false;
-        at += static_cast<std::size_t>(wrote);
-    }
-    return true;
-}
 
 /// TetGen prints to standard output: the reply takes the pipe, the chatter goes nowhere.
 int takeStandardOutput() {
@@ -41,21 +22,6 @@ int takeStandardOutput() {
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
     return pipe;
-}
-
-void limitMemory(const char* megabytes) {
-    const rlim_t bytes = static_cast<rlim_t>(std::max(64, std::atoi(megabytes))) << 20;
-    const rlimit limit{bytes, bytes};
-    setrlimit(RLIMIT_AS, &limit);
-    const rlimit noCore{0, 0};
-    setrlimit(RLIMIT_CORE, &noCore);
-}
-
-/// Of the processor's time: how busy the machine is does not decide what can be meshed.
-void limitTime(const char* seconds) {
-    const rlim_t soft = static_cast<rlim_t>(std::max(1, std::atoi(seconds)));
-    const rlimit limit{soft, soft + 1};
-    setrlimit(RLIMIT_CPU, &limit);
 }
 
 /// tetgenio frees these arrays itself, with delete[].
@@ -168,13 +134,11 @@ wend::TetgenReply mesh(const wend::TetgenRequest& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
-    limitMemory(argc > 1 ? argv[1] : "4096");
-    limitTime(argc > 2 ? argv[2] : "120");
+    wend::beginHelper(argc, argv);
     const int pipe = takeStandardOutput();
     wend::TetgenRequest request;
-    if (!unpack(readAll(STDIN_FILENO), request)) return 2;
-    const bool written = writeAll(pipe, pack(mesh(request)));
+    if (!unpack(wend::readAll(STDIN_FILENO), request)) return 2;
+    const bool written = wend::writeAll(pipe, pack(mesh(request)));
     // Not exit(): after an error of TetGen its destructors free what it has freed already.
     _exit(written ? 0 : 1);
 }

@@ -6,8 +6,7 @@
 
 namespace wend {
 
-/// What goes through the pipes between the program and wend-tetgen: plain arrays, in the machine's own byte
-/// order.
+/// What goes through the pipes between the program and wend-tetgen.
 struct TetgenRequest {
     std::string switches;
     std::vector<double> points;   // 3 per vertex
@@ -25,7 +24,7 @@ struct TetgenReply {
     std::vector<int> labels;     // 1 per facet
 };
 
-/// Bytes of all members one after another, arrays with their length in front.
+/// Bytes of all members one after another (see array_bytes.h).
 std::string pack(const TetgenRequest& request);
 std::string pack(const TetgenReply& reply);
 /// False if the bytes are too few or too many.

@@ -4,32 +4,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <map>
 #include <numbers>
 #include <numeric>
 
-#include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 #include "core/mesh/used_vertices.h"
+#include "core/meshing/solid_angle.h"
 #include "core/meshing/spatial_order.h"
+#include "core/meshing/surface_check.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/tetgen_protocol.h"
 
 namespace wend {
 namespace {
 
-constexpr int kMegabytes = 8192;         // address space of the mesher
-constexpr int kTrianglesInTime = 50000;  // see VolumeMeshOptions::timeLimit
-constexpr double kAimTolerance = 0.1;    // inner than the 15 % promised
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", value);
-    std::replace(text.begin(), text.end(), ',', '.');
-    return text.data();
-}
+constexpr double kAimTolerance = 0.1;  // inner than the 15 % promised
 
 /// Shells: triangles connected over vertices, one number per triangle.
 std::vector<int> shellsOf(const Surface& surface) {
@@ -47,15 +38,6 @@ std::vector<int> shellsOf(const Surface& surface) {
     for (const auto& t : surface.triangles)
         shells.push_back(names.try_emplace(root(t[0]), static_cast<int>(names.size())).first->second);
     return shells;
-}
-
-/// Signed solid angle of a triangle seen from p (van Oosterom and Strackee 1983).
-double solidAngle(const Vec<3>& p, const Vec<3>& x, const Vec<3>& y, const Vec<3>& z) {
-    const Vec<3> a = x - p, b = y - p, c = z - p;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    const double det = a.dot(b.cross(c));
-    const double den = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    return 2 * std::atan2(det, den);
 }
 
 /// Is p inside an odd number of shells? Their orientation does not matter.
@@ -90,28 +72,9 @@ Surface oriented(const Surface& surface) {
     return checkSurface(copy, 0).misoriented.empty() ? copy : repairSurface(copy, 0, report);
 }
 
-std::string reasonOf(const ChildResult& result, double timeLimit) {
-    using End = ChildResult::End;
-    switch (result.end) {
-        case End::NotStarted:
-            throw MesherLost("the volume mesher wend-tetgen is missing beside the program");
-        case End::TimedOut:
-        case End::Idle:
-            return "the volume mesher did not finish within " + number(timeLimit) +
-                   " s of computing; a coarser quality or a larger maxVolume may help";
-        case End::Stopped:
-            throw Cancelled();
-        case End::Signalled:
-            // Only somebody else sends these: the surface is not to blame.
-            if (result.code == SIGKILL || result.code == SIGTERM)
-                throw MesherLost("the volume mesher was ended (signal " + std::to_string(result.code) + ")");
-            return "the volume mesher failed inside (signal " + std::to_string(result.code) + ")";
-        case End::Exited:
-            return result.code == 0
-                       ? ""
-                       : "the volume mesher failed (exit code " + std::to_string(result.code) + ")";
-    }
-    return {};
+MesherProcess mesherFor(const VolumeMeshOptions& options) {
+    return {"wend-tetgen", "the volume mesher", "the volume mesher did not finish within ",
+            "a coarser quality or a larger maxVolume may help", options.timeLimit};
 }
 
 std::string reasonOf(int tetgenError) {
@@ -146,15 +109,10 @@ class VolumeMesher {
     }
 
     VolumeMesh mesh(double maxVolume) const {
-        // How busy the machine is should not decide what can be meshed: by the clock there is more time.
-        const int times = 1 + m_surface.triangleCount() / kTrianglesInTime;
-        const double limit = m_options.timeLimit * times;
-        const ChildResult result = runChild(siblingProgram("wend-tetgen"), pack(request(maxVolume)),
-                                            10 * limit, kMegabytes, m_options.stop, limit);
-        const std::string reason = reasonOf(result, limit);
-        if (!reason.empty()) throw InputError(reason);
+        const std::string answer = answerOf(mesherFor(m_options), pack(request(maxVolume)),
+                                            m_surface.triangleCount(), m_options.stop);
         TetgenReply reply;
-        if (!unpack(result.output, reply)) throw InputError("the volume mesher gave an incomplete answer");
+        if (!unpack(answer, reply)) throw InputError("the volume mesher gave an incomplete answer");
         if (reply.error != 0) throw InputError(reasonOf(reply.error));
         return read(reply);
     }
@@ -173,8 +131,8 @@ class VolumeMesher {
     TetgenRequest request(double maxVolume) const {
         TetgenRequest request;
         request.switches =
-            std::string("pAQ") + (m_options.keepSurface ? "Y" : "") + "q" + number(m_options.quality);
-        if (m_options.sizes.empty() && maxVolume > 0) request.switches += "a" + number(maxVolume);
+            std::string("pAQ") + (m_options.keepSurface ? "Y" : "") + "q" + numberText(m_options.quality);
+        if (m_options.sizes.empty() && maxVolume > 0) request.switches += "a" + numberText(maxVolume);
         if (!m_options.sizes.empty() && maxVolume > 0) addSizes(maxVolume, request);
         for (const int v : m_sent)
             for (int k = 0; k < 3; ++k) request.points.push_back(m_surface.points(k, v));
@@ -342,7 +300,8 @@ VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& optio
 
 void requireSense(const VolumeMeshOptions& options) {
     if (!(options.quality >= 1.2))
-        throw InputError("quality " + number(options.quality) + " is below 1.2, where meshing need not end");
+        throw InputError("quality " + numberText(options.quality) +
+                         " is below 1.2, where meshing need not end");
     if (!(options.maxVolume >= 0) || !std::isfinite(options.maxVolume))
         throw InputError("maxVolume must be a positive number");
     if (options.vertices < 0) throw InputError("vertices must be positive");
@@ -373,7 +332,7 @@ int VolumeMesh::usedCount() const {
 VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options) {
     requireSense(options);
     if (surface.triangles.empty()) throw InputError("the surface has no triangle");
-    const SurfaceProblems problems = checkSurface(surface);
+    const SurfaceProblems problems = checkSurface(surface, 10000, options.stop);
     if (!problems.boundsVolume())
         throw SurfaceError("the surface bounds no volume: " + problems.summary(), problems);
     const VolumeMesher mesher(surface, options);

@@ -6,6 +6,7 @@
 
 #include "core/mesh/error.h"
 #include "core/mesh/simplicial_mesh.h"
+#include "core/meshing/mesher_process.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -55,12 +56,6 @@ class SurfaceError : public InputError {
         : InputError(other.named(file)), problems(other.problems) {}
 
     SurfaceProblems problems;
-};
-
-/// The program that does it is not there, or was ended by somebody else: no surface is to blame.
-class MesherLost : public InputError {
-  public:
-    using InputError::InputError;
 };
 
 /// The volume between the shells of a closed surface (inside where an odd number of shells encloses: a shell

@@ -102,3 +102,9 @@ WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
 WAIT=15 KEYS="ctrl+a" shot solid-curve.png "$root/resources/samples/bar.wend"
 echo '{"format": "wend", "version": 1, "domain": {"surface": "'"$root"'/resources/samples/bar.obj", "vertices": 3000, "refineSurface": true}}' >"$scratch/bar.wend"
 WAIT=15 KEYS="shift+a m f bracketright bracketright" DRAG="310 400 620 505" shot solid-sizes.png "$scratch/bar.wend"
+# A knot in a cage, and a vase with holes, seen from outside.
+(cd "$scratch" && PYTHONDONTWRITEBYTECODE=1 python3 -c 'import sys; sys.path.insert(0, sys.argv[1]); import bent; bent.knot().write("knot.obj"); bent.vase().write("inside.obj")' "$here" &&
+    awk '$1 == "f" {print $1, $2, $4, $3; next} 1' inside.obj >vase.obj)
+echo '{"format": "wend", "version": 1, "domain": {"surface": "knot.obj", "cage": true, "vertices": 4000}}' >"$scratch/knot.wend"
+WAIT=15 KEYS="ctrl+1" CLICKS="1205,609" shot facts.png "$scratch/knot.wend"
+WAIT=15 DRAG="1222 542 1222 542" shot repair.png "$scratch/vase.obj"

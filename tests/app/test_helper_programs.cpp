@@ -111,12 +111,16 @@ void TestHelperPrograms::diesWithTheProgram() {
 }
 
 void TestHelperPrograms::killedMesher_data() {
+    QTest::addColumn<QString>("mesher");
     QTest::addColumn<int>("signal");
-    QTest::newRow("ended by somebody") << SIGKILL;
-    QTest::newRow("a fault of its own") << SIGSEGV;
+    for (const QString mesher : {"wend-tetgen", "wend-cage"}) {
+        QTest::addRow("%s, ended by somebody", qPrintable(mesher)) << mesher << SIGKILL;
+        QTest::addRow("%s, a fault of its own", qPrintable(mesher)) << mesher << SIGSEGV;
+    }
 }
 
 void TestHelperPrograms::killedMesher() {
+    QFETCH(QString, mesher);
     QFETCH(int, signal);
     put(path(), "tetrahedron.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
@@ -124,12 +128,13 @@ void TestHelperPrograms::killedMesher() {
     const QStringList before = listing();
     QProcess process;
     process.setWorkingDirectory(path());
-    process.start(WEND_BINARY, {"mesh", "tetrahedron.obj", "-o", "kept.vtu", "--refine-surface", "--no-cage",
-                                "--max-volume", "1e-8"});  // a minute's work
+    process.start(WEND_BINARY, {"mesh", "tetrahedron.obj", "-o", "kept.vtu", "--refine-surface",
+                                mesher == "wend-cage" ? "--cage" : "--no-cage", "--max-volume",
+                                "1e-8"});  // a minute's work
     QVERIFY(process.waitForStarted());
-    const pid_t mesher = childCalled("wend-tetgen", process.processId());
-    QVERIFY(mesher > 0);
-    QCOMPARE(::kill(mesher, signal), 0);
+    const pid_t child = childCalled(mesher, process.processId());
+    QVERIFY(child > 0);
+    QCOMPARE(::kill(child, signal), 0);
     QVERIFY(process.waitForFinished(60000));
     const QByteArray said = process.readAllStandardError();
     QVERIFY(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 3);

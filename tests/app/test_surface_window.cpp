@@ -264,6 +264,26 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     m_f->window().actions().undo->trigger();
     QCOMPARE(domain().fixes.size(), std::size_t(1));
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && says(last); }, 20000));
+    m_f->window().actions().undo->trigger();
+    QCOMPARE(domain().fixes.size(), std::size_t(0));
+    QVERIFY(settle(m_f->session()));
+    // Both at once, told before, in one step.
+    QPushButton* all = button(QStringLiteral("Fix all"));
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && fix->isEnabled(); }, 20000));
+    QVERIFY(all->isEnabled());
+    if (!button(QStringLiteral("Show them"))->isChecked())
+        QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
+    const QString both = QStringLiteral("It would add triangles (2). It would leave 0 of 2 faults.");
+    QVERIFY(QTest::qWaitFor([&] { return all->toolTip().contains(both); }, 20000));
+    QTest::mouseClick(all, Qt::LeftButton);
+    QCOMPARE(domain().fixes.size(), std::size_t(2));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
+    m_f->window().actions().undo->trigger();
+    QCOMPARE(domain().fixes.size(), std::size_t(0));
+    m_f->window().actions().redo->trigger();
+    QCOMPARE(domain().fixes.size(), std::size_t(2));
+    QVERIFY(settle(m_f->session()));
 }
 
 /// From the first time that it is shown.

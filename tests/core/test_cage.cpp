@@ -12,6 +12,8 @@
 #include "core/mesh/hanging_parts.h"
 #include "core/mesh/quality.h"
 #include "core/meshing/cage.h"
+#include "core/meshing/cage_fitter.h"
+#include "core/meshing/cage_protocol.h"
 #include "tests/support/surfaces.h"
 
 using namespace wend;
@@ -38,6 +40,9 @@ class TestCage : public QObject {
     void sizesDoNotMatter();
     void nonsenseIsRefused_data();
     void nonsenseIsRefused();
+    void sameInThisProcess_data();
+    void sameInThisProcess();
+    void badBytesAreRefused();
     void cancelEnds();
 };
 
@@ -377,10 +382,54 @@ void TestCage::nonsenseIsRefused() {
     QVERIFY_THROWS_EXCEPTION(InputError, cageOf(surface, 500));
 }
 
+void TestCage::sameInThisProcess_data() {
+    holdsTheSurface_data();
+    QTest::newRow("fork") << -1;
+}
+/// To the last bit.
+void TestCage::sameInThisProcess() {
+    QFETCH(int, index);
+    const Surface surface = index < 0 ? fork(0.05) : surfaces()[index].second;
+    for (const double detail : {0.0, 0.5}) {
+        CageOptions options;
+        options.vertices = 600;
+        options.detail = detail;
+        options.offset = 0.1;
+        const Cage here = cageAround(surface, options), there = fitCage(surface, options);
+        QVERIFY(here.mesh.points == there.mesh.points && here.mesh.cells == there.mesh.cells);
+        QVERIFY(here.edge == there.edge && here.openEdge == there.openEdge &&
+                here.openDetail == there.openDetail);
+        QVERIFY(here.aimMet == there.aimMet && here.bodies == there.bodies && here.parts == there.parts &&
+                here.apart == there.apart);
+        QVERIFY(std::ranges::equal(here.gaps, there.gaps, [](const ClosedGap& a, const ClosedGap& b) {
+            return a.width == b.width && a.place == b.place;
+        }));
+    }
+}
+
+/// Cut off anywhere, or with more behind it.
+void TestCage::badBytesAreRefused() {
+    const Surface surface = box({0, 0, 0}, {1, 1, 1});
+    CageOptions options;
+    options.vertices = 150;
+    const std::string asked = pack(CageRequest{surface, {}}),
+                      answer = pack(CageReply{{}, cageAround(surface, options)});
+    for (std::size_t size = 0; size <= answer.size(); size += size < 200 ? 1 : 97) {
+        CageRequest request;
+        CageReply reply;
+        QVERIFY(size >= asked.size() || !unpack(asked.substr(0, size), request));
+        QVERIFY(size == answer.size() || !unpack(answer.substr(0, size), reply));
+    }
+    CageReply reply;
+    QVERIFY(unpack(answer, reply) && !unpack(answer + '\0', reply));
+}
+
+/// A cage of more cells than could be made in a minute.
 void TestCage::cancelEnds() {
     std::stop_source stop;
     stop.request_stop();
     CageOptions options;
+    options.maxVolume = 1e-12;
     options.stop = stop.get_token();
     QVERIFY_THROWS_EXCEPTION(Cancelled, fitCage(noise(2000), options));
 }

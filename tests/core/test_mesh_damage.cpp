@@ -291,7 +291,10 @@ class TestMeshDamage : public QObject {
                                      << "line 4: a face needs three corners";
         QTest::newRow("other text") << "a.obj" << QByteArray("solid x\n")
                                     << "line 1: 'solid' is no keyword of an OBJ file";
-        QTest::newRow("no faces") << "a.obj" << points << "there is no triangle and no tetrahedron in it";
+        QTest::newRow("no faces")
+            << "a.obj" << points
+            << "holds 3 points, but neither triangles nor tetrahedra between them: a surface has to be made "
+               "of the points first, as MeshLab and CloudCompare do";
         QTest::newRow("no vertices") << "a.obj" << QByteArray("o x\n") << "there is no vertex in it";
         QTest::newRow("off end") << "a.off" << QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n")
                                  << "line 6: the file ends where a vertex number is expected";
@@ -301,7 +304,22 @@ class TestMeshDamage : public QObject {
         QTest::newRow("off other text") << "a.off" << QByteArray("solid x\n")
                                         << "line 1: begins with 'solid' instead of OFF: no OFF file";
         QTest::newRow("off of four") << "a.off" << QByteArray("4OFF\n8 6 12\n")
-                                     << "line 1: '4OFF': only points in space are read";
+                                     << "line 1: '4OFF': its points have four coordinates; only points in "
+                                        "space, which have three, are read";
+        QTest::newRow("off of any") << "a.off" << QByteArray("nOFF 5\n8 6 12\n")
+                                    << "line 1: 'nOFF': its points have any number of coordinates; only "
+                                       "points in space, which have three, are read";
+        const QByteArray cloud =
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
+        const QByteArray two = "end_header\n0 0 0\n1 0 0\n";
+        QTest::newRow("ply of points")
+            << "a.ply" << cloud + two
+            << "holds 2 points, but neither triangles nor tetrahedra between them: a surface has to be made "
+               "of the points first, as MeshLab and CloudCompare do";
+        QTest::newRow("ply of strips")
+            << "a.ply"
+            << cloud + "element tristrips 1\nproperty list int int vertex_indices\n" + two + "3 0 1 0\n"
+            << "line 12: its triangles are in strips, which are not read";
         QTest::newRow("off appearance")
             << "a.off" << QByteArray("appearance {\n+face {\n}\nOFF\n3 1 0\n")
             << "line 5: the file ends where the end of the appearance is expected";

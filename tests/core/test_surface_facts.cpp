@@ -17,7 +17,9 @@ class TestSurfaceFacts : public QObject {
     void torus();
     void edgesOfABlock();
     void cubeWithAHole();
+    void shells_data();
     void shells();
+    void blocksThatMeetInAnEdge();
     void openOnes();
     void oneSided();
     void soupIsTheSame();
@@ -83,6 +85,7 @@ void TestSurfaceFacts::sphere() {
     QVERIFY(std::abs(facts.area / (16 * kPi) - 1) < 2e-3);
     QVERIFY(std::abs(*facts.volume / (32 * kPi / 3) - 1) < 2e-3);
     QCOMPARE(*facts.genus, 0);
+    QCOMPARE(facts.sides, 2);
     QCOMPARE(facts.boundaryLoops, 0);
     QCOMPARE(facts.parts, 1);
     QVERIFY((facts.high - facts.low - Vec<3>::Constant(4)).norm() < 1e-12);
@@ -117,13 +120,31 @@ void TestSurfaceFacts::cubeWithAHole() {
     QCOMPARE(facts.parts, 1);
 }
 
+void TestSurfaceFacts::shells_data() {
+    QTest::addColumn<bool>("turned");
+    QTest::newRow("inner shell turned") << true;
+    QTest::newRow("both outwards, as the mesher takes them, too") << false;
+}
 void TestSurfaceFacts::shells() {
-    Surface inner = box({1, 1, 1}, {2, 2, 2});
-    for (auto& t : inner.triangles) std::swap(t[0], t[1]);
-    const SurfaceFacts facts = factsOf(joined(box({0, 0, 0}, {3, 3, 3}), inner));
-    QVERIFY(std::abs(*facts.volume - 26) < 1e-12);
+    QFETCH(bool, turned);
+    Surface inner = box({1, 1, 1}, {4, 4, 4});
+    if (turned)
+        for (auto& t : inner.triangles) std::swap(t[0], t[1]);
+    const Surface hollow = joined(box({0, 0, 0}, {5, 5, 5}), inner);
+    const SurfaceFacts facts = factsOf(hollow);
+    QVERIFY(std::abs(*facts.volume - (125 - 27)) < 1e-10);
     QCOMPARE(facts.parts, 2);
     QCOMPARE(*facts.genus, 0);
+    // A block in the hole, and one beside all of it.
+    const Surface four = joined(joined(hollow, box({2, 2, 2}, {3, 3, 3})), box({7, 0, 0}, {9, 1, 1}));
+    QVERIFY(std::abs(*factsOf(four).volume - (125 - 27 + 1 + 2)) < 1e-10);
+}
+
+/// Four triangles at one edge.
+void TestSurfaceFacts::blocksThatMeetInAnEdge() {
+    const SurfaceFacts facts = factsOf(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {3, 2, 1})));
+    QVERIFY(std::abs(*facts.volume - 3) < 1e-12);
+    QVERIFY(!facts.genus && facts.sides == 0);
 }
 
 void TestSurfaceFacts::openOnes() {
@@ -140,6 +161,7 @@ void TestSurfaceFacts::oneSided() {
     const SurfaceFacts facts = factsOf(moebius(30));
     QCOMPARE(facts.boundaryLoops, 1);
     QVERIFY(!facts.genus && !facts.volume);
+    QCOMPARE(facts.sides, 1);
 }
 
 void TestSurfaceFacts::soupIsTheSame() {

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/mesh/error.h"
+#include "core/meshing/fix_all.h"
 #include "core/meshing/surface_facts.h"
 #include "core/meshing/surface_faults.h"
 #include "core/meshing/surface_fixes.h"
@@ -62,6 +63,9 @@ class TestSurfaceFixes : public QObject {
     void bandHasOneSide();
     void crossingGoes();
     void flatAndDoubleTrianglesGo();
+    void allHolesAreFilledUpToALimit();
+    void allCrossingsGo();
+    void allDoubleAndTurnedOnesArePutRight();
     void impossibleStepsAreRefused_data();
     void impossibleStepsAreRefused();
 };
@@ -277,6 +281,45 @@ void TestSurfaceFixes::flatAndDoubleTrianglesGo() {
     }
     QCOMPARE(left, 0);
     QVERIFY(fixed(surface, done).triangles == kBox.triangles);
+}
+
+void TestSurfaceFixes::allHolesAreFilledUpToALimit() {
+    const Surface surface = twoHoles();
+    const FaultFix all = fixForAll(surface, {}, "hole", 30), small = fixForAll(surface, {}, "hole", 5);
+    QCOMPARE(all.faults, 0);
+    QVERIFY(std::abs(factsOf(all.after.surface).volume.value() - 216) < 1e-9);
+    QCOMPARE(small.faults, 1);
+    QCOMPARE(casesOf(small.after.surface, "hole").at(0).size(), std::size_t(8));
+    QVERIFY(fixForAll(surface, {}, "hole", 3).steps.empty());
+    // What a project keeps of it leads to the same.
+    QVERIFY(fixed(surface, all.steps).triangles == all.after.surface.triangles);
+}
+
+/// Two vertices of the top that were pushed through the bottom.
+void TestSurfaceFixes::allCrossingsGo() {
+    Surface surface = box({0, 0, 0}, {12, 6, 6}, 12);
+    for (const double x : {3.0, 9.0})
+        for (int v = 0; v < surface.vertexCount(); ++v)
+            if (surface.points.col(v) == Vec<3>(x, 3, 6)) surface.points.col(v) = Vec<3>(x + 0.1, 3.2, -1);
+    QVERIFY(casesOf(surface, "crossing").size() > 2);
+    const FaultFix all = fixForAll(surface, {}, "crossing", 30);
+    QVERIFY2(all.left.boundsVolume(), all.left.summary().c_str());
+    QCOMPARE(all.faults, 0);
+    QCOMPARE(int(all.changed.size()), all.dropped);
+    QVERIFY(all.dropped > 2 && all.dropped < surface.triangleCount() / 4 && all.added > 0);
+}
+
+void TestSurfaceFixes::allDoubleAndTurnedOnesArePutRight() {
+    Surface surface = kBox;
+    for (const int t : {0, 1, 2, 100, 101, 200}) std::swap(surface.triangles[t][0], surface.triangles[t][1]);
+    for (const int t : {7, 70, 170}) surface.triangles.push_back(kBox.triangles[t]);
+    const FaultFix turned = fixForAll(surface, {}, "turned_edge", 30);
+    QCOMPARE(turned.turned, 6);
+    const FaultFix both = fixForAll(surface, turned.steps, "duplicate", 30);
+    QCOMPARE(both.dropped, 3);
+    QCOMPARE(both.faults, 0);
+    QVERIFY(std::abs(factsOf(both.after.surface).volume.value() - 216) < 1e-9);
+    QVERIFY(fixForAll(kBox, {}, "duplicate", 30).steps.empty());
 }
 
 void TestSurfaceFixes::impossibleStepsAreRefused_data() {

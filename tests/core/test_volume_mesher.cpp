@@ -3,9 +3,11 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <thread>
 
 #include "core/mesh/error.h"
+#include "core/meshing/surface_check.h"
 #include "core/meshing/surface_holes.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/support/surfaces.h"
@@ -37,6 +39,7 @@ class TestVolumeMesher : public QObject {
     void boundariesFollowTheHoles();
     void timeLimitEnds();
     void cancelEnds();
+    void checkOfAHeapEnds();
 };
 
 namespace {
@@ -390,6 +393,22 @@ void TestVolumeMesher::cancelEnds() {
         source.request_stop();
     });
     QVERIFY_THROWS_EXCEPTION(Cancelled, meshVolume(kBox, options));
+}
+
+/// Four hundred walls through one line: each crosses all others.
+void TestVolumeMesher::checkOfAHeapEnds() {
+    constexpr int kWalls = 400;
+    Surface heap{Points<3>(3, 3 * kWalls), {}, {}};
+    for (int i = 0; i < kWalls; ++i) {
+        const double angle = std::numbers::pi * i / kWalls, x = std::cos(angle), y = std::sin(angle);
+        heap.points.middleCols<3>(3 * i) << -x, x, x, -y, y, y, -2, -2, 2;
+        heap.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    QCOMPARE(checkSurface(heap, kWalls * kWalls).intersecting.size(), std::size_t(kWalls * (kWalls - 1) / 2));
+    QCOMPARE(checkSurface(heap, 7).intersecting.size(), std::size_t(7));
+    std::stop_source source;
+    source.request_stop();
+    QVERIFY_THROWS_EXCEPTION(Cancelled, checkSurface(heap, 7, source.get_token()));
 }
 
 QTEST_APPLESS_MAIN(TestVolumeMesher)

@@ -38,7 +38,11 @@ void requireFields(const MeshFile& file) {
 /// What every reader must hand over and every printer may rely on.
 void requireSound(const MeshFile& file) {
     if (file.points.cols() == 0) throw InputError("there is no vertex in it");
-    if (cellCount(file) == 0) throw InputError("there is no triangle and no tetrahedron in it");
+    if (cellCount(file) == 0)
+        throw InputError(
+            "holds " + std::to_string(file.points.cols()) +
+            " points, but neither triangles nor tetrahedra between them: a surface has to be made of "
+            "the points first, as MeshLab and CloudCompare do");
     for (Eigen::Index v = 0; v < file.points.cols(); ++v)
         if (!file.points.col(v).allFinite())
             throw InputError("vertex " + std::to_string(v) + " has a coordinate that is not a finite number");

@@ -37,7 +37,11 @@ bool readHeader(Scanner& scanner) {
     const auto whole = word;
     for (const std::string_view prefix : {"ST", "C", "N"})
         if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
-    if (word == "4OFF" || word == "nOFF") scanner.fail(inQuotes(whole) + ": only points in space are read");
+    if (word == "4OFF" || word == "nOFF")
+        scanner.fail(inQuotes(whole) +
+                     (word == "4OFF" ? ": its points have four coordinates"
+                                     : ": its points have any number of coordinates") +
+                     "; only points in space, which have three, are read");
     if (word != "OFF") scanner.fail("begins with " + inQuotes(whole) + " instead of OFF: no OFF file");
     if (scanner.nextIs("BINARY")) scanner.fail("a binary OFF file is not read");
     return whole != "OFF";

@@ -151,13 +151,13 @@ class PlyReader {
         }
     }
 
-    const Element& element(std::string_view name) const {
-        for (const auto& candidate : m_elements)
-            if (candidate.name == name) return candidate;
-        m_scanner.fail("the header declares no element " + inQuotes(name));
+    const Element* element(std::string_view name) const {
+        const auto at = std::ranges::find(m_elements, name, &Element::name);
+        return at != m_elements.end() ? &*at : nullptr;
     }
     void takeVertices(MeshFile& file) {
-        const auto& vertices = element("vertex");
+        if (!element("vertex")) m_scanner.fail("the header declares no element 'vertex'");
+        const Element& vertices = *element("vertex");
         const auto *x = vertices.find("x"), *y = vertices.find("y"), *z = vertices.find("z");
         if (!x || !y) m_scanner.fail("the vertices have no x and y");
         file.points = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(x->values.size()));
@@ -178,7 +178,9 @@ class PlyReader {
                 file.fields.push_back({property.name, false, 1, property.values});
     }
     void takeFaces(MeshFile& file) {
-        const auto& faces = element("face");
+        if (element("tristrips")) m_scanner.fail("its triangles are in strips, which are not read");
+        if (!element("face")) return;  // points alone
+        const Element& faces = *element("face");
         CellCollector cells;
         std::vector<int> polygon;
         std::size_t at = 0;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace wend {
+
+/// What goes through the pipes between the program and its helpers: plain arrays one after another, each with
+/// its length in front, in the machine's own byte order.
+class ArrayWriter {
+  public:
+    template <typename Container>
+    void array(const Container& values) {
+        const auto count = static_cast<std::uint64_t>(values.size());
+        m_bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+        m_bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(*values.data()));
+    }
+    std::string take() { return std::move(m_bytes); }
+
+  private:
+    std::string m_bytes;
+};
+
+/// Each array is read into a container of the same kind; false if there are too few bytes for it.
+class ArrayReader {
+  public:
+    explicit ArrayReader(const std::string& bytes) : m_bytes(bytes) {}
+
+    template <typename Container>
+    bool array(Container& values) {
+        std::uint64_t count = 0;
+        if (m_bytes.size() - m_at < sizeof count) return false;
+        std::memcpy(&count, m_bytes.data() + m_at, sizeof count);
+        m_at += sizeof count;
+        constexpr std::size_t size = sizeof(typename Container::value_type);
+        if (count > (m_bytes.size() - m_at) / size) return false;
+        values.resize(count);
+        std::memcpy(values.data(), m_bytes.data() + m_at, count * size);
+        m_at += count * size;
+        return true;
+    }
+    bool done() const { return m_at == m_bytes.size(); }
+
+  private:
+    const std::string& m_bytes;
+    std::size_t m_at = 0;
+};
+
+}  // namespace wend

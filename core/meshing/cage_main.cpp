@@ -1,0 +1,35 @@
+// wend-cage: reads a CageRequest from standard input, fits the cage, writes a CageReply to standard output.
+// A program of its own so that it can be stopped at any moment, and that it alone ends where memory or time
+// do not suffice.
+
+#include <unistd.h>
+
+#include <new>
+
+#include "core/meshing/cage_fitter.h"
+#include "core/meshing/cage_protocol.h"
+#include "core/meshing/helper_program.h"
+
+namespace {
+
+constexpr const char* kNoMemory =
+    "there is no memory for a cage of so many cells; fewer vertices or larger cells may help";
+
+std::string answerTo(const wend::CageRequest& request) {
+    try {
+        return pack(wend::CageReply{{}, cageAround(request.surface, request.options)});
+    } catch (const wend::InputError& error) {
+        return pack(wend::CageReply{error.reason(), {}});
+    } catch (const std::bad_alloc&) {
+        return pack(wend::CageReply{kNoMemory, {}});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    wend::beginHelper(argc, argv);
+    wend::CageRequest request;
+    if (!unpack(wend::readAll(STDIN_FILENO), request)) return 2;
+    return wend::writeAll(STDOUT_FILENO, answerTo(request)) ? 0 : 1;
+}

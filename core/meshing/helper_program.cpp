@@ -1,0 +1,61 @@
+#include "core/meshing/helper_program.h"
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+
+namespace wend {
+namespace {
+
+// Sanitizers need more addresses than there is memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+void limitMemory(const char* megabytes) {
+    const rlim_t bytes = static_cast<rlim_t>(std::max(64, std::atoi(megabytes))) << 20;
+    const rlimit limit{bytes, bytes};
+    if (!kIsSanitized) setrlimit(RLIMIT_AS, &limit);
+    const rlimit noCore{0, 0};
+    setrlimit(RLIMIT_CORE, &noCore);
+}
+
+/// Of the processor's time: how busy the machine is does not decide what can be meshed.
+void limitTime(const char* seconds) {
+    const rlim_t soft = static_cast<rlim_t>(std::max(1, std::atoi(seconds)));
+    const rlimit limit{soft, soft + 1};
+    setrlimit(RLIMIT_CPU, &limit);
+}
+
+}  // namespace
+
+void beginHelper(int argc, char** argv) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
+    limitMemory(argc > 1 ? argv[1] : "4096");
+    limitTime(argc > 2 ? argv[2] : "120");
+}
+
+std::string readAll(int fd) {
+    std::string bytes;
+    std::array<char, 65536> buffer;
+    for (ssize_t got; (got = read(fd, buffer.data(), buffer.size())) > 0;) bytes.append(buffer.data(), got);
+    return bytes;
+}
+
+bool writeAll(int fd, const std::string& bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t wrote = write(fd, bytes.data() + at, bytes.size() - at);
+        if (wrote <= 0) return false;
+        at += static_cast<std::size_t>(wrote);
+    }
+    return true;
+}
+
+}  // namespace wend

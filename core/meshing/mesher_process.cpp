@@ -1,0 +1,49 @@
+#include "core/meshing/mesher_process.h"
+
+#include <csignal>
+
+#include "core/mesh/child_process.h"
+#include "core/mesh/number_text.h"
+
+namespace wend {
+namespace {
+
+constexpr int kMegabytes = 8192;         // address space
+constexpr int kTrianglesInPart = 50000;  // see MesherProcess::secondsPerPart
+
+std::string reasonOf(const MesherProcess& mesher, const ChildResult& result, double seconds) {
+    using End = ChildResult::End;
+    const std::string name = mesher.name, signal = "(signal " + std::to_string(result.code) + ")";
+    switch (result.end) {
+        case End::NotStarted:
+            throw MesherLost(name + " " + mesher.program + " is missing beside the program");
+        case End::TimedOut:
+        case End::Idle:
+            return mesher.late + numberText(seconds) + " s of computing; " + mesher.help;
+        case End::Stopped:
+            throw Cancelled();
+        case End::Signalled:
+            // Only somebody else sends these: the surface is not to blame.
+            if (result.code == SIGKILL || result.code == SIGTERM)
+                throw MesherLost(name + " was ended " + signal);
+            return name + " failed inside " + signal;
+        case End::Exited:
+            return result.code == 0 ? "" : name + " failed (exit code " + std::to_string(result.code) + ")";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string answerOf(const MesherProcess& mesher, const std::string& request, int triangles,
+                     const std::stop_token& stop) {
+    // How busy the machine is should not decide what can be meshed: by the clock there is more time.
+    const double seconds = mesher.secondsPerPart * (1 + triangles / kTrianglesInPart);
+    const ChildResult result =
+        runChild(siblingProgram(mesher.program), request, 10 * seconds, kMegabytes, stop, seconds);
+    const std::string reason = reasonOf(mesher, result, seconds);
+    if (!reason.empty()) throw InputError(reason);
+    return result.output;
+}
+
+}  // namespace wend

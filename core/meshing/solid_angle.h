@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// Signed solid angle of a triangle seen from p (van Oosterom and Strackee 1983): 4π in all for each time
+/// that a closed surface goes around it.
+inline double solidAngle(const Vec<3>& p, const Vec<3>& x, const Vec<3>& y, const Vec<3>& z) {
+    const Vec<3> a = x - p, b = y - p, c = z - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double det = a.dot(b.cross(c));
+    const double den = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return 2 * std::atan2(det, den);
+}
+
+}  // namespace wend
