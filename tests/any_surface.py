@@ -121,7 +121,7 @@ def bend(wend, model, folder):
     """(row of the table, kind of the result)."""
     code, out, error = call([wend, "info", model, "--json"], folder)
     if code != 0:
-        return None if "no triangle" in error or "no cell" in error else ([model.name, "", "", "", "", error.strip().split(": ", 2)[-1]], "unreadable")
+        return [model.name, "", "", "", "", error.strip().split(": ", 2)[-1]], "unreadable"
     info = json.loads(out)
     if info["kind"] not in ("surface", "planar mesh") or info.get("triangles", info.get("cells", 0)) == 0:
         return None

@@ -15,9 +15,16 @@ namespace {
 constexpr const char* kNoMemory =
     "there is no memory for a cage of so many cells; fewer vertices or larger cells may help";
 
-std::string answerTo(const wend::CageRequest& request) {
+wend::CageReply replyTo(const std::string& bytes) {
+    wend::CageRequest request;
+    if (!unpack(bytes, request)) return {"the cage mesher got an incomplete request", {}};
+    return {{}, cageAround(request.surface, request.options)};
+}
+
+/// From what is asked on standard input.
+std::string answer() {
     try {
-        return pack(wend::CageReply{{}, cageAround(request.surface, request.options)});
+        return pack(replyTo(wend::readAll(STDIN_FILENO)));
     } catch (const wend::InputError& error) {
         return pack(wend::CageReply{error.reason(), {}});
     } catch (const std::bad_alloc&) {
@@ -29,7 +36,5 @@ std::string answerTo(const wend::CageRequest& request) {
 
 int main(int argc, char** argv) {
     wend::beginHelper(argc, argv);
-    wend::CageRequest request;
-    if (!unpack(wend::readAll(STDIN_FILENO), request)) return 2;
-    return wend::writeAll(STDOUT_FILENO, answerTo(request)) ? 0 : 1;
+    return wend::writeAll(STDOUT_FILENO, answer()) ? 0 : 1;
 }

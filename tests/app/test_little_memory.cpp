@@ -15,6 +15,7 @@ class TestLittleMemory : public QObject {
 
   private:
     QString writeStrip() const;
+    QString writeCaged() const;
 
     QTemporaryDir m_folder;
 };
@@ -28,13 +29,22 @@ QString TestLittleMemory::writeStrip() const {
     return m_folder.filePath("strip.wend");
 }
 
+/// A surface in a cage, which a process of its own makes, under the same limit.
+QString TestLittleMemory::writeCaged() const {
+    QFile::copy(QStringLiteral(WEND_SOURCE_DIR "/resources/samples/bar.obj"), m_folder.filePath("bar.obj"));
+    putProject(m_folder.path(), "caged.wend",
+               "'domain': {'surface': 'bar.obj', 'cage': true, 'vertices': 4000}, 'handles': [{'at': "
+               "{'region': {'sphere': {'centre': [0, 0, 0], 'radius': 1}}}}]");
+    return m_folder.filePath("caged.wend");
+}
+
 void TestLittleMemory::runEndsWell_data() {
     QTest::addColumn<QString>("domain");
     QTest::addColumn<int>("megabytes");
     for (int megabytes = 80; megabytes <= 1200; megabytes += 40)
         QTest::addRow("picture, %d MB", megabytes) << "picture" << megabytes;
     // What needs no library for pictures comes to the libraries for matrices.
-    for (const QString domain : {"mesh", "solid"})
+    for (const QString domain : {"mesh", "solid", "cage"})
         for (int megabytes = 340; megabytes <= 560; megabytes += 20)
             QTest::addRow("%s, %d MB", qPrintable(domain), megabytes) << domain << megabytes;
 }
@@ -47,6 +57,7 @@ void TestLittleMemory::runEndsWell() {
     const QString samples = QStringLiteral(WEND_SOURCE_DIR "/resources/samples/");
     const QString project = isPicture           ? samples + "frog.wend"
                             : domain == "solid" ? samples + "bar.wend"
+                            : domain == "cage"  ? writeCaged()
                                                 : writeStrip();
     const QString command = QString(
                                 "ulimit -v %1; exec timeout -k 1 100 \"%2\" run \"%3\" %4 "

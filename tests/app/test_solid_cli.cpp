@@ -322,7 +322,7 @@ void TestSolidCli::badSurfaces_data() {
     textRow("words.ply", "Dear diary,\n", "does not begin with 'ply'");
     textRow("cut.ply", "ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\n", "cut.ply");
     textRow("lies.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", "lies.off: line 2");
-    textRow("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no triangle");
+    textRow("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "neither triangles nor tetrahedra");
 }
 void TestSolidCli::badSurfaces() {
     QFETCH(QString, name);
