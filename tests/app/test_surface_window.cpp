@@ -79,9 +79,14 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(QTest::qWaitFor(isOpen, 20000));
     QVERIFY(settle(m_f->session()));  // in a cage, which is taken away now
     auto* panel = m_f->window().findChild<SurfacePanel*>();
-    const auto press = [&](const QString& name) {
-        for (QPushButton* button : panel->findChildren<QPushButton*>())
-            if (button->text() == name) QTest::mouseClick(button, Qt::LeftButton);
+    const auto press = [&](const QString& name) {  // once it can be pressed: the check may still go on
+        const auto pressed = [&] {
+            for (QPushButton* button : panel->findChildren<QPushButton*>())
+                if (button->text() == name && button->isVisible() && button->isEnabled())
+                    return QTest::mouseClick(button, Qt::LeftButton), true;
+            return false;
+        };
+        QVERIFY2(QTest::qWaitFor(pressed, 20000), qPrintable(name));
     };
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
     QVERIFY(m_f->canvas().hasDetail());
