@@ -118,7 +118,6 @@ void ShapeCanvas::takeOpened() {
     m_unbent.reset();
     m_source.reset();
     m_drawn.reset();
-    m_hovered = -1;
     const auto& picture = m_session.document().picture();
     m_view.setPointsUp(!picture);
     m_fitted = true;
@@ -361,16 +360,6 @@ void ShapeCanvas::setDetailRegions(const std::vector<MaterialRegion<2>>& regions
 
 void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion<2>>& regions) {
     m_depthRegions.setRegions(regions), update();
-}
-
-void ShapeCanvas::setMarquee(const QRectF& rectangle) {
-    m_marquee = rectangle;
-    update();
-}
-
-void ShapeCanvas::setHovered(int handle) {
-    if (handle != m_hovered) update();
-    m_hovered = handle;
 }
 
 void ShapeCanvas::resizeEvent(QResizeEvent*) {

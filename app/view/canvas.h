@@ -48,8 +48,6 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     std::optional<Touch<2>> touch(const QPointF& widget) const override;
     PosedPtr<2> shownFrame() const override { return m_preview.over(m_session.frame<2>()); }
     void showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) override;
-    void setMarquee(const QRectF& rectangle) override;
-    void setHovered(int handle) override;
     void redraw() override;
 
   public slots:
@@ -166,8 +164,6 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     MeasureRange m_range;
     double m_opacity = kMapOpacity;
     bool m_smooth = false;
-    QRectF m_marquee;
-    int m_hovered = -1;
     RenderThread m_renderer;  // the last member: it stops before the others go
 };
 

@@ -106,7 +106,7 @@ void ShapeCanvas::focusOutEvent(QFocusEvent*) {
 void ShapeCanvas::leaveEvent(QEvent*) {
     emit pointed(0, 0, false);
     if (m_tool) m_tool->leave();
-    setHovered(-1);
+    update();
 }
 
 void ShapeCanvas::changeEvent(QEvent* event) {

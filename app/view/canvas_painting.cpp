@@ -30,8 +30,9 @@ void ShapeCanvas::paintShape(QPainter& painter) {
 
 /// A film that plays is seen without them.
 void ShapeCanvas::paintHandles(QPainter& painter, OverlayPainter& overlay) {
-    overlay.paths(m_session, m_hovered);
-    overlay.pins(m_session, m_animation, m_hovered,
+    const int hovered = m_tool ? m_tool->hovered() : -1;
+    overlay.paths(m_session, hovered);
+    overlay.pins(m_session, m_animation, hovered,
                  [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
     if (m_tool) m_tool->paint(painter);
 }
@@ -63,7 +64,6 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
         if (!m_session.playback().isPlaying()) paintHandles(painter, overlay);
         if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
     }
-    overlay.marquee(m_marquee);
 }
 
 }  // namespace wend

@@ -14,8 +14,6 @@
 #include "app/document/settings.h"
 #include "app/panels/energy_scale.h"
 #include "app/panels/panel_parts.h"
-#include "app/tools/pin_tool.h"
-#include "app/tools/solid_pin_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
@@ -176,12 +174,10 @@ void CompareView::makeSolid() {
 
 /// Of the shape that is worked on, at the same place of its view.
 bool CompareView::isOnPin(const QPointF& at) const {
-    if (m_parts.session.document().dimension() == 2) {
-        const auto* pins = dynamic_cast<const PinTool*>(m_parts.picture.tool());
-        return pins && pins->handleAt(at) >= 0;
-    }
     const SolidCanvas* own = m_parts.solid();
-    return own && dynamic_cast<const SolidPinTool*>(own->tool()) && own->tool()->wants(at);
+    const bool isFlat = m_parts.session.document().dimension() == 2;
+    const Tool* tool = isFlat ? m_parts.picture.tool() : own ? own->tool() : nullptr;
+    return tool && tool->wants(at);
 }
 
 /// Both halves show the same part in the same size, and the pins are at the same places: a drag that begins

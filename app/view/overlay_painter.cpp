@@ -135,13 +135,4 @@ void OverlayPainter::faults(const PosedFrame<2>& frame, const PoseFaults<2>& fau
         }
 }
 
-void OverlayPainter::marquee(const QRectF& rectangle) {
-    if (rectangle.isEmpty()) return;
-    QColor fill = m_theme.accent;
-    fill.setAlpha(36);
-    m_painter.setPen(QPen(m_theme.accent, marked(1)));
-    m_painter.setBrush(fill);
-    m_painter.drawRect(rectangle);
-}
-
 }  // namespace wend

@@ -26,7 +26,6 @@ class OverlayPainter {
     void worst(const PosedFrame<2>& frame, int cell);
     /// The edges that cross, and the triangles that have blown up.
     void faults(const PosedFrame<2>& frame, const PoseFaults<2>& faults);
-    void marquee(const QRectF& rectangle);
 
   private:
     QPolygonF toWidget(const std::vector<Vec<2>>& points) const;

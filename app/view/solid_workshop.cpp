@@ -71,7 +71,6 @@ void SolidWorkshop::makePage() {
     m_check->setCanvas(m_canvas);
     connectView();
     connectNavigation();
-    connectSteps();
     connectCut();
 }
 
@@ -171,16 +170,8 @@ void SolidWorkshop::connectNavigation() {
     m_canvas->setPreset(static_cast<NavigationPreset>(QSettings().value("navigation", 0).toInt()));
 }
 
-void SolidWorkshop::connectSteps() {
-    SolidActions& a = m_actions;
-    // Who chooses how to select wants to select.
-    for (QAction* action : {a.selectRectangle, a.selectLasso, a.selectBrush})
-        connect(action, &QAction::triggered, m_around.actions.selectTool, &QAction::trigger);
-    // A new handle is there to be moved: back to the tool that does so.
-    connect(a.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
-}
-
 void SolidWorkshop::connectCut() {
+    connect(m_actions.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
     connect(m_actions.cut, &QAction::toggled, m_canvas,
             [this](bool on) { m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None); });
     CutPanel* panel = &m_around.properties.cut();

@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 
-#include "app/tools/manipulator.h"
 #include "app/tools/tool.h"
 #include "app/view/solid_actions.h"
 
@@ -34,7 +33,6 @@ class SolidWorkshop : public QObject {
     SolidWorkshop(const Surroundings& around, QWidget& window);
 
     SolidActions& actions() { return m_actions; }
-    Manipulator& manipulator() { return m_manipulator; }
     /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
@@ -63,7 +61,6 @@ class SolidWorkshop : public QObject {
     void makePage();
     void connectView();
     void connectNavigation();
-    void connectSteps();
     void connectCut();
     void connectDetail();
     void showCut();
@@ -79,7 +76,6 @@ class SolidWorkshop : public QObject {
     std::function<bool(const QString&)> m_mayReplace;
     bool m_isActive = false;
     int m_lastCut = 2;
-    Manipulator m_manipulator;
 };
 
 }  // namespace wend

@@ -45,15 +45,13 @@ class Workspace : public QObject {
     void showMap();
     void takeTool();
     void takeBrush();
-    Tool* pictureTool(const ToolKind& kind);
-    SolidTool* solidTool(const ToolKind& kind);
+    Tool* toolOf(const ToolKind& kind);
 
     Parts m_parts;
     PaintMap m_map;
     BrushTarget m_painted = BrushTarget::Keep;  // by the brush, rather than by the comb
     Workbench m_bench;
-    std::map<const ToolKind*, std::unique_ptr<Tool>> m_pictureTools;
-    std::map<const ToolKind*, std::unique_ptr<SolidTool>> m_solidTools;
+    std::map<std::pair<const ToolKind*, int>, std::unique_ptr<Tool>> m_tools;  // by kind and dimension
 };
 
 }  // namespace wend

@@ -448,7 +448,7 @@ void TestDepth::pinsInFrontArePicked() {
     const int steps = m_session.document().undoStack()->count();
     const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
     QVERIFY(settle(m_session));
-    PinTool tool(m_canvas, false);
+    PinTool<2> tool(m_canvas, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
         setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});

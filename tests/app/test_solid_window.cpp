@@ -515,6 +515,7 @@ void TestSolidWindow::pictureHasItsSizeAndNoBackground() {
 
 void TestSolidWindow::presetsTurnTheView() {
     QVERIFY(m_f->open());
+    m_f->window().actions().selectTool->trigger();  // a drag sets no pin
     const auto turns = [&](Qt::MouseButton button, const QPoint& from) {
         const Vec<3> before = m_f->canvas().viewDirection();
         QTest::mousePress(&m_f->canvas(), button, {}, from);

@@ -4,6 +4,7 @@
 #include "app/panels/handle_panel.h"
 #include "app/session/curve_making.h"
 #include "app/view/curve_actions.h"
+#include "app/view/pin_actions.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -187,7 +188,7 @@ void TestSpaceTools::outlinesSelectByAnyPoint_data() {
 void TestSpaceTools::outlinesSelectByAnyPoint() {
     QFETCH(QString, outline);
     QVERIFY(m_f->holdEnds());
-    SolidActions& a = m_f->actions();
+    PinActions& a = *m_f->window().findChild<PinActions*>();
     (outline == "lasso" ? a.selectLasso : outline == "brush" ? a.selectBrush : a.selectRectangle)->trigger();
     m_f->session().selection().clear();
     const auto around = [&](double x, Qt::KeyboardModifiers modifiers = {}) {

@@ -87,8 +87,8 @@ void SolidCanvas::setBackdrop(const QColor& colour) {
     update();
 }
 
-void SolidCanvas::setTool(SolidTool* tool) {
-    if (SolidTool* last = std::exchange(m_tool, nullptr)) {
+void SolidCanvas::setTool(Tool* tool) {
+    if (Tool* last = std::exchange(m_tool, nullptr)) {
         last->cancel();
         last->leave();
         last->dismiss();
@@ -103,7 +103,7 @@ void SolidCanvas::setTool(SolidTool* tool) {
 }
 
 /// Without a solid there is nothing that a tool could do.
-void SolidCanvas::tellHint(const SolidTool& tool) {
+void SolidCanvas::tellHint(const Tool& tool) {
     emit hintChanged(m_session.frame<3>() ? tool.hint() : QString());
 }
 

@@ -23,8 +23,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
   public:
     explicit SolidCanvas(ShapeSession& session, QWidget* parent = nullptr);
 
-    void setTool(SolidTool* tool);
-    SolidTool* tool() const { return m_tool; }
+    void setTool(Tool* tool);
+    Tool* tool() const { return m_tool; }
     CutTool& cutTool() { return m_cutTool; }
     /// The plane's default place: the middle of the shape.
     CutPlane middlePlane(const Vec<3>& normal) const;
@@ -154,25 +154,25 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void wantVelocity();
     void tellPointed(const QPointF& at);
     void setSpaceDown(bool down);
-    bool pansBy(const QMouseEvent& event, const SolidTool* tool) const;
+    bool pansBy(const QMouseEvent& event, const Tool* tool) const;
     void updateCursor();
     bool showsMap() const { return m_map && !m_hidden; }
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;
     void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
-    SolidTool* toolAt(const QPointF& at);
-    bool isForTool(const QMouseEvent& event, const SolidTool& tool);
-    void useTool(SolidTool* tool);
-    void tellHint(const SolidTool& tool);
+    Tool* toolAt(const QPointF& at);
+    bool isForTool(const QMouseEvent& event, const Tool& tool);
+    void useTool(Tool* tool);
+    void tellHint(const Tool& tool);
     void applyTheme();
     Vec<3> normalToViewer() const;
     bool isCutOff(const Vec<3>& p) const { return cut() != CutKind::None && plane().height(p) > 1e-9; }
     const std::vector<int>& skinPoints() const;
 
     ShapeSession& m_session;
-    SolidTool* m_tool = nullptr;
+    Tool* m_tool = nullptr;
     bool m_spaceDown = false;                         // the left button moves the view
-    SolidTool* m_active = nullptr;                    // the one that has the pointer …
+    Tool* m_active = nullptr;                         // the one that has the pointer …
     Qt::MouseButton m_activeButton = Qt::LeftButton;  // … as long as this is down
     std::shared_ptr<const void> m_mesh;               // of the last frame
     CutTool m_cutTool;

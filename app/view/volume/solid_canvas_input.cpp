@@ -9,30 +9,30 @@
 
 namespace wend {
 
-SolidTool* SolidCanvas::toolAt(const QPointF& at) {
+Tool* SolidCanvas::toolAt(const QPointF& at) {
     return m_cutTool.wants(at) && !m_hidden ? &m_cutTool : m_tool;
 }
 
-void SolidCanvas::useTool(SolidTool* tool) {
+void SolidCanvas::useTool(Tool* tool) {
     setCursor(tool->cursor());
     tellHint(*tool);
     redraw();
 }
 
 /// A button that turns the view does so, unless it was pressed on what the tool holds.
-bool SolidCanvas::isForTool(const QMouseEvent& event, const SolidTool& tool) {
+bool SolidCanvas::isForTool(const QMouseEvent& event, const Tool& tool) {
     return navigation().dragFor(event) == Navigation::Drag::None || tool.wants(event.position());
 }
 
 /// By the left button: with the space bar, or by a tool that does nothing else.
-bool SolidCanvas::pansBy(const QMouseEvent& event, const SolidTool* tool) const {
+bool SolidCanvas::pansBy(const QMouseEvent& event, const Tool* tool) const {
     return event.button() == Qt::LeftButton && !m_active && (m_spaceDown || (tool && tool->pans()));
 }
 
 void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     const bool left = event->button() == Qt::LeftButton;
-    SolidTool* tool = toolAt(event->position());
+    Tool* tool = toolAt(event->position());
     if (pansBy(*event, tool)) {
         navigation().pressToPan(*event);
         return updateCursor();
@@ -50,7 +50,7 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
 
 /// The second press of a double click, unless the tool has a meaning for the two.
 void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    SolidTool* tool = toolAt(event->position());
+    Tool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
     if (!left || !tool || m_active || pansBy(*event, tool) || !isForTool(*event, *tool)) {
         mousePressEvent(event);
@@ -71,7 +71,7 @@ void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
         VolumeView::mouseMoveEvent(event);
         return;
     }
-    SolidTool* tool = m_active ? m_active : toolAt(event->position());
+    Tool* tool = m_active ? m_active : toolAt(event->position());
     if (!m_active && tool != &m_cutTool) m_cutTool.move(*event);
     if (!tool) return;
     tool->move(*event);
@@ -80,7 +80,7 @@ void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
 
 void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (m_active && event->button() == m_activeButton) {
-        SolidTool* tool = std::exchange(m_active, nullptr);
+        Tool* tool = std::exchange(m_active, nullptr);
         tool->release(*event);
         useTool(tool);
         return;

@@ -1,6 +1,5 @@
 // What lies over a solid.
 #include "app/panels/legend.h"
-#include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/volume/solid_painter.h"
 #include "core/energy/distortion.h"
@@ -34,8 +33,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     m_onion.paintOutlines(painter, *this);
     if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
     painterOfSolid.paths();
-    const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
-    painterOfSolid.pins(m_animation, pinTool ? pinTool->hovered() : -1);
+    painterOfSolid.pins(m_animation, m_tool ? m_tool->hovered() : -1);
 }
 
 void SolidCanvas::paintLegend(QPainter& painter) const {
