@@ -216,10 +216,8 @@ void PinTool<Dim>::lock(int axis) {
     part.plane = false;
     m_gizmo.begin(part, surface(), m_from);
     m_part = part;
-    if (part.kind == Grip::Kind::Turn) {  // around another axis it is another gesture
-        session().cancelDrag();
-        session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
-    }
+    session().cancelDrag();  // what was gone so far is no part of the way
+    session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
     drag();
 }
 

@@ -176,7 +176,7 @@ void CompareView::makeSolid() {
 bool CompareView::isOnPin(const QPointF& at) const {
     const SolidCanvas* own = m_parts.solid();
     const bool isFlat = m_parts.session.document().dimension() == 2;
-    const Tool* tool = isFlat ? m_parts.picture.tool() : own ? own->tool() : nullptr;
+    const Tool* tool = isFlat ? m_parts.picture.viewport().tool() : own ? own->viewport().tool() : nullptr;
     return tool && tool->wants(at);
 }
 
@@ -245,9 +245,9 @@ void CompareView::preview(double phi) {
 /// Until it is there the shape stays as it is.
 void CompareView::takeFrame() {
     const FramePtr frame = m_previews ? m_comparison.frame() : FramePtr();
-    m_parts.picture.setStandIn(frame && frame->dimension == 2 ? frame : FramePtr());
+    m_parts.picture.viewport().set(&Looks::standIn, frame && frame->dimension == 2 ? frame : FramePtr());
     if (SolidCanvas* solid = m_parts.solid())
-        solid->setStandIn(frame && frame->dimension == 3 ? frame : FramePtr());
+        solid->viewport().set(&Looks::standIn, frame && frame->dimension == 3 ? frame : FramePtr());
     showOtherHalf();
     showHeads();
 }
@@ -257,11 +257,11 @@ void CompareView::showOtherHalf() {
     if (!m_split) return;
     const FramePtr own = m_comparison.other().frame() ? FramePtr() : m_parts.session.frame();
     if (m_picture->isVisible()) {
-        m_picture->setStandIn(own);
+        m_picture->viewport().set(&Looks::standIn, own);
         m_picture->takeView(m_parts.picture);
     }
     if (m_solid && m_solid->isVisible()) {
-        m_solid->setStandIn(own);
+        m_solid->viewport().set(&Looks::standIn, own);
         m_solid->takeView(*m_parts.solid());
     }
 }

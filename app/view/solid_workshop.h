@@ -13,9 +13,9 @@ class DetailChooser;
 class Properties;
 class ShapeSession;
 class SolidCanvas;
-class StatusFields;
 class SurfaceCheck;
 class Toolbox;
+class Viewport;
 
 /// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL)
 /// and what is done to it.
@@ -28,7 +28,6 @@ class SolidWorkshop : public QObject {
         Actions& actions;
         SolidActions& solids;
         Properties& properties;
-        StatusFields& fields;
     };
     SolidWorkshop(const Surroundings& around, QWidget& window);
 
@@ -52,8 +51,8 @@ class SolidWorkshop : public QObject {
     SolidCanvas* canvas() const { return m_canvas; }
 
   signals:
-    void hintChanged(QString hint);
-    void menuWanted(QPoint global, wend::MenuPlace place);
+    /// The view of solids is there.
+    void viewportMade(wend::Viewport& view);
     void failed(QString text);
     void done(QString text);
 

@@ -5,7 +5,6 @@
 #include "app/tools/crop_tool.h"
 #include "app/tools/depth_tool.h"
 #include "app/tools/fill_tool.h"
-#include "app/tools/flat_size_tool.h"
 #include "app/tools/gradient_tool.h"
 #include "app/tools/hold_tool.h"
 #include "app/tools/measure_tool.h"
@@ -103,15 +102,16 @@ std::unique_ptr<Tool> eyedropper(Workbench& on) {
     return std::make_unique<FillTool<Dim>>(surfaceOf<Dim>(on), on.brush, FillTool<Dim>::Deed::Pick);
 }
 
+template <int Dim>
 std::unique_ptr<Tool> sizeBrush(Workbench& on) {
-    auto brush = std::make_unique<SizeTool>(*on.solid, on.brush);
-    QObject::connect(&on.sizes, &SizePanel::brushChanged, &on.sizes,
-                     [tool = brush.get()](double factor) { tool->setFactor(factor); });
-    QObject::connect(&on.sizes, &SizePanel::chosen, &on.sizes,
-                     [surface = on.solid, tool = brush.get()](const std::vector<Region<3>>& regions) {
-                         tool->setShown(regions);
-                         surface->redraw();
-                     });
+    const auto factor = [&on] { return Dim == 2 ? on.flat.fineness().now() : on.sizes.brushFactor(); };
+    auto brush = std::make_unique<SizeTool<Dim>>(surfaceOf<Dim>(on), on.brush, factor);
+    if constexpr (Dim == 3)
+        QObject::connect(&on.sizes, &SizePanel::chosen, &on.sizes,
+                         [surface = on.solid, tool = brush.get()](const std::vector<Region<3>>& regions) {
+                             tool->setShown(regions);
+                             surface->redraw();
+                         });
     return brush;
 }
 
@@ -141,10 +141,6 @@ std::unique_ptr<Tool> crop(Workbench& on) {
 
 std::unique_ptr<Tool> depthBrush(Workbench& on) {
     return std::make_unique<DepthTool>(on.picture, on.brush, on.flat.depth());
-}
-
-std::unique_ptr<Tool> flatSizeBrush(Workbench& on) {
-    return std::make_unique<FlatSizeTool>(on.picture, on.brush, on.flat.fineness());
 }
 
 std::optional<Measure> painted(const Workbench& on, int) {
@@ -298,8 +294,8 @@ const std::vector<ToolKind>& toolTable() {
          "Shift+A",
          Mode::Mesh,
          {},
-         flatSizeBrush,
-         sizeBrush,
+         sizeBrush<2>,
+         sizeBrush<3>,
          sizeOptions,
          sizes},
         {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),

@@ -30,8 +30,8 @@ Workspace::Workspace(const Parts& parts)
 }
 
 Workspace::~Workspace() {
-    m_parts.picture.setTool(nullptr);
-    if (SolidCanvas* solid = m_parts.solids.canvas()) solid->setTool(nullptr);
+    m_parts.picture.viewport().setTool(nullptr);
+    if (SolidCanvas* solid = m_parts.solids.canvas()) solid->viewport().setTool(nullptr);
 }
 
 Tool* Workspace::toolOf(const ToolKind& kind) {
@@ -46,12 +46,8 @@ void Workspace::show() {
     SolidCanvas* solid = m_parts.solids.canvas();
     m_bench.solid = solid;
     takeTool();
-    if (kind && m_parts.tools.dimension() == 3 && solid) {
-        solid->setTool(toolOf(*kind));
-        solid->setValuesShown(m_parts.tools.isChosen("measure"));
-    } else if (kind && m_parts.tools.dimension() == 2) {
-        m_parts.picture.setTool(toolOf(*kind));
-    }
+    if (Viewport* view = viewport(); view && kind) view->setTool(toolOf(*kind));
+    if (solid) solid->viewport().set(&Looks::values, m_parts.tools.isChosen("measure"));
     showMap();
 }
 
@@ -78,14 +74,16 @@ void Workspace::showMap() {
     map ? m_map.show(*map) : m_map.end();
 }
 
-Tool* Workspace::tool() const {
+/// Of what is open; null for solids where OpenGL is missing.
+Viewport* Workspace::viewport() const {
+    if (m_parts.tools.dimension() != 3) return &m_parts.picture.viewport();
     SolidCanvas* solid = m_parts.solids.canvas();
-    return m_parts.tools.dimension() == 3 && solid ? solid->tool() : m_parts.picture.tool();
+    return solid ? &solid->viewport() : nullptr;
 }
 
 CurveEditing* Workspace::curve() const {
-    Tool* current = tool();
-    return current ? current->curve() : nullptr;
+    const Viewport* view = viewport();
+    return view && view->tool() ? view->tool()->curve() : nullptr;
 }
 
 }  // namespace wend

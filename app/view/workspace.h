@@ -17,6 +17,7 @@ class ShapeCanvas;
 class SolidCanvas;
 class SolidWorkshop;
 class Toolbox;
+class Viewport;
 
 /// Gives the chosen tool to the view of what is open, picture or solid. A tool is made when it is first used.
 class Workspace : public QObject {
@@ -40,7 +41,7 @@ class Workspace : public QObject {
     CurveEditing* curve() const;
 
   private:
-    Tool* tool() const;
+    Viewport* viewport() const;
     void show();
     void showMap();
     void takeTool();
