@@ -13,6 +13,7 @@ ProjectCommand::ProjectCommand(Document& document, const QString& name, std::sha
       m_mergeKey(mergeKey) {}
 
 void ProjectCommand::undo() {
+    setObsolete(m_document.isDropping());
     m_document.setProject(m_before);
 }
 

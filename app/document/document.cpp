@@ -50,6 +50,7 @@ QString Document::displayName() const {
 
 void Document::open(OpenedFile file) {
     m_undo.clear();
+    endStep();
     m_project = std::move(file.project);
     m_picture = std::move(file.picture);
     m_path = file.path;
@@ -86,7 +87,19 @@ bool Document::hasOtherView() {
 
 void Document::change(const QString& name, Project after, const QString& mergeKey) {
     auto value = std::make_shared<const Project>(std::move(after));
-    m_undo.push(new ProjectCommand(*this, name, m_project, std::move(value), mergeKey));
+    const QString& key = m_stepKey.isEmpty() ? mergeKey : m_stepKey;
+    m_undo.push(new ProjectCommand(*this, name, m_project, std::move(value), key));
+}
+
+void Document::beginStep() {
+    m_stepKey = QStringLiteral("step %1").arg(++m_steps);
+}
+
+void Document::dropStep() {
+    m_drops = !m_stepKey.isEmpty() && merges(m_stepKey);
+    endStep();
+    if (m_drops) m_undo.undo();
+    m_drops = false;
 }
 
 void Document::changeDomain(const QString& name, Domain after, const QString& mergeKey) {

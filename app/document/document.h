@@ -76,6 +76,11 @@ class Document : public QObject {
     void changeDepth(const QString& name, DepthRegions after, const QString& mergeKey = {});
     /// Back to what the project was.
     void changeBack(const QString& name, const std::shared_ptr<const Project>& before);
+    /// All changes until the end are one step, with the name of the first …
+    void beginStep();
+    void endStep() { m_stepKey.clear(); }
+    /// … unless it is dropped: then nothing of it has happened.
+    void dropStep();
     /// True if a step with this key would merge with the last one.
     bool merges(const QString& mergeKey) const;
 
@@ -89,6 +94,8 @@ class Document : public QObject {
 
   private:
     friend class ProjectCommand;
+    /// A step that is undone is gone.
+    bool isDropping() const { return m_drops; }
     void setProject(const std::shared_ptr<const Project>& project);
 
     std::shared_ptr<const Project> m_project;
@@ -97,6 +104,9 @@ class Document : public QObject {
     std::optional<SavedCamera> m_camera, m_cameraInFile;
     int m_generation = 0;
     QUndoStack m_undo;
+    QString m_stepKey;  // of all changes, while a step goes on
+    int m_steps = 0;
+    bool m_drops = false;
 };
 
 }  // namespace wend

@@ -70,7 +70,7 @@ void RegionPanel::apply(const Region<3>& next) {
 void RegionPanel::applyRadius() {
     if (!circle()) return;
     const int handle = m_session.selection().handles().front();
-    if (!widenPin(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
+    if (!widenPin<2>(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
         showHandle();
 }
 

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "app/tools/solid_surface.h"
+#include "app/tools/shape_tool.h"
 
 namespace wend {
 
 /// Takes hold of many vertices at once, as one handle: by rectangle, lasso or brush over what is seen, or by
 /// a ball or box around a point of the surface, or the half of space beyond it. Shift adds to the selected
 /// handle, Ctrl takes away from it; with them a click does so with one vertex.
-class AreaTool : public SolidTool {
+class AreaTool : public ShapeTool<3> {
   public:
     enum class Shape { Rectangle, Lasso, Brush, Ball, Box, Half };
-    AreaTool(SolidSurface& surface, Shape shape) : SolidTool(surface), m_shape(shape) {}
+    AreaTool(SolidSurface& surface, Shape shape) : ShapeTool<3>(surface), m_shape(shape) {}
 
     /// Takes vertices that something hides, too.
     void setThrough(bool through) { m_through = through; }

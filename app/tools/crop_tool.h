@@ -3,15 +3,15 @@
 #include <optional>
 
 #include "app/session/crop.h"
-#include "app/tools/tool_surface.h"
+#include "app/tools/shape_tool.h"
 
 namespace wend {
 
 /// Draws what exports keep of the picture: a rectangle of its pixels, moved by its inside and resized by its
 /// sides and corners. With Shift it has the picture's proportions.
-class CropTool : public PictureTool {
+class CropTool : public ShapeTool<2> {
   public:
-    CropTool(ToolSurface& surface, Crop& crop) : PictureTool(surface), m_crop(crop) {}
+    CropTool(ToolSurface& surface, Crop& crop) : ShapeTool<2>(surface), m_crop(crop) {}
 
     QString hint() const override;
     QCursor cursor() const override;

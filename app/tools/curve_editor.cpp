@@ -118,7 +118,7 @@ int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
     int best = -1;
     double nearest = marked(kReach);
     for (int i = 1; i < static_cast<int>(all.size()); ++i) {
-        const double d = distance(m_view.toWidget(all[i]), widget);
+        const double d = distance(m_surface.toWidget(all[i]), widget);
         if (d < nearest) nearest = d, best = i;
     }
     return best;
@@ -132,9 +132,9 @@ typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget
     const Vec<Dim> by = shift();
     const auto pieces = curveOf<Dim>(*own).pieces;
     for (int k = 0; k < static_cast<int>(pieces.size()); ++k) {
-        QPointF before = m_view.toWidget(pieces[k].value(0) + by);
+        QPointF before = m_surface.toWidget(pieces[k].value(0) + by);
         for (int i = 1; i <= kSamples; ++i) {
-            const QPointF after = m_view.toWidget(pieces[k].value(double(i) / kSamples) + by);
+            const QPointF after = m_surface.toWidget(pieces[k].value(double(i) / kSamples) + by);
             const QPointF along = after - before;
             const double size = QPointF::dotProduct(along, along);
             const double t =
@@ -163,7 +163,7 @@ void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
     m_freely = false;
     m_from = widget;
     m_by.setZero();
-    m_view.redraw();
+    m_surface.redraw();
 }
 
 template <int Dim>
@@ -171,8 +171,9 @@ void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
     const auto own = curve();
     if (!own || !isDragging() || m_dragged >= static_cast<int>(own->points.size())) return;
     m_freely = freely;
-    m_by = m_view.way(own->points[m_dragged] + shift(), m_from, widget);
-    m_view.redraw();
+    const Vec<Dim> p = own->points[m_dragged] + shift();
+    m_by = acrossTheScreen(m_surface, p, widget) - acrossTheScreen(m_surface, p, m_from);
+    m_surface.redraw();
 }
 
 template <int Dim>
@@ -180,7 +181,7 @@ void CurveEditor<Dim>::change(const QString& name, CurveMotion<Dim> next) {
     Design<Dim> design = m_session.document().template design<Dim>();
     *lastCurve(design, handle()) = std::move(next);
     m_session.document().changeDesign(name, std::move(design));
-    m_view.redraw();
+    m_surface.redraw();
 }
 
 template <int Dim>
@@ -211,7 +212,7 @@ void CurveEditor<Dim>::insertOn(const Place& place) {
            withPointOn<Dim>(*own, place.piece, place.v));
     forgetOthers();
     m_chosen = bezier ? 3 * place.piece + 3 : place.piece + 1;
-    m_view.redraw();
+    m_surface.redraw();
 }
 
 template <int Dim>
@@ -228,7 +229,7 @@ bool CurveEditor<Dim>::pointAtForMenu(const QPointF& widget) {
     if (const int point = pointAt(widget); point > 0) {
         forgetOthers();
         m_chosen = point;
-        m_view.redraw();
+        m_surface.redraw();
         return true;
     }
     const Place place = placeAt(widget);
@@ -277,7 +278,7 @@ void CurveEditor<Dim>::setKind(JointKind kind) {
     std::erase(m_free, joint);
     if (kind == JointKind::Free) {
         m_free.push_back(joint);  // nothing moves: it is for the next drag
-        m_view.redraw();
+        m_surface.redraw();
         return;
     }
     auto points = withJointKind<Dim>(own->points, joint, kind);
@@ -294,7 +295,8 @@ void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
     const Vec<Dim> by = shift();
     QPolygonF line;
     for (const auto& piece : curveOf<Dim>(*own).pieces)
-        for (int i = 0; i <= kSamples; ++i) line << m_view.toWidget(piece.value(double(i) / kSamples) + by);
+        for (int i = 0; i <= kSamples; ++i)
+            line << m_surface.toWidget(piece.value(double(i) / kSamples) + by);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kLine, marked(1.75)));
     painter.drawPolyline(line);
@@ -306,7 +308,7 @@ void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
     if (all.empty()) return;
     if (isDragging()) paintMoved(painter);
     QPolygonF screen;
-    for (const Vec<Dim>& p : all) screen << m_view.toWidget(p);
+    for (const Vec<Dim>& p : all) screen << m_surface.toWidget(p);
     const bool bezier = curve()->interpolation == Interpolation::Bezier;
     painter.setPen(QPen(kLine, marked(1.25)));
     for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions

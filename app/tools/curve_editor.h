@@ -1,11 +1,10 @@
 #pragma once
 
 #include <QPainter>
-#include <functional>
 
 #include "app/document/curve_edits.h"
-#include "app/session/shape_session.h"
 #include "app/tools/curve_editing.h"
+#include "app/tools/shape_tool.h"
 
 namespace wend {
 
@@ -17,14 +16,7 @@ QString curveHint(bool onPoint);
 template <int Dim>
 class CurveEditor : public CurveEditing {
   public:
-    /// The view that the curve is seen in.
-    struct View {
-        std::function<QPointF(const Vec<Dim>&)> toWidget;
-        /// How far a point of the shape goes when the pointer drags it from one place to another.
-        std::function<Vec<Dim>(const Vec<Dim>& p, const QPointF& from, const QPointF& to)> way;
-        std::function<void()> redraw;
-    };
-    CurveEditor(ShapeSession& session, View view) : m_session(session), m_view(std::move(view)) {}
+    explicit CurveEditor(SurfaceOf<Dim>& surface) : m_surface(surface), m_session(surface.session()) {}
 
     /// The point within reach, or −1. The first one is where the handle is when the motion begins: fixed.
     int pointAt(const QPointF& widget) const;
@@ -72,8 +64,8 @@ class CurveEditor : public CurveEditing {
     void insertOn(const Place& place);
     void paintMoved(QPainter& painter) const;
 
+    SurfaceOf<Dim>& m_surface;
     ShapeSession& m_session;
-    View m_view;
     int m_dragged = -1;
     bool m_freely = false;
     QPointF m_from;

@@ -1,15 +1,16 @@
 #pragma once
 
 #include "app/tools/manipulator.h"
+#include "app/tools/shape_tool.h"
 #include "core/mesh/cut_plane.h"
 
 namespace wend {
 
 /// The plane that cuts a solid open: an arrow moves it, two rings tilt it. Lies over whatever tool is chosen.
-class CutTool : public SolidTool {
+class CutTool : public ShapeTool<3> {
   public:
     using Changed = std::function<void(const CutPlane&)>;
-    CutTool(SolidSurface& surface, Changed changed) : SolidTool(surface), m_changed(std::move(changed)) {}
+    CutTool(SolidSurface& surface, Changed changed) : ShapeTool<3>(surface), m_changed(std::move(changed)) {}
 
     void setActive(bool active) { m_active = active; }
     bool isActive() const { return m_active; }

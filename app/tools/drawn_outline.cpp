@@ -4,7 +4,7 @@
 
 #include "app/session/accent.h"
 #include "app/session/mark_size.h"
-#include "app/tools/solid_surface.h"
+#include "app/tools/tool.h"
 
 namespace wend {
 

@@ -1,6 +1,8 @@
 #include "app/tools/manipulator.h"
 
 #include <Eigen/Geometry>
+#include <QCoreApplication>
+#include <QPainter>
 #include <QPainterPath>
 #include <cmath>
 #include <numbers>
@@ -51,9 +53,18 @@ std::pair<Vec<3>, Vec<3>> across(const Vec<3>& normal) {
 
 }  // namespace
 
+void Manipulator::setGrip(Grip::Kind kind) {
+    m_mode = kind == Grip::Kind::Turn ? Mode::Turn : kind == Grip::Kind::Grow ? Mode::Grow : Mode::Move;
+}
+
 void Manipulator::place(const Vec<3>& centre, const Mat<3>& axes) {
     m_centre = centre;
     m_axes = axes;
+}
+
+QString Manipulator::hint() {
+    return QCoreApplication::translate("PinTool",
+                                       "Drag an arrow, a square or a ring; G moves, R turns, S scales");
 }
 
 double Manipulator::length(const SolidSurface& surface) const {
@@ -122,7 +133,7 @@ std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface
 /// Where the pointer is in the part's line or plane.
 Vec<3> Manipulator::pointAt(const SolidSurface& surface, const QPointF& widget) const {
     const Ray ray = surface.ray(widget);
-    if (m_part.axis >= 0 && !m_part.plane) return nearestOnLine(m_centre, axis(m_part.axis), ray);
+    if (isAlongAxis()) return nearestOnLine(m_centre, axis(m_part.axis), ray);
     return onPlane(m_centre, normalOf(m_part, surface), ray);
 }
 
@@ -151,13 +162,13 @@ void Manipulator::begin(const Part& part, const SolidSurface& surface, const QPo
     m_startDistance = distanceAt(surface, widget);
 }
 
-Amount Manipulator::drag(const SolidSurface& surface, const QPointF& widget) {
+Amount Manipulator::drag(const SolidSurface& surface, const QPointF& widget, bool snaps) {
     switch (m_part.kind) {
         case Grip::Kind::Turn: {
             const double angle = angleAt(surface, widget);
             m_angle += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
             m_lastAngle = angle;
-            return {m_angle, 0, 0};
+            return {snaps ? kAngleStep * std::round(m_angle / kAngleStep) : m_angle, 0, 0};
         }
         case Grip::Kind::Grow:
             return {distanceAt(surface, widget) / m_startDistance - 1, 0, 0};
@@ -172,10 +183,14 @@ Grip Manipulator::grip(const SolidSurface& surface) const {
 }
 
 Amount Manipulator::typed(double number, const SolidSurface& surface) const {
-    if (m_part.kind == Grip::Kind::Turn) return {number * std::numbers::pi / 180, 0, 0};
-    if (m_part.kind == Grip::Kind::Grow) return {std::max(number, 0.01) - 1, 0, 0};
-    const bool line = m_part.axis >= 0 && !m_part.plane;
-    return number * (line ? axis(m_part.axis) : surface.viewDirection().unitOrthogonal());
+    if (m_part.kind != Grip::Kind::Move) return turnedOrScaled(number);
+    return number * (isAlongAxis() ? axis(m_part.axis) : surface.viewDirection().unitOrthogonal());
+}
+
+void Manipulator::paintDragged(QPainter& painter, const SolidSurface& surface, const Amount& amount) const {
+    Manipulator moved = *this;
+    if (m_part.kind == Grip::Kind::Move) moved.m_centre += amount;
+    moved.paint(painter, surface, m_part);
 }
 
 void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
@@ -193,7 +208,9 @@ void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
         painter.setPen(
             QPen(QColor(15, 17, 24, 150), marked(part.plane ? 2 : 4.5), Qt::SolidLine, Qt::RoundCap));
         painter.drawPolyline(line);
-        painter.setPen(QPen(colour, marked(part.plane ? 1 : 2.5), Qt::SolidLine, Qt::RoundCap));
+        const bool isRefused = !m_canTurn && part.kind != Grip::Kind::Move;
+        painter.setPen(QPen(colour, marked(part.plane ? 1 : 2.5), isRefused ? Qt::DotLine : Qt::SolidLine,
+                            Qt::RoundCap));
         part.plane || part.axis < 0 ? painter.drawPolygon(line) : painter.drawPolyline(line);
         if (part.kind != Grip::Kind::Move || part.axis < 0 || part.plane) continue;
         const QPointF tip = line.last(), along = tip - line.first();

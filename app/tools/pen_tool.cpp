@@ -79,10 +79,7 @@ int PenTool<Dim>::pinAt(const QPointF& widget) const {
 /// In space on the plane through the last point that faces the viewer.
 template <int Dim>
 Vec<Dim> PenTool<Dim>::placeAt(const QPointF& widget) const {
-    if constexpr (Dim == 2)
-        return surface().toShape(widget);
-    else
-        return acrossTheScreen(surface(), m_joints.back().at, widget);
+    return acrossTheScreen(surface(), m_joints.back().at, widget);
 }
 
 template <int Dim>

@@ -5,14 +5,23 @@
 #include "app/document/design.h"
 #include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
+#include "app/tools/region_outline.h"
 
 namespace wend {
 
 namespace {
 
-constexpr double kWayReach = 5;    // pixels of the screen
+constexpr double kReach = 9;       // pixels of the screen
+constexpr double kPointReach = 5;  // of single points of a handle of many
+constexpr double kWayReach = 5;
 constexpr double kGhostReach = 5;  // of handles that do not hold now: a new pin may be wanted there
 constexpr double kSame = 1e-3;     // of the shape's size: what is seen there is the place itself
+
+/// Its mark is not at a point of the shape: nothing covers it.
+template <int Dim>
+bool isArea(const PinView<Dim>& pin) {
+    return pin.region || pin.points.size() > 1;
+}
 
 double distanceToLine(const QPointF& p, const QPointF& a, const QPointF& b) {
     const QPointF along = b - a;
@@ -42,12 +51,57 @@ bool isCovered<3>(SolidSurface& surface, const PinView<3>& pin, std::size_t poin
 }
 
 template <int Dim>
-int ghostUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
-    PinPick pick;
+int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through) {
+    const auto distance = [&](const PinView<Dim>& pin) {
+        return QLineF(surface.toWidget(pin.centre), widget).length();
+    };
+    PinPick marks, ghosts;
+    for (const PinView<Dim>& pin : surface.session().template pins<Dim>())
+        if (const double d = distance(pin); d <= marked(kReach))
+            marks.offer(pin.handle, d, !isArea(pin) && !through && isCovered<Dim>(surface, pin));
+    if (marks.handle() >= 0) return marks.handle();
     for (const PinView<Dim>& ghost : surface.session().template ghosts<Dim>())
-        if (const double d = QLineF(surface.toWidget(ghost.centre), widget).length();
-            d <= marked(kGhostReach))
-            pick.offer(ghost.handle, d, false);
+        if (const double d = distance(ghost); d <= marked(kGhostReach)) ghosts.offer(ghost.handle, d, false);
+    return ghosts.handle();
+}
+
+namespace {
+
+/// Of regions that lie over each other one that is seen there, of several the smallest.
+int regionUnder(ToolSurface& surface, const QPointF& widget) {
+    ShapeSession& session = surface.session();
+    const auto frame = session.frame<2>();
+    if (!frame) return -1;
+    const auto seen = surface.touch(widget);
+    PinPick pick;
+    for (const PinView<2>& view : session.pins()) {
+        if (!view.region) continue;
+        const Handle<2>& handle = session.document().design<2>().handles[view.handle];
+        QPolygonF border;
+        for (const Vec<2>& p : regionBorder(handle, view, *frame)) border << surface.toWidget(p);
+        if (!border.containsPoint(widget, Qt::OddEvenFill)) continue;
+        const QRectF box = border.boundingRect();
+        const auto* region = std::get_if<Region<2>>(&handle.at);
+        const bool covered =
+            seen && region &&
+            signedDistance<2>(*region, positionOf<2>(seen->place, *frame->rest, frame->rest->points)) > 0;
+        pick.offer(view.handle, box.width() * box.height(), covered);
+    }
+    return pick.handle();
+}
+
+}  // namespace
+
+template <int Dim>
+int partUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through) {
+    PinPick pick;
+    for (const PinView<Dim>& pin : surface.session().template pins<Dim>())
+        for (std::size_t i = 0; i < pin.points.size() && !(Dim == 2 && pin.region); ++i)
+            if (const double d = QLineF(surface.toWidget(pin.points[i]), widget).length();
+                d <= marked(kPointReach) && (through || !isCovered<Dim>(surface, pin, i)))
+                pick.offer(pin.handle, d, false);
+    if constexpr (Dim == 2)
+        if (pick.handle() < 0) return regionUnder(surface, widget);
     return pick.handle();
 }
 
@@ -71,9 +125,13 @@ int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     return best;
 }
 
-template int ghostUnder<2>(ToolSurface&, const QPointF&);
-template int ghostUnder<3>(SolidSurface&, const QPointF&);
-template int wayUnder<2>(ToolSurface&, const QPointF&);
-template int wayUnder<3>(SolidSurface&, const QPointF&);
+#define WEND_INSTANTIATE(Dim)                                           \
+    template int markUnder<Dim>(SurfaceOf<Dim>&, const QPointF&, bool); \
+    template int partUnder<Dim>(SurfaceOf<Dim>&, const QPointF&, bool); \
+    template int wayUnder<Dim>(SurfaceOf<Dim>&, const QPointF&)
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -32,9 +32,15 @@ class PinPick {
     bool m_covered = false;
 };
 
-/// The handle that does not hold now and whose mark is within reach of a point of the widget, or −1.
+/// The handle whose mark is within reach of a point of the widget, if need be one that does not hold now, or
+/// −1. `through`: what lies in front does not matter.
 template <int Dim>
-int ghostUnder(SurfaceOf<Dim>& surface, const QPointF& widget);
+int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through);
+
+/// The handle of which that is a part: of many points one is within reach, of a region in the plane the point
+/// lies inside; or −1.
+template <int Dim>
+int partUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through);
 
 /// The handle whose way is within reach of a point of the widget, or −1.
 template <int Dim>

@@ -1,47 +1,50 @@
 #pragma once
 
 #include <QPainter>
-#include <functional>
 #include <optional>
 
-#include "app/document/grip.h"
+#include "app/tools/gizmo_base.h"
+#include "app/tools/tool_surface.h"
 
 namespace wend {
 
 /// The ring around what is selected in a picture, of constant size on the screen: its dot is dragged to
 /// rotate, its square to scale. Around a single point, which can do neither, it is dotted.
-class PinRing {
+class PinRing : public GizmoBase<2> {
   public:
-    enum class Part { Rotate, Scale };
-    using ToShape = std::function<Vec<2>(const QPointF&)>;
+    /// Pins that lie under a part come first.
+    static constexpr bool kComesFirst = false;
 
-    /// Around a place of the widget, and of the shape.
-    void place(const QPointF& widget, const Vec<2>& shape, bool canTurn);
-    bool canTurn() const { return m_canTurn; }
-    std::optional<Part> partAt(const QPointF& widget) const;
-    /// True on the ring itself.
-    bool isOn(const QPointF& widget) const;
+    void place(const Vec<2>& centre, bool canTurn) {
+        GizmoBase::place(centre, canTurn);
+        m_turned = 0;
+    }
+    void setGrip(Grip::Kind kind) { m_kind = kind; }
+    /// What a drag does that begins anywhere: pins are moved by themselves.
+    std::optional<Part> anywhere() const;
+    std::optional<Part> partAt(const ToolSurface& surface, const QPointF& widget) const;
+    /// True where who pulls at the dotted ring of a point wants to turn it.
+    bool isRefusedAt(const ToolSurface& surface, const QPointF& widget) const;
+    /// What the pointer does on a part, in words.
+    static QString hint();
 
-    void begin(Part part, const QPointF& widget, const ToShape& toShape);
-    Part part() const { return m_part; }
-    Grip grip() const;
+    void begin(const Part& part, const ToolSurface& surface, const QPointF& widget);
+    Grip grip(const ToolSurface& surface) const;
     /// How far the pointer has brought it; `snaps`: by 15°.
-    Amount drag(const QPointF& widget, const ToShape& toShape, bool snaps);
-    /// Degrees, or a factor.
-    Amount typed(double number) const;
-    /// The number that stands at the pointer.
-    QString text(const Amount& amount) const;
+    Amount drag(const ToolSurface& surface, const QPointF& widget, bool snaps = false);
+    /// Degrees, a factor, or a length along the axis or where it went last.
+    Amount typed(double number, const ToolSurface& surface) const;
 
-    void paint(QPainter& painter, const std::optional<Part>& lit) const;
+    void paint(QPainter& painter, const ToolSurface& surface, const std::optional<Part>& lit) const;
+    /// While it is dragged; pins that move have none.
+    void paintDragged(QPainter& painter, const ToolSurface& surface, const Amount& amount) const;
 
   private:
-    QPointF spot(Part part) const;
-    std::optional<double> angleAt(const QPointF& widget, const ToShape& toShape) const;
+    QPointF spot(Grip::Kind kind, const QPointF& centre) const;
+    std::optional<double> angleAt(const ToolSurface& surface, const QPointF& widget) const;
 
-    QPointF m_at;
-    Vec<2> m_centre = Vec<2>::Zero();
-    bool m_canTurn = false;
-    Part m_part = Part::Rotate;
+    Grip::Kind m_kind = Grip::Kind::Move;
+    Vec<2> m_startPoint = Vec<2>::Zero(), m_way = Vec<2>::Zero();
     std::optional<double> m_lastAngle;  // none while the pointer has not left the middle
     double m_angle = 0, m_lead = 0, m_startDistance = 1, m_turned = 0;
 };

@@ -1,365 +1,395 @@
 #include "app/tools/pin_tool.h"
 
-#include <QApplication>
 #include <algorithm>
+#include <cmath>
 
-#include "app/document/design.h"
-#include "app/session/accent.h"
-#include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
 #include "app/tools/drag_label.h"
-#include "app/tools/pin_picking.h"
-#include "app/tools/region_outline.h"
 
 namespace wend {
 
 namespace {
 
-constexpr double kReach = 8;           // pixels of the screen
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
+constexpr double kDrag = 3;            // pixels: less is a click
 
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
 
+/// What an arrow key moves by: pixels of the picture, whose axes are those of the screen …
+Vec<2> nudgeOf(ToolSurface& surface, const Vec<2>&, const QPointF& by) {
+    const double down = surface.toShape({0, 1}).y() - surface.toShape({0, 0}).y();
+    return surface.session().pixel() * Vec<2>(by.x(), std::copysign(by.y(), down * by.y()));
+}
+
+/// … or pixels of the screen, along it.
+Vec<3> nudgeOf(SolidSurface& surface, const Vec<3>& p, const QPointF& by) {
+    const QPointF at = surface.toWidget(p);
+    return acrossTheScreen(surface, p, at + by) - acrossTheScreen(surface, p, at);
+}
+
 }  // namespace
 
-PinTool::PinTool(ToolSurface& surface, bool adds)
-    : m_surface(surface),
-      m_curve(surface.session(), {[this](const Vec<2>& p) { return m_surface.toWidget(p); },
-                                  [this](const Vec<2>&, const QPointF& from, const QPointF& to) -> Vec<2> {
-                                      return m_surface.toShape(to) - m_surface.toShape(from);
-                                  },
-                                  [this] { m_surface.redraw(); }}),
-      m_adds(adds) {}
-
-void PinTool::setGrip(Grip::Kind kind) {
-    m_grip = kind;
+template <int Dim>
+void PinTool<Dim>::setGrip(Grip::Kind kind) {
+    m_gizmo.setGrip(kind);
     surface().redraw();
 }
 
+template <int Dim>
+int PinTool<Dim>::handleAt(const QPointF& widget) const {
+    const int pin = pinAt(widget);
+    return pin >= 0 ? pin : partUnder<Dim>(surface(), widget, m_through);
+}
+
 /// The end of the curve lies under its pin, which comes first until that point is chosen.
-int PinTool::curvePointAt(const QPointF& at) const {
+template <int Dim>
+int PinTool<Dim>::curvePointAt(const QPointF& at) const {
     const int point = m_curve.pointAt(at);
     return point == m_curve.chosen() || pinAt(at) < 0 ? point : -1;
 }
 
-int PinTool::handleAt(const QPointF& widget) const {
-    const int pin = pinAt(widget);
-    return pin >= 0 ? pin : regionAt(widget);
+template <int Dim>
+std::optional<GizmoPart> PinTool<Dim>::partAt(const QPointF& at) const {
+    const bool looks = (Gizmo<Dim>::kComesFirst || pinAt(at) < 0) && placeGizmo();
+    return looks ? m_gizmo.partAt(surface(), at) : std::nullopt;
 }
 
-int PinTool::pinAt(const QPointF& widget) const {
-    PinPick pick;
-    for (const PinView<2>& pin : session().pins()) {
-        for (std::size_t i = 0; i < pin.points.size() && !pin.region; ++i)
-            if (const double d = distance(surface().toWidget(pin.points[i]), widget); d <= marked(kReach))
-                pick.offer(pin.handle, d, isCovered<2>(surface(), pin, i));
-        const bool isArea = pin.region || pin.points.size() > 1;
-        if (const double d = distance(surface().toWidget(pin.centre), widget); isArea && d <= marked(kReach))
-            pick.offer(pin.handle, d, false);
-    }
-    return pick.handle() >= 0 ? pick.handle() : ghostUnder<2>(surface(), widget);
+/// That a drag would take hold of.
+template <int Dim>
+std::optional<GizmoPart> PinTool<Dim>::litPart() const {
+    return m_part ? m_part : m_gizmo.anywhere();
 }
 
-/// Of regions that lie over each other one that is seen there, of several the smallest.
-int PinTool::regionAt(const QPointF& widget) const {
-    const auto frame = session().frame<2>();
-    if (!frame) return -1;
-    const auto seen = surface().touch(widget);
-    PinPick pick;
-    for (const PinView<2>& view : session().pins()) {
-        if (!view.region) continue;
-        const Handle<2>& handle = session().document().design<2>().handles[view.handle];
-        QPolygonF border;
-        for (const Vec<2>& p : regionBorder(handle, view, *frame)) border << surface().toWidget(p);
-        if (!border.containsPoint(widget, Qt::OddEvenFill)) continue;
-        const QRectF box = border.boundingRect();
-        const auto* region = std::get_if<Region<2>>(&handle.at);
-        const bool covered =
-            seen && region &&
-            signedDistance<2>(*region, positionOf<2>(seen->place, *frame->rest, frame->rest->points)) > 0;
-        pick.offer(view.handle, box.width() * box.height(), covered);
-    }
-    return pick.handle();
+template <int Dim>
+bool PinTool<Dim>::wants(const QPointF& at) const {
+    return handleAt(at) >= 0 || m_curve.pointAt(at) > 0 || m_curve.isOnCurve(at) ||
+           wayUnder<Dim>(surface(), at) >= 0 || partAt(at);
 }
 
-/// The ring stands around the middle of what is selected; false if nothing is.
-bool PinTool::placeRing() const {
-    if (m_gesture == Gesture::Ring) return true;
-    std::vector<Vec<2>> centres;
+/// In the middle of what is selected; false if nothing is.
+template <int Dim>
+bool PinTool<Dim>::placeGizmo() const {
+    if (m_gesture == Gesture::Drag) return true;
+    std::vector<Vec<Dim>> centres;
     std::size_t points = 0;
-    for (const PinView<2>& pin : session().pins())
-        if (session().selection().contains(pin.handle)) {
-            centres.push_back(pin.centre);
-            points += pin.points.size();
-        }
-    m_hasRing = !centres.empty() && (m_gesture == Gesture::None || m_gesture == Gesture::Pressed);
-    if (m_hasRing) m_ring.place(surface().toWidget(meanOf<2>(centres)), meanOf<2>(centres), points > 1);
-    return m_hasRing;
+    for (const auto& pin : session().template pins<Dim>()) {
+        if (!isSelected(pin.handle)) continue;
+        centres.push_back(pin.centre);
+        points += pin.points.size();
+    }
+    if (centres.empty()) return false;
+    m_gizmo.place(meanOf<Dim>(centres), points > 1);
+    return true;
 }
 
-void PinTool::press(const QMouseEvent& event) {
+template <int Dim>
+void PinTool<Dim>::takePointer(const QMouseEvent& event) {
+    m_at = event.position();
+    m_seconds = secondsOf(event);
+    m_over = true;
+}
+
+template <int Dim>
+void PinTool<Dim>::hover() {
+    m_part = partAt(m_at);
+    m_hovered = m_part ? pinAt(m_at) : handleAt(m_at);
+}
+
+template <int Dim>
+void PinTool<Dim>::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
+    takePointer(event);
     m_gesture = Gesture::Pressed;
     m_cross.hide();
-    m_widens = event.modifiers() & Qt::AltModifier;
-    m_records = event.modifiers() & Qt::ControlModifier;
-    m_seconds = secondsOf(event);
-    m_from = m_at = event.position();
+    m_from = m_at;
+    m_with = event.modifiers();
+    m_outline.begin(m_from);
     if (const int point = curvePointAt(m_from); point > 0) {
         m_gesture = Gesture::Curve;
         m_curve.begin(point, m_from);
         return;
     }
+    m_part = partAt(m_from);
     m_pressed = pinAt(m_from);
-    m_part = m_pressed < 0 && placeRing() ? m_ring.partAt(m_from) : std::nullopt;
-    if (m_part) return;
-    if (m_pressed < 0 && m_curve.isOnCurve(m_from)) m_gesture = Gesture::OnCurve;
-    if (m_pressed < 0 && m_gesture != Gesture::OnCurve) m_pressed = regionAt(m_from);
-    if (m_pressed >= 0) pressHandle(m_pressed, event.modifiers() & Qt::ShiftModifier);
+    if (m_pressed < 0 && !m_part && m_curve.isOnCurve(m_from)) {
+        m_gesture = Gesture::OnCurve;
+        return;
+    }
+    if (m_pressed < 0 && !m_part) m_pressed = handleAt(m_from);
+    const bool isOwn = m_part && isSelected(m_pressed);  // the gizmo's middle is on its pin
+    if (m_part && !isOwn) m_pressed = -1;
+    const bool extend = m_with & Qt::ShiftModifier;
+    if (m_pressed >= 0 && (!isOwn || extend)) select(m_pressed, extend);
 }
 
-void PinTool::pressHandle(int handle, bool extend) {
-    Selection& selection = session().selection();
+template <int Dim>
+void PinTool<Dim>::select(int handle, bool extend) {
     if (extend)
-        selection.toggle(handle);
-    else if (!selection.contains(handle))
-        selection.set({handle});
+        session().selection().toggle(handle);
+    else if (!session().selection().contains(handle))
+        session().selection().set({handle});
 }
 
-void PinTool::move(const QMouseEvent& event) {
-    const QPointF at = event.position();
-    m_at = at;
-    m_seconds = secondsOf(event);
-    if (m_gesture == Gesture::None) hover(at);
-    if (m_gesture == Gesture::OnCurve && distance(at, m_from) >= 3) m_gesture = Gesture::Pressed;
-    if (m_gesture == Gesture::Curve) m_curve.drag(at, event.modifiers() & Qt::ControlModifier);
-    if (m_gesture == Gesture::Pressed && distance(at, m_from) >= 3) begin();
-    follow(event);
+template <int Dim>
+void PinTool<Dim>::move(const QMouseEvent& event) {
+    takePointer(event);
+    if (m_gesture == Gesture::None) hover();
+    const bool drags = distance(m_at, m_from) >= kDrag;
+    if (m_gesture == Gesture::OnCurve && drags) m_gesture = Gesture::Pressed;
+    if (m_gesture == Gesture::Pressed && drags) begin();
+    if (m_gesture == Gesture::Marquee) m_outline.goOn(m_at);
+    if (m_gesture == Gesture::Drag) drag(event.modifiers() & Qt::ShiftModifier);
+    if (m_gesture == Gesture::Curve) m_curve.drag(m_at, event.modifiers() & Qt::ControlModifier);
+    surface().redraw();
 }
 
-void PinTool::follow(const QMouseEvent& event) {
-    const QPointF at = event.position();
-    if (m_gesture == Gesture::Drag)
-        session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from), m_seconds);
-    if (m_gesture == Gesture::Ring) dragRing(event.modifiers() & Qt::ShiftModifier);
-    if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
-    if (m_gesture == Gesture::None || m_gesture == Gesture::Widen || m_gesture == Gesture::Ring)
-        surface().redraw();
-}
-
-void PinTool::begin() {
-    if (m_part) return beginRing();
-    const bool onPin = m_pressed >= 0 && session().selection().contains(m_pressed);
-    if (onPin && m_widens) {
+/// What was pressed decides: a part of the gizmo, a pin, the bare shape, or nothing of these.
+template <int Dim>
+void PinTool<Dim>::begin() {
+    const bool onPin = isSelected(m_pressed);
+    if (onPin && m_with & Qt::AltModifier) {
         session().selection().set({m_pressed});
         m_gesture = Gesture::Widen;
         return;
     }
-    if (m_grip != Grip::Kind::Move && placeRing()) return beginGrip();
+    const bool isPlaced = placeGizmo();
+    if (isPlaced) m_part = litPart();
+    if (m_part && refuse(*m_part)) return;
     // Who pulls at the dotted ring of a point wants to turn it.
-    if (!onPin && placeRing() && !m_ring.canTurn() && m_ring.isOn(m_from)) return refuse(Grip::Kind::Turn);
-    m_gesture = onPin ? Gesture::Drag : Gesture::Marquee;
-    if (onPin) session().beginDrag({}, m_records);
-    if (onPin && !session().isDragging()) m_gesture = Gesture::None;
+    const bool wantsTurn = isPlaced && !onPin && m_gizmo.isRefusedAt(surface(), m_from);
+    if (wantsTurn && refuse({Grip::Kind::Turn})) return;
+    if (m_part || onPin || setPin())
+        beginDrag(m_part.value_or(Part{}));
+    else
+        m_gesture = Gesture::Marquee;
 }
 
-/// Wherever it was pressed.
-void PinTool::beginGrip() {
-    if (!m_ring.canTurn()) return refuse(m_grip);
-    m_part = litPart();
-    beginRing();
+/// A new pin is dragged at once: both are one step.
+template <int Dim>
+bool PinTool<Dim>::setPin() {
+    const bool isPlain = !(m_with & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier));
+    if (!m_adds || !isPlain || !surface().touch(m_from)) return false;
+    session().document().beginStep();
+    m_pressed = addPin(m_from);
+    m_sets = m_pressed >= 0;
+    if (!m_sets) session().document().endStep();
+    placeGizmo();
+    return m_sets;
 }
 
-void PinTool::refuse(Grip::Kind kind) {
+/// What a single point cannot do.
+template <int Dim>
+bool PinTool<Dim>::refuse(const Part& part) {
+    if (part.kind == Grip::Kind::Move || m_gizmo.canTurn()) return false;
     m_gesture = Gesture::None;
-    emit session().notice(refusal(kind));
+    emit session().notice(refusal(part.kind));
+    return true;
 }
 
-/// That a drag would take hold of.
-std::optional<PinRing::Part> PinTool::litPart() const {
-    if (m_part || m_grip == Grip::Kind::Move) return m_part;
-    return m_grip == Grip::Kind::Turn ? PinRing::Part::Rotate : PinRing::Part::Scale;
-}
-
-void PinTool::beginRing() {
-    m_ring.begin(*m_part, m_from, [this](const QPointF& p) { return surface().toShape(p); });
+template <int Dim>
+void PinTool<Dim>::beginDrag(const Part& part) {
+    m_gizmo.begin(part, surface(), m_from);
+    m_part = part;
     m_typed.clear();
     m_amount.setZero();
-    session().beginDrag(m_ring.grip(), m_records);
-    m_gesture = session().isDragging() ? Gesture::Ring : Gesture::None;
+    session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
+    m_gesture = Gesture::Drag;
+    if (!session().isDragging()) finishDrag();
 }
 
-void PinTool::dragRing(bool snaps) {
-    m_amount = m_ring.drag(
-        m_at, [this](const QPointF& p) { return surface().toShape(p); }, snaps);
-    if (!m_typed.isEmpty()) m_amount = m_ring.typed(m_typed.value());
+template <int Dim>
+void PinTool<Dim>::drag(bool snaps) {
+    m_amount = m_gizmo.drag(surface(), m_at, snaps);
+    if (!m_typed.isEmpty()) m_amount = m_gizmo.typed(m_typed.value(), surface());
     session().dragBy(m_amount, m_seconds);
 }
 
-void PinTool::finishDrag() {
-    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+/// Another axis for the gesture that goes on: it begins again from where it began.
+template <int Dim>
+void PinTool<Dim>::lock(int axis) {
+    Part part = m_gizmo.part();
+    part.axis = part.axis == axis ? -1 : axis;
+    part.plane = false;
+    m_gizmo.begin(part, surface(), m_from);
+    m_part = part;
+    session().cancelDrag();  // what was gone so far is no part of the way
+    session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
+    drag();
+}
+
+template <int Dim>
+void PinTool<Dim>::finishDrag() {
+    m_gesture = Gesture::None;
     m_part.reset();
-    if (!std::exchange(m_typed, TypedNumber()).isEmpty()) {
+    const double pixel = surface().pixelSize(m_gizmo.centre());
+    if (!std::exchange(m_typed, TypedNumber()).isEmpty())
         session().endDragStraight();
-        return;
-    }
-    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
-    session().endDrag(gesture == Gesture::Ring
-                          ? kTurnDetail
-                          : std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
+    else if (m_gizmo.part().kind == Grip::Kind::Move)
+        session().endDrag(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
+    else
+        session().endDrag(kTurnDetail);
+    if (std::exchange(m_sets, false)) session().document().endStep();
 }
 
 /// From the middle of the pin to the pointer, in the domain's units.
-double PinTool::widenedTo(const QPointF& at) const {
-    for (const PinView<2>& pin : session().pins())
-        if (pin.handle == m_pressed) return (surface().toShape(at) - pin.centre).norm();
+template <int Dim>
+double PinTool<Dim>::widenedTo(const QPointF& at) const {
+    for (const auto& pin : session().template pins<Dim>())
+        if (pin.handle == m_pressed) return (acrossTheScreen(surface(), pin.centre, at) - pin.centre).norm();
     return 0;
 }
 
-void PinTool::release(const QMouseEvent& event) {
+template <int Dim>
+void PinTool<Dim>::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
-    if (m_gesture == Gesture::Drag || m_gesture == Gesture::Ring) {
-        m_seconds = secondsOf(event);
-        if (isRecording(session()))  // it has rested until now
-            session().dragBy(session().gesture()->amount(), m_seconds);
+    takePointer(event);
+    if (m_gesture == Gesture::Drag) {
+        drag(event.modifiers() & Qt::ShiftModifier);
         finishDrag();
-        hover(event.position());
-        return;
     }
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     if (gesture == Gesture::Curve) m_curve.finish();
-    if (gesture == Gesture::OnCurve) m_curve.choose(-1), surface().redraw();
-    if (gesture == Gesture::Widen) widenPin(session(), m_pressed, widenedTo(event.position()));
-    if (gesture == Gesture::Marquee) {
-        surface().setMarquee({});
-        selectInside(QRectF(m_from, event.position()).normalized(), event.modifiers());
-    }
+    if (gesture == Gesture::OnCurve) m_curve.choose(-1);
+    if (gesture == Gesture::Widen) widenPin<Dim>(session(), m_pressed, widenedTo(m_at));
+    m_outline.endAt(m_at);
+    if (gesture == Gesture::Marquee) selectInside(event.modifiers());
     if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part)
-        clickAt(event.position(), event.modifiers() & Qt::ShiftModifier);
-    hover(event.position());
-}
-
-/// What is seen there, or the nearest corner of its cell.
-std::optional<Location<2>> PinTool::placeAt(const QPointF& widget) const {
-    const auto seen = surface().touch(widget);
-    if (!seen) return {};
-    Location<2> place = seen->place;
-    Eigen::Index corner = 0;
-    place.weights.maxCoeff(&corner);
-    if (m_snaps) place.weights = Eigen::Vector3d::Unit(corner);
-    return place;
-}
-
-/// Every handle of which a point lies inside.
-void PinTool::selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifiers) {
-    std::vector<int> handles;
-    for (const PinView<2>& pin : session().pins()) {
-        const auto inside = [&](const Vec<2>& p) { return rectangle.contains(surface().toWidget(p)); };
-        if (inside(pin.centre) || std::any_of(pin.points.begin(), pin.points.end(), inside))
-            handles.push_back(pin.handle);
-    }
-    session().selection().pick(handles, pickBy(modifiers));
-}
-
-void PinTool::doubleClick(const QMouseEvent& event) {
-    const QPointF at = event.position();
-    const bool onCurve =
-        event.button() == Qt::LeftButton && curvePointAt(at) <= 0 && pinAt(at) < 0;  // pins come first
-    if (!onCurve || !m_curve.insertAt(at)) press(event);
-}
-
-bool PinTool::ownsKey(const QKeyEvent& event) const {
-    if (m_gesture == Gesture::Ring) return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-    return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
-}
-
-MenuPlace PinTool::menuAt(const QPointF& at) {
-    if (m_gesture != Gesture::None) return MenuPlace::None;
-    if (pinAt(at) < 0 && m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
-    const int handle = handleAt(at);
-    return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder<2>(surface(), at));
-}
-
-void PinTool::hover(const QPointF& at) {
-    m_part = pinAt(at) < 0 && placeRing() ? m_ring.partAt(at) : std::nullopt;
-    m_hovered = m_part ? -1 : handleAt(at);
-    surface().setHovered(m_hovered);
-}
-
-/// The pins that are selected; without any, a cross that Enter clicks at.
-bool PinTool::nudge(const QKeyEvent& event) {
-    if (session().selection().isEmpty())
-        return m_cross.take<2>(event, surface(), [this](const QPointF& at) { clickAt(at, false); });
-    m_cross.hide();
-    const auto by = arrowOf(event);
-    if (by) session().nudgeSelected<2>(session().pixel() * Vec<2>(by->x(), by->y()));
-    return by.has_value();
+        clickAt(m_at, event.modifiers() & Qt::ShiftModifier);
+    hover();
+    surface().redraw();
 }
 
 /// What is there is selected, or a pin is set.
-void PinTool::clickAt(const QPointF& at, bool extend) {
+template <int Dim>
+void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
     const int handle = handleAt(at);
-    const int found = handle >= 0 ? handle : wayUnder<2>(surface(), at);
-    if (found >= 0) return pressHandle(found, extend);
-    const int added = m_adds ? session().addPin<2>(placeAt(at)) : -1;
+    const int found = handle >= 0 ? handle : wayUnder<Dim>(surface(), at);
+    if (found >= 0) return select(found, extend);
+    const int added = m_adds ? addPin(at) : -1;
     if (added < 0 && !extend) session().selection().clear();
 }
 
-bool PinTool::key(const QKeyEvent& event) {
-    if (ownsKey(event) && m_gesture == Gesture::None) {
+/// Where something is seen, or at the nearest corner of its cell; −1, with a notice, beside the shape.
+template <int Dim>
+int PinTool<Dim>::addPin(const QPointF& at) {
+    auto touched = surface().touch(at);
+    if constexpr (Dim == 3)
+        if (m_snaps && touched)
+            return session().addSolidHandle({surface().pick(at).vertex},
+                                            ShapeSession::tr("Pin").toStdString());
+    if (!touched) return session().template addPin<Dim>(std::optional<Location<Dim>>());
+    Location<Dim>& place = touched->place;
+    Eigen::Index corner = 0;
+    place.weights.maxCoeff(&corner);
+    if (m_snaps) place.weights.setUnit(corner);
+    return session().template addPin<Dim>(std::optional(place));
+}
+
+/// If its mark lies inside, or any point of it; of a solid only what is seen, unless through.
+template <int Dim>
+bool PinTool<Dim>::isTaken(const PinView<Dim>& pin) const {
+    const bool many = pin.points.size() > 1;
+    if (many && m_outline.contains(surface().toWidget(pin.centre))) return true;  // the mark is never hidden
+    for (std::size_t i = 0; i < pin.points.size(); ++i) {
+        const bool isSeen = Dim == 2 || m_through || !isCovered<Dim>(surface(), pin, i);
+        if (isSeen && m_outline.contains(surface().toWidget(pin.points[i]))) return true;
+    }
+    return false;
+}
+
+template <int Dim>
+void PinTool<Dim>::selectInside(Qt::KeyboardModifiers modifiers) {
+    std::vector<int> handles;
+    for (const auto& pin : session().template pins<Dim>())
+        if (isTaken(pin)) handles.push_back(pin.handle);
+    session().selection().pick(handles, pickBy(modifiers));
+}
+
+template <int Dim>
+void PinTool<Dim>::doubleClick(const QMouseEvent& event) {
+    const QPointF at = event.position();
+    const bool isTaken = curvePointAt(at) > 0 || pinAt(at) >= 0 || partAt(at);
+    if (event.button() != Qt::LeftButton || isTaken || !m_curve.insertAt(at)) press(event);
+}
+
+template <int Dim>
+void PinTool<Dim>::leave() {
+    m_over = false;
+    m_hovered = -1;
+}
+
+template <int Dim>
+bool PinTool<Dim>::ownsKey(const QKeyEvent& event) const {
+    if (m_gesture == Gesture::Drag) return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
+}
+
+template <int Dim>
+MenuPlace PinTool<Dim>::menuAt(const QPointF& at) {
+    if (m_gesture != Gesture::None) return MenuPlace::None;
+    if (pinAt(at) < 0 && m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
+    const int handle = handleAt(at);
+    return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder<Dim>(surface(), at));
+}
+
+/// The pins that are selected; without any, a cross that Enter clicks at.
+template <int Dim>
+bool PinTool<Dim>::nudge(const QKeyEvent& event) {
+    if (session().selection().isEmpty())
+        return m_cross.take<Dim>(event, surface(), [this](const QPointF& at) { clickAt(at, false); });
+    m_cross.hide();
+    placeGizmo();
+    const auto by = arrowOf(event);
+    if (by) session().template nudgeSelected<Dim>(nudgeOf(surface(), m_gizmo.centre(), *by));
+    return by.has_value();
+}
+
+template <int Dim>
+bool PinTool<Dim>::key(const QKeyEvent& event) {
+    if (m_gesture == Gesture::Drag && event.key() != Qt::Key_Escape) return keyInDrag(event);
+    if (m_gesture == Gesture::None && ownsKey(event)) {
         m_curve.removePoint();
         return true;
     }
-    if (event.key() == Qt::Key_Escape) {
-        if (m_gesture == Gesture::None)
-            session().selection().clear();
-        else
-            cancel();
-        return true;
-    }
-    if (m_gesture == Gesture::None) return nudge(event);
-    if (m_gesture != Gesture::Ring) return false;
+    const bool sizes = m_outline.key(event);
+    if (!sizes && event.key() != Qt::Key_Escape) return m_gesture == Gesture::None && nudge(event);
+    if (!sizes && m_gesture == Gesture::None) session().selection().clear();
+    if (!sizes) cancel();
+    surface().redraw();
+    return true;
+}
+
+template <int Dim>
+bool PinTool<Dim>::keyInDrag(const QKeyEvent& event) {
+    const int axis = event.key() - Qt::Key_X;
+    const bool hasAxes = Dim == 3 || m_gizmo.part().kind == Grip::Kind::Move;
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
         finishDrag();
+    else if (hasAxes && axis >= 0 && axis < Dim)
+        lock(axis);
     else if (m_typed.take(event))
-        dragRing(false);
+        drag();
     else
         return false;
     surface().redraw();
     return true;
 }
 
-void PinTool::cancel() {
+template <int Dim>
+void PinTool<Dim>::cancel() {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     m_part.reset();
     m_typed.clear();
-    if (gesture == Gesture::Drag || gesture == Gesture::Ring) session().cancelDrag();
-    if (gesture == Gesture::Marquee) surface().setMarquee({});
+    if (gesture == Gesture::Drag) session().cancelDrag();
+    if (std::exchange(m_sets, false)) session().document().dropStep();
     m_curve.cancel();
 }
 
-void PinTool::paint(QPainter& painter) const {
-    m_curve.paint(painter, m_at);
-    paintRecording(painter, session(), m_at + QPointF(16, -34));
-    if (session().selection().isEmpty()) m_cross.paint(painter);
-    if (m_gesture == Gesture::Widen) return paintWidened(painter);
-    if (!placeRing()) return;
-    m_ring.paint(painter, litPart());
-    if (m_gesture == Gesture::Ring) paintLabel(painter, m_at + QPointF(16, 16), m_ring.text(m_amount));
-}
-
-void PinTool::paintWidened(QPainter& painter) const {
-    for (const PinView<2>& pin : session().pins()) {
-        if (pin.handle != m_pressed) continue;
-        const QPointF centre = surface().toWidget(pin.centre);
-        painter.setPen(QPen(QColor(kAccent), marked(2)));
-        painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
-        painter.drawEllipse(centre, distance(centre, m_at), distance(centre, m_at));
-    }
-}
+template class PinTool<2>;
+template class PinTool<3>;
 
 }  // namespace wend

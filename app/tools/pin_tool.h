@@ -1,28 +1,43 @@
 #pragma once
 
 #include "app/tools/curve_editor.h"
+#include "app/tools/drawn_outline.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/key_cross.h"
-#include "app/tools/pin_ring.h"
-#include "app/tools/tool.h"
-#include "app/tools/tool_surface.h"
+#include "app/tools/pin_picking.h"
 #include "app/tools/typed_number.h"
 
 namespace wend {
 
-/// Selects pins of a picture, drags, rotates, scales and widens them; with `adds`, a click on the free shape
-/// makes a new one.
-class PinTool : public Tool {
+/// Selects pins and drags, rotates, scales and widens them, with a ring around them in the plane, with a
+/// manipulator in space. With `adds` a click on the free shape makes a new one, a drag from there one that
+/// goes along.
+template <int Dim>
+class PinTool : public ShapeTool<Dim> {
   public:
-    PinTool(ToolSurface& surface, bool adds);
+    /// What is drawn beside pins to select all in it.
+    using Outline = DrawnOutline::Kind;
+    PinTool(SurfaceOf<Dim>& view, bool adds) : ShapeTool<Dim>(view), m_curve(view), m_adds(adds) {}
+
+    /// What a drag does with what is selected.
+    void setGrip(Grip::Kind kind);
+    void setOutline(Outline outline) { m_outline.setKind(outline); }
+    /// Selects also what something hides.
+    void setThrough(bool through) { m_through = through; }
+    /// New pins sit on corners of the mesh, instead of where one clicks.
+    void setSnaps(bool snaps) { m_snaps = snaps; }
 
     QString hint() const override;
     QCursor cursor() const override;
+    bool wants(const QPointF& at) const override;
+    int hovered() const override { return m_hovered; }
     void press(const QMouseEvent& event) override;
     void move(const QMouseEvent& event) override;
     void release(const QMouseEvent& event) override;
     bool key(const QKeyEvent& event) override;
     void cancel() override;
     void doubleClick(const QMouseEvent& event) override;
+    void leave() override;
     bool ownsKey(const QKeyEvent& event) const override;
     MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }
@@ -30,58 +45,60 @@ class PinTool : public Tool {
 
     /// The handle within reach of a point of the widget, or around it, or −1.
     int handleAt(const QPointF& widget) const;
-    /// What a drag does with what is selected: turning and scaling begin anywhere, pins are moved by
-    /// themselves.
-    void setGrip(Grip::Kind kind);
-    /// New pins sit on corners of the mesh, instead of where one clicks.
-    void setSnaps(bool snaps) { m_snaps = snaps; }
 
   private:
-    ToolSurface& surface() const { return m_surface; }
-    ShapeSession& session() const { return m_surface.session(); }
-    enum class Gesture { None, Pressed, Drag, Ring, Widen, Marquee, Curve, OnCurve };
+    using Part = GizmoPart;
+    using ShapeTool<Dim>::surface;
+    using ShapeTool<Dim>::session;
+    enum class Gesture { None, Pressed, Drag, Widen, Marquee, Curve, OnCurve };
 
-    void pressHandle(int handle, bool extend);
-    int pinAt(const QPointF& widget) const;
-    int regionAt(const QPointF& widget) const;
-    std::optional<Location<2>> placeAt(const QPointF& widget) const;
-    bool placeRing() const;
-    void paintWidened(QPainter& painter) const;
+    int pinAt(const QPointF& widget) const { return markUnder<Dim>(surface(), widget, m_through); }
+    int curvePointAt(const QPointF& at) const;
+    std::optional<Part> partAt(const QPointF& at) const;
+    std::optional<Part> litPart() const;
+    bool isSelected(int handle) const { return handle >= 0 && session().selection().contains(handle); }
+    bool placeGizmo() const;
+    void takePointer(const QMouseEvent& event);
+    void hover();
+    void select(int handle, bool extend);
     void begin();
-    void beginGrip();
-    void beginRing();
-    void refuse(Grip::Kind kind);
-    QString gripHint() const;
-    static QString refusal(Grip::Kind kind);
-    std::optional<PinRing::Part> litPart() const;
-    void follow(const QMouseEvent& event);
-    void dragRing(bool snaps);
+    bool setPin();
+    bool refuse(const Part& part);
+    void beginDrag(const Part& part);
+    void drag(bool snaps = false);
+    void lock(int axis);
     void finishDrag();
     void clickAt(const QPointF& at, bool extend);
+    int addPin(const QPointF& at);
     double widenedTo(const QPointF& at) const;
-    int curvePointAt(const QPointF& at) const;
-    void selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifiers);
-    void hover(const QPointF& at);
+    bool isTaken(const PinView<Dim>& pin) const;
+    void selectInside(Qt::KeyboardModifiers modifiers);
     bool nudge(const QKeyEvent& event);
+    bool keyInDrag(const QKeyEvent& event);
+    QString besideHint() const;
+    QString gripHint() const;
+    static QString refusal(Grip::Kind kind);
+    void paintWidened(QPainter& painter) const;
 
-    ToolSurface& m_surface;
-    CurveEditor<2> m_curve;
+    mutable Gizmo<Dim> m_gizmo;  // where the selection was last seen
+    CurveEditor<Dim> m_curve;
     KeyCross m_cross;
+    DrawnOutline m_outline;
     bool m_adds;
-    bool m_snaps = false;
-    Grip::Kind m_grip = Grip::Kind::Move;
+    bool m_through = false, m_snaps = false;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
-    int m_pressed = -1;
-    int m_hovered = -1;
-    bool m_widens = false;   // Alt was held when it was pressed
-    bool m_records = false;  // Ctrl was
-    double m_seconds = 0;    // of the pointer's last event
-    mutable PinRing m_ring;  // where the selection was last seen
-    mutable bool m_hasRing = false;
-    std::optional<PinRing::Part> m_part;  // of the ring: pressed, or under the pointer
+    bool m_over = false;           // the pointer is over the view
+    Qt::KeyboardModifiers m_with;  // was held when it was pressed
+    double m_seconds = 0;          // of the pointer's last event
+    int m_pressed = -1, m_hovered = -1;
+    std::optional<Part> m_part;  // pressed, or under the pointer
+    bool m_sets = false;         // the pin that is dragged is new
     Amount m_amount = Amount::Zero();
     TypedNumber m_typed;
 };
+
+extern template class PinTool<2>;
+extern template class PinTool<3>;
 
 }  // namespace wend

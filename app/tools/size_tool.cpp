@@ -9,26 +9,67 @@
 
 namespace wend {
 
-QString SizeTool::strokeHint() const {
-    return QCoreApplication::translate(
-        "SizeTool",
-        "Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up");
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("SizeTool", text);
 }
 
-void SizeTool::take(const std::vector<Dab>& dabs) {
-    const double factor = modifiers() & Qt::ControlModifier ? 1 / m_factor : m_factor;
-    std::vector<Ball<3>> balls;
-    for (const Dab& one : dabs) balls.push_back(ballOf(one));
+void paintMesh(QPainter& painter, ToolSurface& surface) {
+    const auto frame = surface.session().frame<2>();
+    if (!frame) return;
+    painter.setPen(QPen(QColor(0x2a, 0x8a, 0x7a, 120), 0.75));
+    QList<QLineF> lines;
+    for (const auto& facet : facetsOf(*frame->rest))
+        lines << QLineF(surface.toWidget(frame->pose.col(facet.vertices[0])),
+                        surface.toWidget(frame->pose.col(facet.vertices[1])));
+    painter.drawLines(lines);
+}
+
+}  // namespace
+
+template <int Dim>
+QString SizeTool<Dim>::strokeHint() const {
+    return said(QT_TRANSLATE_NOOP("SizeTool",
+                                  "Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even "
+                                  "again, [ and ] change the size"));
+}
+
+template <int Dim>
+double SizeTool<Dim>::factor() const {
+    if (modifiers() & Qt::ControlModifier) return 1;
+    return modifiers() & Qt::ShiftModifier ? 1 / m_factor() : m_factor();
+}
+
+template <int Dim>
+void SizeTool<Dim>::take(const std::vector<Dab>& dabs) {
     Document& document = session().document();
-    document.changeDomain(factor < 1   ? QCoreApplication::translate("SizeTool", "Paint finer cells")
-                          : factor > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser cells")
-                                       : QCoreApplication::translate("SizeTool", "Paint plain cells"),
-                          withSizeStroke(document.domain(), balls, factor));
+    if (Dim == 2 && document.domain().kind != DomainKind::Image) {
+        emit session().notice(
+            said(QT_TRANSLATE_NOOP("SizeTool", "The mesh comes from a file and is used as it is.")));
+        return;
+    }
+    std::vector<Ball<Dim>> balls;
+    for (const Dab& one : dabs) balls.push_back(this->ballOf(one));
+    const QString name = factor() < 1   ? said(QT_TRANSLATE_NOOP("SizeTool", "Paint finer mesh"))
+                         : factor() > 1 ? said(QT_TRANSLATE_NOOP("SizeTool", "Paint coarser mesh"))
+                                        : said(QT_TRANSLATE_NOOP("SizeTool", "Paint even mesh"));
+    if constexpr (Dim == 2)
+        document.changeDomain(
+            name, withFlatSizeStroke(document.domain(), balls, this->featherOf(dabs.front()), factor()));
+    else
+        document.changeDomain(name, withSizeStroke(document.domain(), balls, factor()));
 }
 
-void SizeTool::paint(QPainter& painter) const {
-    StrokeTool<3>::paint(painter);
-    paintRegions(painter, surface(), m_shown, QPen(QColor(0x2a, 0x8a, 0x7a), marked(1.5), Qt::DashLine));
+template <int Dim>
+void SizeTool<Dim>::paint(QPainter& painter) const {
+    if constexpr (Dim == 2) paintMesh(painter, surface());
+    StrokeTool<Dim>::paint(painter);
+    if constexpr (Dim == 3)
+        paintRegions(painter, surface(), m_shown, QPen(this->colour(), marked(1.5), Qt::DashLine));
 }
+
+template class SizeTool<2>;
+template class SizeTool<3>;
 
 }  // namespace wend

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/tools/shape_surface.h"
-#include "app/tools/tool.h"
 
 namespace wend {
 
@@ -52,21 +51,5 @@ inline Vec<3> acrossTheScreen(const SolidSurface& surface, const Vec<3>& p, cons
     const Vec<3> normal = surface.viewDirection();
     return ray.origin + normal.dot(p - ray.origin) / normal.dot(ray.direction) * ray.direction;
 }
-
-/// A tool in space.
-class SolidTool : public Tool {
-  public:
-    explicit SolidTool(SolidSurface& surface) : m_surface(surface) {}
-
-    /// True if a press here is for the tool even where the left button turns the view.
-    virtual bool wants(const QPointF&) const { return false; }
-
-  protected:
-    SolidSurface& surface() const { return m_surface; }
-    ShapeSession& session() const { return m_surface.session(); }
-
-  private:
-    SolidSurface& m_surface;
-};
 
 }  // namespace wend

@@ -45,6 +45,10 @@ class Tool {
     /// One line for the status bar: what the pointer does now.
     virtual QString hint() const = 0;
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
+    /// True if a press here is for the tool even where the left button turns the view.
+    virtual bool wants(const QPointF&) const { return false; }
+    /// The handle under the pointer, or −1.
+    virtual int hovered() const { return -1; }
     virtual void press(const QMouseEvent& event) = 0;
     /// A press of another button than the left one that is the tool's, whatever it means elsewhere.
     virtual bool takesButton(const QMouseEvent&) const { return false; }

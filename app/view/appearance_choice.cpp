@@ -47,7 +47,7 @@ void AppearanceChoice::enlargeMarks(double factor) {
     setMarkSize(factor);
     for (QWidget* one : m_window.findChildren<QWidget*>()) {
         if (auto* picture = dynamic_cast<ShapeSurface<2>*>(one)) picture->redraw();
-        if (auto* solid = dynamic_cast<SolidCanvas*>(one)) solid->refresh();
+        if (auto* solid = dynamic_cast<SolidCanvas*>(one)) solid->showLooks();
     }
 }
 

@@ -1,14 +1,13 @@
 #include "app/view/canvas.h"
 
+#include <QLocale>
+#include <QWheelEvent>
 #include <cmath>
 #include <utility>
 
 #include "app/document/depth_region.h"
 #include "app/document/in_background.h"
-#include "app/panels/legend.h"
-#include "app/session/rest_frame.h"
 #include "app/session/shape.h"
-#include "app/tools/pin_picking.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
@@ -18,8 +17,7 @@ namespace {
 constexpr double kMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
 constexpr int kRefineInDrag = 400;
-constexpr int kDimAfter = 250;
-constexpr int kMarksEvery = 20;
+constexpr int kMarksEvery = 20;  // without a frame
 
 /// A picture at rest on two triangles.
 PosedPtr<2> unbent(const Image& picture) {
@@ -38,7 +36,8 @@ PosedPtr<2> unbent(const Image& picture) {
 
 }  // namespace
 
-ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(parent), m_session(session) {
+ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_viewport(*this, *this, *this, session, 2) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(320, 240);
@@ -46,43 +45,23 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
     setAccessibleName(tr("Canvas"));
     setAccessibleDescription(tr("The picture with its pins"));
     m_refine.setSingleShot(true);
-    m_dim.setSingleShot(true);
-    m_dim.setInterval(kDimAfter);
     connect(&m_refine, &QTimer::timeout, this, [this] { m_renderer.post(request(Filter::Ewa)); });
-    connect(&m_dim, &QTimer::timeout, this, [this] {
-        m_dimmed = m_session.isStale();
-        update();
-    });
-    m_marksDue.setSingleShot(true);
-    m_marksDue.setInterval(kMarksEvery);
-    connect(&m_marksDue, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&m_renderer, &RenderThread::rendered, this, &ShapeCanvas::takeRendered);
     connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
     connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &ShapeCanvas::redraw);
-    connect(&m_animation, &PinAnimation::changed, this, qOverload<>(&QWidget::update));
-    connect(&m_session.playback(), &Playback::playingChanged, this, qOverload<>(&QWidget::update));
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
-void ShapeCanvas::setTool(Tool* tool) {
-    const bool showed = m_tool && m_tool->showsPicture();
-    if (Tool* last = std::exchange(m_tool, nullptr)) {
-        last->cancel();
-        last->dismiss();
-    }
-    m_tool = tool;
-    if (tool) tool->choose();
-    updateCursor();
-    emit hintChanged(m_tool ? m_tool->hint() : QString());
-    if (showed != (m_tool && m_tool->showsPicture())) render();
+/// Also what the shape leaves out.
+bool ShapeCanvas::showsPicture() const {
+    return m_viewport.tool() && m_viewport.tool()->showsPicture() && !m_viewport.looks().hidden;
 }
 
 bool ShapeCanvas::isSettled() const {
     return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && m_session.frame() &&
            m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view &&
-           m_drawn->request.plan == plan() &&
-           m_drawn->request.allOfPicture == (m_tool && m_tool->showsPicture() && !m_hidden);
+           m_drawn->request.plan == plan() && m_drawn->request.allOfPicture == showsPicture();
 }
 
 /// Of cells that lie over one another the one that is seen.
@@ -118,7 +97,6 @@ void ShapeCanvas::takeOpened() {
     m_unbent.reset();
     m_source.reset();
     m_drawn.reset();
-    m_hovered = -1;
     const auto& picture = m_session.document().picture();
     m_view.setPointsUp(!picture);
     m_fitted = true;
@@ -139,12 +117,6 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
     });
 }
 
-/// What moves in space is another view's.
-void ShapeCanvas::wantVelocity() {
-    if (m_session.document().dimension() == 2)
-        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows));
-}
-
 /// A mesh may bring its picture; y points down where its coordinates are pixels.
 void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
     const auto& texture = frame.built->texture;
@@ -155,17 +127,16 @@ void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
 }
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
-    const auto own = shownFrame();
-    const auto frame = own && m_standIn ? posed<2>(m_standIn) : own;
-    return !frame ? m_unbent : m_rest ? atRest<2>(frame) : frame;
+    const auto frame = seen<2>(m_viewport.looks(), shownFrame());
+    return frame ? frame : m_unbent;
 }
 
 /// Of the frame that is drawn; null before the first mesh.
 CellDepths::Values ShapeCanvas::depths() const {
     const auto frame = m_session.frame<2>();
     if (!frame) return nullptr;
-    const auto drawn = m_standIn ? posed<2>(m_standIn) : frame;
-    return m_depths.of(m_session.document().depth(), drawn->rest);
+    const FramePtr& standIn = m_viewport.looks().standIn;
+    return m_depths.of(m_session.document().depth(), standIn ? posed<2>(standIn)->rest : frame->rest);
 }
 
 std::shared_ptr<const PaintingPlan> ShapeCanvas::plan() const {
@@ -186,24 +157,20 @@ void ShapeCanvas::takeFrame() {
     const auto frame = m_session.frame<2>();
     const bool first = !m_drawn && !m_session.document().picture() && frame;
     if (first) takeTexture(*frame);
-    if (m_session.isStale() && !m_dimmed) {
-        if (!m_dim.isActive()) m_dim.start();
-    } else if (!m_session.isStale()) {
-        m_dim.stop();
-        m_dimmed = false;
-    }
+    m_viewport.takeFrame();
     if (first) fit();
     render();
 }
 
 RenderRequest ShapeCanvas::request(Filter filter) const {
+    const Looks& looks = m_viewport.looks();
     RenderRequest request;
     request.document = m_session.document().generation();
     request.picture = m_picture;
     request.frame = drawnFrame();
     if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
     request.plan = plan();
-    request.allOfPicture = m_tool && m_tool->showsPicture() && !m_hidden;
+    request.allOfPicture = showsPicture();
     request.view = m_view;
     request.size = size();
     request.ratio = devicePixelRatioF();
@@ -211,21 +178,21 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     const double pixels = request.ratio * request.ratio * width() * height();
     if (filter == Filter::Bilinear) request.coarseness = m_pace.coarseness(pixels);
     const bool isShape = request.frame != m_unbent;
-    request.mesh = isShape && (m_mesh || !m_picture) && !m_hidden;
-    request.map = isShape && m_map && !m_hidden;
-    request.measure = m_measure;
-    request.range = m_range;
-    request.opacity = m_opacity;
-    request.smooth = m_smooth;
-    if (request.map) request.plain = plainValue(m_session, m_measure);
-    if (request.map) request.velocity = fieldOf<2>(m_session, m_measure);
+    request.mesh = isShape && (looks.mesh || !m_picture) && !looks.hidden;
+    request.map = isShape && m_viewport.showsMap();
+    request.measure = looks.colours.measure;
+    request.range = looks.colours.range;
+    request.opacity = looks.colours.opacity;
+    request.smooth = looks.colours.smooth;
+    if (request.map) request.plain = plainValue(m_session, request.measure);
+    if (request.map) request.velocity = fieldOf<2>(m_session, request.measure);
     request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.line = QColor(24, 28, 44);
     return request;
 }
 
 void ShapeCanvas::render() {
-    if (m_lock) m_lock->setVisible(hasLegend());
+    m_viewport.showLegendLock();
     if (drawnFrame() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start(m_session.isDragging() ? kRefineInDrag : kRefineAfter);
@@ -233,12 +200,8 @@ void ShapeCanvas::render() {
     redraw();
 }
 
-/// While a shape follows the hand, painting for the pointer alone would take the time that the shape needs.
 void ShapeCanvas::redraw() {
-    if (!m_session.isDragging())
-        update();
-    else if (!m_marksDue.isActive())
-        m_marksDue.start();
+    m_viewport.redraw(kMarksEvery);
 }
 
 void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
@@ -278,11 +241,8 @@ void ShapeCanvas::zoomBy(double factor) {
 
 void ShapeCanvas::showWorst() {
     const auto frame = m_session.frame<2>();
-    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
-    if (cell < 0) return;
-    Vec<2> centre = Vec<2>::Zero();
-    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 3;
-    showPlace(centre);
+    const int cell = frame ? worstOf(*frame->distortion, m_viewport.looks().colours.measure).cell : -1;
+    if (cell >= 0) showPlace(centreOf<2>(*frame, cell));
 }
 
 void ShapeCanvas::showPlace(const Vec<2>& at) {
@@ -293,66 +253,12 @@ void ShapeCanvas::showPlace(const Vec<2>& at) {
 
 void ShapeCanvas::setFaults(const std::shared_ptr<const PoseFaults<2>>& faults) {
     m_faults = faults;
-    if (m_map) update();
+    if (m_viewport.looks().map) update();
 }
 
 void ShapeCanvas::takeView(const ShapeCanvas& other) {
     m_fitted = other.m_fitted;
     if (std::exchange(m_view, other.m_view) != other.m_view) render();
-}
-
-void ShapeCanvas::setStandIn(const FramePtr& frame) {
-    if (std::exchange(m_standIn, frame) != frame) render();
-}
-
-void ShapeCanvas::setMeshShown(bool shown) {
-    m_mesh = shown, render();
-}
-void ShapeCanvas::setMapShown(bool shown) {
-    m_map = shown, wantVelocity(), render();
-}
-void ShapeCanvas::setMapOpacity(double opacity) {
-    m_opacity = opacity;
-    if (m_map) render();
-}
-void ShapeCanvas::setMapSmooth(bool smooth) {
-    m_smooth = smooth;
-    if (m_map) render();
-}
-void ShapeCanvas::setArrowsShown(bool shown) {
-    m_arrows = shown, wantVelocity(), update();
-}
-void ShapeCanvas::setOnionSkin(bool shown) {
-    m_onion.setShown(shown), update();
-}
-void ShapeCanvas::setOverlaysHidden(bool hidden) {
-    m_hidden = hidden, render();
-}
-
-void ShapeCanvas::setBackdrop(const QColor& colour) {
-    m_backdrop = colour, update();
-}
-
-void ShapeCanvas::setRestShown(bool shown) {
-    if (std::exchange(m_rest, shown) != shown) render();
-}
-
-void ShapeCanvas::setMap(Measure measure, const MeasureRange& range) {
-    m_measure = measure;
-    m_range = range;
-    wantVelocity();
-    if (m_map) render();
-}
-
-void ShapeCanvas::setRangeKeeper(QAction& keep) {
-    m_lock = new LegendLock(keep, *this);
-}
-
-void ShapeCanvas::setMarksShown(bool shown) {
-    m_marks = shown, update();
-}
-void ShapeCanvas::setLayer(const QString& name) {
-    m_layer.setLayer(name), update();
 }
 
 void ShapeCanvas::setDetailRegions(const std::vector<MaterialRegion<2>>& regions) {
@@ -363,14 +269,31 @@ void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion<2>>& regions)
     m_depthRegions.setRegions(regions), update();
 }
 
-void ShapeCanvas::setMarquee(const QRectF& rectangle) {
-    m_marquee = rectangle;
-    update();
+void ShapeCanvas::navigate(QMouseEvent& event, bool pans) {
+    if (event.type() == QEvent::MouseMove) {
+        m_fitted = false;
+        m_view.pan(event.position() - m_lastPan);
+        showView();
+    }
+    if (event.type() == QEvent::MouseButtonRelease) m_panning = false;
+    if (event.type() == QEvent::MouseButtonPress) m_panning = pans || navigatesBy(event);
+    m_lastPan = event.position();
 }
 
-void ShapeCanvas::setHovered(int handle) {
-    if (handle != m_hovered) update();
-    m_hovered = handle;
+QString ShapeCanvas::pointerText(const QPointF& at) {
+    if (!m_session.frame()) return {};
+    const QLocale locale;
+    const Vec<2> p = toShape(at);
+    return QStringLiteral("%1, %2").arg(locale.toString(p.x(), 'f', 1), locale.toString(p.y(), 'f', 1));
+}
+
+void ShapeCanvas::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps == 0) return;
+    m_fitted = false;
+    m_view.setZoom(m_view.zoom() * std::pow(1.2, steps), event->position());
+    showView();
+    event->accept();
 }
 
 void ShapeCanvas::resizeEvent(QResizeEvent*) {

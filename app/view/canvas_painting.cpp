@@ -1,10 +1,9 @@
-#include "app/panels/legend.h"
+// What is drawn of a picture.
 #include "app/session/shape.h"
-#include "app/tools/pin_picking.h"
 #include "app/tools/stiffness_marks.h"
 #include "app/tools/velocity_arrows.h"
 #include "app/view/canvas.h"
-#include "app/view/overlay_painter.h"
+#include "app/view/shape/shape_painter.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
@@ -16,7 +15,7 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     const double scale = m_view.zoom() / request.view.zoom();
     const QPointF origin = m_view.toWidget(request.view.toShape({0, 0}));
     painter.save();
-    painter.setOpacity(m_dimmed ? 0.55 : 1);
+    painter.setOpacity(m_viewport.isDimmed() ? 0.55 : 1);
     const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.scale() * scale);
     const bool fits = request.view == m_view && request.coarseness == 1;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
@@ -28,42 +27,48 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     painter.restore();
 }
 
-/// A film that plays is seen without them.
-void ShapeCanvas::paintHandles(QPainter& painter, OverlayPainter& overlay) {
-    overlay.paths(m_session, m_hovered);
-    overlay.pins(m_session, m_animation, m_hovered,
-                 [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
-    if (m_tool) m_tool->paint(painter);
+/// A film that plays is seen without pins.
+void ShapeCanvas::paintOver(QPainter& painter) {
+    const auto frame = m_session.frame<2>();
+    const Looks& looks = m_viewport.looks();
+    if (looks.hidden || !frame) return;
+    const Theme theme = Theme::of(palette());
+    const Measure measure = looks.colours.measure;
+    ShapePainter<2> over(painter, *this, theme);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, worstOf(*frame->distortion, measure).cell);
+    if (looks.map && m_faults && !looks.rest && !looks.standIn)
+        paintFaults(painter, *this, *frame, *m_faults);
+    if (looks.marks || (looks.map && measure == Measure::Stiffness))
+        paintStiffnessMarks(painter, *this, size());
+    if (looks.arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
+    m_layer.setLayer(looks.layer);
+    m_layer.paint(painter, *this);
+    m_detailRegions.paint(painter, *this);
+    m_depthRegions.paint(painter, *this);
+    m_onion.paintOutlines(painter, *this);
+    if (!m_session.playback().isPlaying()) {
+        over.paths(m_viewport.hovered());
+        over.pins(m_viewport.animation(), m_viewport.hovered());
+        if (Tool* tool = m_viewport.tool()) tool->paint(painter);
+    }
+    m_viewport.paintLegend(painter);
 }
 
 void ShapeCanvas::paintEvent(QPaintEvent*) {
-    m_marksDue.stop();
+    m_viewport.marksPainted();
     QPainter painter(this);
+    const Looks& looks = m_viewport.looks();
     const Theme theme = Theme::of(palette());
-    Ground::Look look{m_view, size(), devicePixelRatioF(), {}, m_backdrop, theme.dark};
+    Ground::Look look{m_view, size(), devicePixelRatioF(), {}, looks.backdrop, theme.dark};
     if (m_session.document().picture()) look.paper = frameRect();
     m_ground.paint(painter, look, theme, m_session.isDragging() || m_session.playback().isPlaying());
-    OverlayPainter overlay(painter, m_view, theme);
+    m_onion.setShown(looks.onionSkin);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (!m_hidden) m_onion.paintFills(painter, *this);
+    if (!looks.hidden) m_onion.paintFills(painter, *this);
     painter.setRenderHint(QPainter::Antialiasing, false);
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
-        if (m_map && isDistortion(m_measure))
-            overlay.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
-        if (m_map && m_faults && !m_rest && !m_standIn) overlay.faults(*frame, *m_faults);
-        if (m_marks || (m_map && m_measure == Measure::Stiffness))
-            paintStiffnessMarks(painter, *this, size());
-        if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
-        m_layer.paint(painter, *this);
-        m_detailRegions.paint(painter, *this);
-        m_depthRegions.paint(painter, *this);
-        m_onion.paintOutlines(painter, *this);
-        if (!m_session.playback().isPlaying()) paintHandles(painter, overlay);
-        if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
-    }
-    overlay.marquee(m_marquee);
+    paintOver(painter);
 }
 
 }  // namespace wend

@@ -14,8 +14,6 @@
 #include "app/document/settings.h"
 #include "app/panels/energy_scale.h"
 #include "app/panels/panel_parts.h"
-#include "app/tools/pin_tool.h"
-#include "app/tools/solid_pin_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
@@ -176,12 +174,10 @@ void CompareView::makeSolid() {
 
 /// Of the shape that is worked on, at the same place of its view.
 bool CompareView::isOnPin(const QPointF& at) const {
-    if (m_parts.session.document().dimension() == 2) {
-        const auto* pins = dynamic_cast<const PinTool*>(m_parts.picture.tool());
-        return pins && pins->handleAt(at) >= 0;
-    }
     const SolidCanvas* own = m_parts.solid();
-    return own && dynamic_cast<const SolidPinTool*>(own->tool()) && own->tool()->wants(at);
+    const bool isFlat = m_parts.session.document().dimension() == 2;
+    const Tool* tool = isFlat ? m_parts.picture.viewport().tool() : own ? own->viewport().tool() : nullptr;
+    return tool && tool->wants(at);
 }
 
 /// Both halves show the same part in the same size, and the pins are at the same places: a drag that begins
@@ -249,9 +245,9 @@ void CompareView::preview(double phi) {
 /// Until it is there the shape stays as it is.
 void CompareView::takeFrame() {
     const FramePtr frame = m_previews ? m_comparison.frame() : FramePtr();
-    m_parts.picture.setStandIn(frame && frame->dimension == 2 ? frame : FramePtr());
+    m_parts.picture.viewport().set(&Looks::standIn, frame && frame->dimension == 2 ? frame : FramePtr());
     if (SolidCanvas* solid = m_parts.solid())
-        solid->setStandIn(frame && frame->dimension == 3 ? frame : FramePtr());
+        solid->viewport().set(&Looks::standIn, frame && frame->dimension == 3 ? frame : FramePtr());
     showOtherHalf();
     showHeads();
 }
@@ -261,11 +257,11 @@ void CompareView::showOtherHalf() {
     if (!m_split) return;
     const FramePtr own = m_comparison.other().frame() ? FramePtr() : m_parts.session.frame();
     if (m_picture->isVisible()) {
-        m_picture->setStandIn(own);
+        m_picture->viewport().set(&Looks::standIn, own);
         m_picture->takeView(m_parts.picture);
     }
     if (m_solid && m_solid->isVisible()) {
-        m_solid->setStandIn(own);
+        m_solid->viewport().set(&Looks::standIn, own);
         m_solid->takeView(*m_parts.solid());
     }
 }

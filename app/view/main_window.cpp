@@ -86,7 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
     setWindowTitle(QStringLiteral("Wend[*]"));
     fitToScreen();
     m_fields = new StatusFields(*statusBar(), m_session);
-    m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties, *m_fields}, *this);
+    m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties}, *this);
     m_workspace = std::make_unique<Workspace>(Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids,
                                                                *m_properties, *m_pictureActions, *m_pins,
                                                                m_exporter->crop()});
@@ -256,7 +256,8 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     Actions& a = *m_actions;
-    connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
+    connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas,
+            [this](const QString& layer) { m_canvas->viewport().set(&Looks::layer, layer); });
     connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
     connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
@@ -285,16 +286,23 @@ void MainWindow::connectView() {
     });
     connect(distortion, &DistortionPanel::faultsChanged, this,
             [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
-    connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
-    connect(m_canvas, &ShapeCanvas::hintChanged, m_curves, &CurveActions::refresh);
-    connect(m_canvas, &ShapeCanvas::menuWanted, m_menu, &ContextMenu::popUp);
-    connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
-    connect(m_solids, &SolidWorkshop::menuWanted, m_menu, &ContextMenu::popUp);
-    connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
     m_fields->delay().watch(*m_canvas, [this]() -> FramePtr {
         const auto& drawn = m_canvas->drawn();
         return drawn ? drawn->request.frame : nullptr;
     });
+    connectViewport(m_canvas->viewport());
+    connect(m_solids, &SolidWorkshop::viewportMade, this, [this](Viewport& view) {
+        connectViewport(view);
+        m_fields->delay().watch(*m_solids->canvas(), [this] { return m_session.frame(); });
+    });
+}
+
+/// Of pictures, or of solids.
+void MainWindow::connectViewport(Viewport& view) {
+    connect(&view, &Viewport::hintChanged, m_fields, &StatusFields::setHint);
+    connect(&view, &Viewport::hintChanged, m_curves, &CurveActions::refresh);
+    connect(&view, &Viewport::menuWanted, m_menu, &ContextMenu::popUp);
+    connect(&view, &Viewport::pointed, m_fields, &StatusFields::setPointer);
 }
 
 void MainWindow::connectHelp() {

@@ -38,6 +38,7 @@ class TimeStrip;
 class TrackView;
 class Toolbox;
 class Tutorial;
+class Viewport;
 class WorkNote;
 class Workspace;
 
@@ -84,6 +85,7 @@ class MainWindow : public QMainWindow {
     void connectFiles();
     void connectEdit();
     void connectView();
+    void connectViewport(Viewport& view);
     void connectHelp();
     void tellDone(const QString& text);
     void showDocument();

@@ -27,12 +27,15 @@ QIcon patch(const QColor& colour) {
 PinActions::PinActions(ShapeSession& session, QObject* parent)
     : ActionMaker(parent), m_session(session), m_menu(new QMenu), m_colours(new QMenu) {
     makeGrips();
+    makeOutlines();
     makeActions();
     makeColours();
     m_menu->setTitle(tr("&Pins"));
     fill(*m_menu);
     m_menu->insertAction(group, showAll);
     m_menu->insertSeparator(group);
+    m_menu->addSeparator();
+    m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
     connectActions();
     refresh();
 }
@@ -47,6 +50,16 @@ void PinActions::makeGrips() {
     auto* grips = new QActionGroup(this);
     for (QAction* grip : {move, turn, grow}) grips->addAction(grip);
     move->setChecked(true);
+}
+
+void PinActions::makeOutlines() {
+    const QString outline = tr("What is drawn beside pins with the pin or the select tool, to select them");
+    selectRectangle = addToggle({tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
+    selectLasso = addToggle({tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
+    selectBrush = addToggle({tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
+    auto* outlines = new QActionGroup(this);
+    for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
+    selectRectangle->setChecked(true);
 }
 
 void PinActions::makeActions() {
@@ -134,7 +147,7 @@ void PinActions::refresh() {
     const auto traits = [this](int h) -> const HandleTraits& {
         return traitsOf(m_session.document().design(), h);
     };
-    for (QAction* grip : {move, turn, grow})
+    for (QAction* grip : {move, turn, grow, selectRectangle, selectLasso, selectBrush})
         enable(grip, m_session.frame() != nullptr, tr("Open a picture first."));
     const QString none = tr("Select a pin first.");
     for (QAction* action : {lock, hide, group, mirror}) enable(action, has, none);

@@ -17,6 +17,7 @@ class PinActions : public ActionMaker {
     PinActions(ShapeSession& session, QObject* parent);
 
     QAction *move, *turn, *grow;
+    QAction *selectRectangle, *selectLasso, *selectBrush;  // what is drawn beside pins
     QAction *lock, *hide, *showAll;
     QAction *group, *ungroup, *link;
     QAction *mirror, *mirrorMotion;
@@ -28,6 +29,7 @@ class PinActions : public ActionMaker {
 
   private:
     void makeGrips();
+    void makeOutlines();
     void makeActions();
     void makeColours();
     void connectActions();

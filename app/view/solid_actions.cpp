@@ -15,7 +15,6 @@ QKeySequence keypad(const char* keys) {
 
 SolidActions::SolidActions(Toolbox& tools, QObject* parent) : ActionMaker(parent), m_menu(new QMenu) {
     takeTools(tools);
-    makeModes();
     makeView();
     makeMenu();
     setShown(false);
@@ -40,16 +39,6 @@ void SolidActions::takeTools(const Toolbox& tools) {
     holdBeyond =
         add({tr("Grab Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));
-}
-
-void SolidActions::makeModes() {
-    const QString outline = tr("What is drawn beside pins with the pin or the select tool, to select them");
-    selectRectangle = addToggle({tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
-    selectLasso = addToggle({tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
-    selectBrush = addToggle({tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
-    auto* outlines = new QActionGroup(this);
-    for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
-    selectRectangle->setChecked(true);
 }
 
 void SolidActions::makeView() {
@@ -95,7 +84,6 @@ void SolidActions::makeView() {
 void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
     m_menu->addActions({through, holdBeyond});
-    m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Up Axis"))->addActions({upAxes[0], upAxes[1], upAxes[2]});

@@ -22,7 +22,6 @@ class SolidActions : public ActionMaker {
     // of the tools, those that something else here speaks of
     QAction *rectangle, *lasso, *brush, *ball, *box, *half, *sizes, *measure;
     QAction *through, *snap, *holdBeyond;
-    QAction *selectRectangle, *selectLasso, *selectBrush;
     QAction *detail, *flat, *orthographic;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     std::array<QAction*, 3> upAxes;  // x, y, z
@@ -44,7 +43,6 @@ class SolidActions : public ActionMaker {
 
   private:
     void takeTools(const Toolbox& tools);
-    void makeModes();
     void makeView();
     void makeMenu();
 

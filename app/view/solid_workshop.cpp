@@ -23,8 +23,8 @@
 #include "app/view/picture_dialog.h"
 #include "app/view/properties.h"
 #include "app/view/save_dialog.h"
-#include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
+#include "app/view/view_looks.h"
 #include "app/view/view_picture.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
@@ -47,12 +47,7 @@ void SolidWorkshop::setActive(bool active) {
     m_isActive = active;
     m_actions.setShown(active && m_canvas);
     if (!active || !m_canvas) return;
-    const DistortionPanel& maps = m_around.properties.distortion();
     m_canvas->setCutKind(CutKind::None);
-    m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
-    m_canvas->setMap(maps.measure(), maps.range());
-    m_canvas->setMapShown(m_around.actions.showMap->isChecked());
-    m_canvas->setDetailShown(m_actions.detail->isChecked());
     m_actions.setHasDetail(m_canvas->hasDetail());
     showCut();
 }
@@ -71,13 +66,13 @@ void SolidWorkshop::makePage() {
     m_check->setCanvas(m_canvas);
     connectView();
     connectNavigation();
-    connectSteps();
     connectCut();
 }
 
 void SolidWorkshop::connectView() {
     Actions& common = m_around.actions;
     DistortionPanel& maps = m_around.properties.distortion();
+    Viewport& view = m_canvas->viewport();
     connectLooks(m_canvas);
     connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
     const auto zoom = [this](double factor) {
@@ -90,7 +85,8 @@ void SolidWorkshop::connectView() {
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
     connect(&m_around.session, &ShapeSession::frameChanged, this,
             [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
-    connect(&m_around.properties.layers(), &LayerPanel::chosen, m_canvas, &SolidCanvas::setLayer);
+    connect(&m_around.properties.layers(), &LayerPanel::chosen, &view,
+            [&view](const QString& layer) { view.set(&Looks::layer, layer); });
     connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
         if (m_isActive) m_canvas->showWorst();
     });
@@ -102,45 +98,22 @@ void SolidWorkshop::connectView() {
     });
     connect(&maps, &DistortionPanel::faultsChanged, m_canvas,
             [this, &maps] { m_canvas->setFaults(maps.watch().faults<3>()); });
-    connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
-    connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
     const auto tellMissing = [this](const QStringList& files) {
         emit m_around.session.notice(
             tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
     };
     connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
-    connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
     connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
-    connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
-    m_around.fields.delay().watch(*m_canvas, [this] { return m_around.session.frame(); });
+    emit viewportMade(view);
 }
 
 void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
-    const SolidActions& a = m_actions;
-    const Actions& common = m_around.actions;
-    const auto follow = [canvas](const QAction* action, auto take) {
-        (canvas->*take)(action->isChecked());
-        connect(action, &QAction::toggled, canvas, take);
-    };
-    follow(common.showMesh, &SolidCanvas::setEdgesShown);
-    follow(common.showMap, &SolidCanvas::setMapShown);
-    follow(common.showArrows, &SolidCanvas::setArrowsShown);
-    follow(common.onionSkin, &SolidCanvas::setOnionSkin);
-    follow(common.showMarks, &SolidCanvas::setGlyphsShown);
-    connect(common.backdrop, &BackdropChoice::changed, canvas, &SolidCanvas::setBackdrop);
-    canvas->setBackdrop(common.backdrop->colour());
-    follow(a.detail, &SolidCanvas::setDetailShown);
-    follow(a.flat, &SolidCanvas::setFlat);
-    follow(a.orthographic, &VolumeView::setOrthographic);
-    const DistortionPanel* map = &m_around.properties.distortion();
-    const auto colour = [canvas, map] { canvas->setMap(map->measure(), map->range()); };
-    colour();
-    connect(map, &DistortionPanel::mapChanged, canvas, colour);
-    canvas->setRangeKeeper(map->keepRange());
-    canvas->setMapOpacity(map->opacity());
-    connect(map, &DistortionPanel::opacityChanged, canvas, &SolidCanvas::setMapOpacity);
-    canvas->setMapSmooth(map->isSmooth());
-    connect(map, &DistortionPanel::smoothChanged, canvas, &SolidCanvas::setMapSmooth);
+    Viewport& view = canvas->viewport();
+    followLooks(view, m_around.actions, m_around.properties.distortion());
+    followLook(view, m_actions.detail, &Looks::detail);
+    followLook(view, m_actions.flat, &Looks::flat);
+    canvas->setOrthographic(m_actions.orthographic->isChecked());
+    connect(m_actions.orthographic, &QAction::toggled, canvas, &VolumeView::setOrthographic);
 }
 
 /// From where, and how the mouse turns the view.
@@ -171,16 +144,8 @@ void SolidWorkshop::connectNavigation() {
     m_canvas->setPreset(static_cast<NavigationPreset>(QSettings().value("navigation", 0).toInt()));
 }
 
-void SolidWorkshop::connectSteps() {
-    SolidActions& a = m_actions;
-    // Who chooses how to select wants to select.
-    for (QAction* action : {a.selectRectangle, a.selectLasso, a.selectBrush})
-        connect(action, &QAction::triggered, m_around.actions.selectTool, &QAction::trigger);
-    // A new handle is there to be moved: back to the tool that does so.
-    connect(a.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
-}
-
 void SolidWorkshop::connectCut() {
+    connect(m_actions.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
     connect(m_actions.cut, &QAction::toggled, m_canvas,
             [this](bool on) { m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None); });
     CutPanel* panel = &m_around.properties.cut();

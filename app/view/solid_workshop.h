@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 
-#include "app/tools/manipulator.h"
 #include "app/tools/tool.h"
 #include "app/view/solid_actions.h"
 
@@ -14,9 +13,9 @@ class DetailChooser;
 class Properties;
 class ShapeSession;
 class SolidCanvas;
-class StatusFields;
 class SurfaceCheck;
 class Toolbox;
+class Viewport;
 
 /// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL)
 /// and what is done to it.
@@ -29,12 +28,10 @@ class SolidWorkshop : public QObject {
         Actions& actions;
         SolidActions& solids;
         Properties& properties;
-        StatusFields& fields;
     };
     SolidWorkshop(const Surroundings& around, QWidget& window);
 
     SolidActions& actions() { return m_actions; }
-    Manipulator& manipulator() { return m_manipulator; }
     /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
@@ -54,8 +51,8 @@ class SolidWorkshop : public QObject {
     SolidCanvas* canvas() const { return m_canvas; }
 
   signals:
-    void hintChanged(QString hint);
-    void menuWanted(QPoint global, wend::MenuPlace place);
+    /// The view of solids is there.
+    void viewportMade(wend::Viewport& view);
     void failed(QString text);
     void done(QString text);
 
@@ -63,7 +60,6 @@ class SolidWorkshop : public QObject {
     void makePage();
     void connectView();
     void connectNavigation();
-    void connectSteps();
     void connectCut();
     void connectDetail();
     void showCut();
@@ -79,7 +75,6 @@ class SolidWorkshop : public QObject {
     std::function<bool(const QString&)> m_mayReplace;
     bool m_isActive = false;
     int m_lastCut = 2;
-    Manipulator m_manipulator;
 };
 
 }  // namespace wend

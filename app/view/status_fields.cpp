@@ -126,20 +126,13 @@ void StatusFields::setHint(const QString& hint) {
     m_hint->setHint(hint);
 }
 
-void StatusFields::setPointer(double x, double y, bool inside) {
-    const QLocale locale;
-    m_pointer->setText(inside && m_session.frame() ? QStringLiteral("%1, %2").arg(locale.toString(x, 'f', 1),
-                                                                                  locale.toString(y, 'f', 1))
-                                                   : QString());
-}
-
 void StatusFields::setMeasure(Measure measure) {
     if (measure == m_measure) return;
     m_measure = measure;
     showFrame();
 }
 
-void StatusFields::setPointerText(const QString& text) {
+void StatusFields::setPointer(const QString& text) {
     m_pointer->setText(text);
 }
 

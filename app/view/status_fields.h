@@ -32,9 +32,8 @@ class StatusFields : public QObject {
     void setHint(const QString& hint);
     /// A line that stays for a while, though hints come and go.
     void tell(const QString& text);
-    void setPointer(double x, double y, bool inside);
     /// What is under the pointer, in words of the view.
-    void setPointerText(const QString& text);
+    void setPointer(const QString& text);
     /// What the worst place is worst of.
     void setMeasure(Measure measure);
 

@@ -10,11 +10,10 @@ namespace wend {
 
 template <bool Adds>
 QList<QAction*> pinOptions(const ToolOptions& o) {
-    const SolidActions& a = o.solids;
-    QList<QAction*> all = {o.pins.move, o.pins.turn, o.pins.grow};
-    if (o.dimension == 3) all << nullptr << a.selectRectangle << a.selectLasso << a.selectBrush << a.through;
-    if (Adds && o.dimension == 2) all << nullptr << o.pictures.snap;
-    if (Adds && o.dimension == 3) all << a.snap;
+    const PinActions& a = o.pins;
+    QList<QAction*> all = {a.move, a.turn, a.grow, nullptr, a.selectRectangle, a.selectLasso, a.selectBrush};
+    if (o.dimension == 3) all << o.solids.through;
+    if (Adds) all << (o.dimension == 3 ? o.solids.snap : o.pictures.snap);
     return all;
 }
 

@@ -5,7 +5,6 @@
 #include "app/tools/crop_tool.h"
 #include "app/tools/depth_tool.h"
 #include "app/tools/fill_tool.h"
-#include "app/tools/flat_size_tool.h"
 #include "app/tools/gradient_tool.h"
 #include "app/tools/hold_tool.h"
 #include "app/tools/measure_tool.h"
@@ -15,7 +14,6 @@
 #include "app/tools/pen_tool.h"
 #include "app/tools/pin_tool.h"
 #include "app/tools/size_tool.h"
-#include "app/tools/solid_pin_tool.h"
 #include "app/view/picture_actions.h"
 #include "app/view/pin_actions.h"
 #include "app/view/solid_actions.h"
@@ -32,52 +30,13 @@ void follow(QAction* action, Take take) {
     QObject::connect(action, &QAction::toggled, action, take);
 }
 
-/// What a drag does with the pins that are selected.
-template <class Pins>
-void followGrip(const PinActions& actions, Pins* pins) {
-    for (const auto& [action, kind] : {std::pair{actions.move, Grip::Kind::Move},
-                                       {actions.turn, Grip::Kind::Turn},
-                                       {actions.grow, Grip::Kind::Grow}})
-        follow(action, [pins, kind = kind](bool chosen) {
-            if (chosen) pins->setGrip(kind);
+/// What a switch of several chooses.
+template <class Choice, class Take>
+void followChoice(std::initializer_list<std::pair<QAction*, Choice>> choices, Take take) {
+    for (const auto& [action, choice] : choices)
+        follow(action, [take, choice = choice](bool chosen) {
+            if (chosen) take(choice);
         });
-}
-
-template <bool Adds>
-std::unique_ptr<Tool> pins(Workbench& on) {
-    auto tool = std::make_unique<PinTool>(on.picture, Adds);
-    followGrip(on.pins, tool.get());
-    follow(on.flat.snap, [pins = tool.get()](bool snaps) { pins->setSnaps(snaps); });
-    return tool;
-}
-
-template <bool Adds>
-std::unique_ptr<SolidTool> solidPins(Workbench& on) {
-    auto tool = std::make_unique<SolidPinTool>(*on.solid, on.manipulator, Adds);
-    followGrip(on.pins, tool.get());
-    using Drawn = SolidPinTool::Outline;
-    const SolidActions& a = on.actions;
-    for (const auto& [action, outline] : {std::pair{a.selectRectangle, Drawn::Rectangle},
-                                          {a.selectLasso, Drawn::Lasso},
-                                          {a.selectBrush, Drawn::Brush}})
-        follow(action, [pins = tool.get(), outline = outline](bool chosen) {
-            if (chosen) pins->setOutline(outline);
-        });
-    follow(a.through, [pins = tool.get()](bool through) { pins->setThrough(through); });
-    follow(a.snap, [pins = tool.get()](bool snaps) { pins->setSnaps(snaps); });
-    return tool;
-}
-
-template <HoldTool::Shape Shape>
-std::unique_ptr<Tool> hold(Workbench& on) {
-    return std::make_unique<HoldTool>(on.picture, Shape, on.toSelect);
-}
-
-template <AreaTool::Shape Shape>
-std::unique_ptr<SolidTool> area(Workbench& on) {
-    auto tool = std::make_unique<AreaTool>(*on.solid, Shape);
-    follow(on.actions.through, [area = tool.get()](bool through) { area->setThrough(through); });
-    return tool;
 }
 
 template <int Dim>
@@ -88,49 +47,76 @@ SurfaceOf<Dim>& surfaceOf(Workbench& on) {
         return *on.solid;
 }
 
-/// For pictures and solids alike.
-template <int Dim>
-using Made = std::unique_ptr<std::conditional_t<Dim == 2, Tool, SolidTool>>;
+template <int Dim, bool Adds>
+std::unique_ptr<Tool> pins(Workbench& on) {
+    auto tool = std::make_unique<PinTool<Dim>>(surfaceOf<Dim>(on), Adds);
+    using Drawn = DrawnOutline::Kind;
+    const PinActions& a = on.pins;
+    followChoice<Grip::Kind>(
+        {{a.move, Grip::Kind::Move}, {a.turn, Grip::Kind::Turn}, {a.grow, Grip::Kind::Grow}},
+        [pins = tool.get()](Grip::Kind kind) { pins->setGrip(kind); });
+    followChoice<Drawn>(
+        {{a.selectRectangle, Drawn::Rectangle}, {a.selectLasso, Drawn::Lasso}, {a.selectBrush, Drawn::Brush}},
+        [pins = tool.get()](Drawn outline) { pins->setOutline(outline); });
+    if (Dim == 3)
+        follow(on.actions.through, [pins = tool.get()](bool through) { pins->setThrough(through); });
+    follow(Dim == 3 ? on.actions.snap : on.flat.snap,
+           [pins = tool.get()](bool snaps) { pins->setSnaps(snaps); });
+    return tool;
+}
+
+template <HoldTool::Shape Shape>
+std::unique_ptr<Tool> hold(Workbench& on) {
+    return std::make_unique<HoldTool>(on.picture, Shape, on.toSelect);
+}
+
+template <AreaTool::Shape Shape>
+std::unique_ptr<Tool> area(Workbench& on) {
+    auto tool = std::make_unique<AreaTool>(*on.solid, Shape);
+    follow(on.actions.through, [area = tool.get()](bool through) { area->setThrough(through); });
+    return tool;
+}
 
 template <int Dim>
-Made<Dim> paint(Workbench& on) {
+std::unique_ptr<Tool> paint(Workbench& on) {
     return std::make_unique<PaintTool<Dim>>(surfaceOf<Dim>(on), on.brush, PaintTool<Dim>::Deed::Paint);
 }
 
 template <int Dim>
-Made<Dim> eraser(Workbench& on) {
+std::unique_ptr<Tool> eraser(Workbench& on) {
     return std::make_unique<PaintTool<Dim>>(surfaceOf<Dim>(on), on.brush, PaintTool<Dim>::Deed::Erase);
 }
 
 template <int Dim>
-Made<Dim> gradient(Workbench& on) {
+std::unique_ptr<Tool> gradient(Workbench& on) {
     return std::make_unique<GradientTool<Dim>>(surfaceOf<Dim>(on), on.brush);
 }
 
 template <int Dim>
-Made<Dim> fill(Workbench& on) {
+std::unique_ptr<Tool> fill(Workbench& on) {
     return std::make_unique<FillTool<Dim>>(surfaceOf<Dim>(on), on.brush, FillTool<Dim>::Deed::Fill);
 }
 
 template <int Dim>
-Made<Dim> eyedropper(Workbench& on) {
+std::unique_ptr<Tool> eyedropper(Workbench& on) {
     return std::make_unique<FillTool<Dim>>(surfaceOf<Dim>(on), on.brush, FillTool<Dim>::Deed::Pick);
 }
 
-std::unique_ptr<SolidTool> sizeBrush(Workbench& on) {
-    auto brush = std::make_unique<SizeTool>(*on.solid, on.brush);
-    QObject::connect(&on.sizes, &SizePanel::brushChanged, &on.sizes,
-                     [tool = brush.get()](double factor) { tool->setFactor(factor); });
-    QObject::connect(&on.sizes, &SizePanel::chosen, &on.sizes,
-                     [surface = on.solid, tool = brush.get()](const std::vector<Region<3>>& regions) {
-                         tool->setShown(regions);
-                         surface->redraw();
-                     });
+template <int Dim>
+std::unique_ptr<Tool> sizeBrush(Workbench& on) {
+    const auto factor = [&on] { return Dim == 2 ? on.flat.fineness().now() : on.sizes.brushFactor(); };
+    auto brush = std::make_unique<SizeTool<Dim>>(surfaceOf<Dim>(on), on.brush, factor);
+    if constexpr (Dim == 3)
+        QObject::connect(&on.sizes, &SizePanel::chosen, &on.sizes,
+                         [surface = on.solid, tool = brush.get()](const std::vector<Region<3>>& regions) {
+                             tool->setShown(regions);
+                             surface->redraw();
+                         });
     return brush;
 }
 
 template <int Dim>
-Made<Dim> measure(Workbench& on) {
+std::unique_ptr<Tool> measure(Workbench& on) {
     return std::make_unique<MeasureTool<Dim>>(surfaceOf<Dim>(on));
 }
 
@@ -140,12 +126,12 @@ std::unique_ptr<Tool> outline(Workbench& on) {
 }
 
 template <int Dim>
-Made<Dim> pen(Workbench& on) {
+std::unique_ptr<Tool> pen(Workbench& on) {
     return std::make_unique<PenTool<Dim>>(surfaceOf<Dim>(on));
 }
 
 template <int Dim>
-Made<Dim> pan(Workbench& on) {
+std::unique_ptr<Tool> pan(Workbench& on) {
     return std::make_unique<PanTool<Dim>>(surfaceOf<Dim>(on));
 }
 
@@ -155,10 +141,6 @@ std::unique_ptr<Tool> crop(Workbench& on) {
 
 std::unique_ptr<Tool> depthBrush(Workbench& on) {
     return std::make_unique<DepthTool>(on.picture, on.brush, on.flat.depth());
-}
-
-std::unique_ptr<Tool> flatSizeBrush(Workbench& on) {
-    return std::make_unique<FlatSizeTool>(on.picture, on.brush, on.flat.fineness());
 }
 
 std::optional<Measure> painted(const Workbench& on, int) {
@@ -177,8 +159,8 @@ const std::vector<ToolKind>& toolTable() {
     using Draw = OutlineTool::Shape;
     static const std::vector<ToolKind> table = {
         {"pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
-         QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins, Mode::Pins, pins<true>,
-         solidPins<true>, pinOptions<true>},
+         QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins, Mode::Pins, pins<2, true>,
+         pins<3, true>, pinOptions<true>},
         {"select",
          "select",
          QT_TRANSLATE_NOOP("Tools", "Se&lect"),
@@ -186,8 +168,8 @@ const std::vector<ToolKind>& toolTable() {
          "V",
          Modes::all(),
          {},
-         pins<false>,
-         solidPins<false>,
+         pins<2, false>,
+         pins<3, false>,
          pinOptions<false>},
         {"pen",
          "pen",
@@ -312,8 +294,8 @@ const std::vector<ToolKind>& toolTable() {
          "Shift+A",
          Mode::Mesh,
          {},
-         flatSizeBrush,
-         sizeBrush,
+         sizeBrush<2>,
+         sizeBrush<3>,
          sizeOptions,
          sizes},
         {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),

@@ -8,15 +8,13 @@
 
 #include "app/panels/colour_map.h"
 #include "app/session/crop.h"
-#include "app/tools/solid_surface.h"
-#include "app/tools/tool_surface.h"
+#include "app/tools/shape_tool.h"
 #include "app/view/mode.h"
 #include "app/view/tool_options.h"
 
 namespace wend {
 
 class Brush;
-class Manipulator;
 class PictureActions;
 class PinActions;
 class SizePanel;
@@ -25,7 +23,6 @@ class SolidActions;
 /// What tools work on and with.
 struct Workbench {
     ToolSurface& picture;
-    Manipulator& manipulator;
     const SolidActions& actions;
     PictureActions& flat;
     const PinActions& pins;
@@ -46,7 +43,7 @@ struct ToolKind {
     Modes begins;  // those that begin with it; others begin with the tool that selects
     /// How it is made for pictures and for solids; null where it does nothing.
     std::unique_ptr<Tool> (*picture)(Workbench&);
-    std::unique_ptr<SolidTool> (*solid)(Workbench&);
+    std::unique_ptr<Tool> (*solid)(Workbench&);
     /// What stands beside its name; null: nothing.
     QList<QAction*> (*options)(const ToolOptions&) = nullptr;
     /// What is coloured over the shape while it is chosen; null or nothing: what the user has chosen.

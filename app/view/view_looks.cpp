@@ -24,29 +24,35 @@ constexpr double kFullLean = 200;  // pixels of a drag
 
 }  // namespace
 
-ViewLooks::ViewLooks(const Parts& parts, QWidget* window) : QObject(window), m_parts(parts) {
-    connectLooks(m_parts.picture);
-    connectComparison();
-    connectHiding(*window);
+void followLooks(Viewport& view, const Actions& a, const DistortionPanel& map) {
+    for (const auto& [action, look] : {std::pair{a.showMesh, &Looks::mesh},
+                                       {a.showMap, &Looks::map},
+                                       {a.showMarks, &Looks::marks},
+                                       {a.showArrows, &Looks::arrows},
+                                       {a.onionSkin, &Looks::onionSkin}})
+        followLook(view, action, look);
+    const auto paper = [&view](const QColor& colour) { view.set(&Looks::backdrop, colour); };
+    paper(a.backdrop->colour());
+    QObject::connect(a.backdrop, &BackdropChoice::changed, &view, paper);
+    const auto colour = [&view, &map] {
+        view.set(&Looks::colours, {map.measure(), map.range(), map.opacity(), map.isSmooth()});
+    };
+    colour();
+    QObject::connect(&map, &DistortionPanel::opacityChanged, &view, colour);
+    QObject::connect(&map, &DistortionPanel::mapChanged, &view, colour);
+    QObject::connect(&map, &DistortionPanel::smoothChanged, &view, colour);
+    view.setRangeKeeper(map.keepRange());
 }
 
-void ViewLooks::connectLooks(ShapeCanvas& canvas) {
-    const Actions& a = m_parts.actions;
-    connect(a.showMesh, &QAction::toggled, &canvas, &ShapeCanvas::setMeshShown);
-    connect(a.showMap, &QAction::toggled, &canvas, &ShapeCanvas::setMapShown);
-    connect(a.showMarks, &QAction::toggled, &canvas, &ShapeCanvas::setMarksShown);
-    connect(a.showArrows, &QAction::toggled, &canvas, &ShapeCanvas::setArrowsShown);
-    connect(a.onionSkin, &QAction::toggled, &canvas, &ShapeCanvas::setOnionSkin);
-    connect(a.backdrop, &BackdropChoice::changed, &canvas, &ShapeCanvas::setBackdrop);
-    canvas.setBackdrop(a.backdrop->colour());
-    const DistortionPanel* map = &m_parts.properties.distortion();
-    connect(map, &DistortionPanel::mapChanged, &canvas,
-            [&canvas, map] { canvas.setMap(map->measure(), map->range()); });
-    canvas.setRangeKeeper(map->keepRange());
-    connect(map, &DistortionPanel::opacityChanged, &canvas, &ShapeCanvas::setMapOpacity);
-    canvas.setMapOpacity(map->opacity());
-    connect(map, &DistortionPanel::smoothChanged, &canvas, &ShapeCanvas::setMapSmooth);
-    canvas.setMapSmooth(map->isSmooth());
+void followLook(Viewport& view, const QAction* action, bool Looks::*look) {
+    view.set(look, action->isChecked());
+    QObject::connect(action, &QAction::toggled, &view, [&view, look](bool on) { view.set(look, on); });
+}
+
+ViewLooks::ViewLooks(const Parts& parts, QWidget* window) : QObject(window), m_parts(parts) {
+    followLooks(m_parts.picture.viewport(), m_parts.actions, m_parts.properties.distortion());
+    connectComparison();
+    connectHiding(*window);
 }
 
 /// By a tile that is dragged to the shape, or with the energy beside the one that is chosen; the pointer on a
@@ -55,7 +61,7 @@ void ViewLooks::connectComparison() {
     EnergySlider& tiles = *m_parts.properties.material().energySlider();
     CompareView& compared = m_parts.compared;
     const Actions& a = m_parts.actions;
-    connectLooks(compared.picture());
+    followLooks(compared.picture().viewport(), a, m_parts.properties.distortion());
     connect(&compared, &CompareView::solidMade, &m_parts.solids, &SolidWorkshop::connectLooks);
     connect(&tiles, &EnergySlider::hovered, &compared, &CompareView::preview);
     connect(&compared, &CompareView::splitChanged, a.compare, &QAction::setChecked);
@@ -88,14 +94,12 @@ void ViewLooks::connectHiding(QWidget& window) {
     const auto show = [this, &a, bare, before] {
         const bool rest = a.showRest->isChecked() || before->isHeld();
         const bool hidden = rest || a.hideOverlays->isChecked() || bare->isHeld();
-        for (ShapeCanvas* canvas : {&m_parts.picture, &m_parts.compared.picture()}) {
-            canvas->setOverlaysHidden(hidden);
-            canvas->setRestShown(rest);
-        }
-        for (SolidCanvas* solid : {m_parts.solids.canvas(), m_parts.compared.solid()}) {
-            if (!solid) continue;
-            solid->setOverlaysHidden(hidden);
-            solid->setRestShown(rest);
+        std::vector<Viewport*> views = {&m_parts.picture.viewport(), &m_parts.compared.picture().viewport()};
+        for (SolidCanvas* solid : {m_parts.solids.canvas(), m_parts.compared.solid()})
+            if (solid) views.push_back(&solid->viewport());
+        for (Viewport* view : views) {
+            view->set(&Looks::hidden, hidden);
+            view->set(&Looks::rest, rest);
         }
     };
     for (const QAction* action : {a.hideOverlays, a.showRest}) connect(action, &QAction::toggled, this, show);

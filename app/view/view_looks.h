@@ -1,16 +1,24 @@
 #pragma once
 
+#include <QAction>
 #include <QWidget>
 
 namespace wend {
 
 class Actions;
 class CompareView;
+class DistortionPanel;
 class EnergySlider;
 class Properties;
 class ShapeCanvas;
 class ShapeSession;
 class SolidWorkshop;
+class Viewport;
+struct Looks;
+
+/// A view shows from now on what the actions and the map's panel say, or a single switch.
+void followLooks(Viewport& view, const Actions& actions, const DistortionPanel& map);
+void followLook(Viewport& view, const QAction* action, bool Looks::*look);
 
 /// What is seen of the shape, by the actions and panels that say so: mesh, map, marks, in one view or in both
 /// halves of a comparison; pins and maps hidden, and the shape as it was before.
@@ -29,7 +37,6 @@ class ViewLooks : public QObject {
     ViewLooks(const Parts& parts, QWidget* window);
 
   private:
-    void connectLooks(ShapeCanvas& canvas);
     void connectComparison();
     void connectLeaning(EnergySlider& tiles);
     void connectHiding(QWidget& window);

@@ -2,6 +2,7 @@
 
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
+#include "app/view/pin_actions.h"
 #include "app/view/properties.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/toolbox.h"
@@ -13,7 +14,6 @@ Workspace::Workspace(const Parts& parts)
     : m_parts(parts),
       m_map(parts.properties.distortion(), *parts.actions.showMap),
       m_bench{parts.picture,
-              parts.solids.manipulator(),
               parts.solids.actions(),
               parts.outline,
               parts.pins,
@@ -22,24 +22,22 @@ Workspace::Workspace(const Parts& parts)
               parts.properties.sizes(),
               [select = parts.actions.selectTool] { select->trigger(); }} {
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
+    // Who chooses how to select wants to select.
+    for (const QAction* action : {parts.pins.selectRectangle, parts.pins.selectLasso, parts.pins.selectBrush})
+        connect(action, &QAction::triggered, parts.actions.selectTool, &QAction::trigger);
     connect(&m_bench.brush, &Brush::changed, this, &Workspace::takeBrush);
     show();
 }
 
 Workspace::~Workspace() {
-    m_parts.picture.setTool(nullptr);
-    if (SolidCanvas* solid = m_parts.solids.canvas()) solid->setTool(nullptr);
+    m_parts.picture.viewport().setTool(nullptr);
+    if (SolidCanvas* solid = m_parts.solids.canvas()) solid->viewport().setTool(nullptr);
 }
 
-Tool* Workspace::pictureTool(const ToolKind& kind) {
-    auto& tool = m_pictureTools[&kind];
-    if (!tool) tool = kind.picture(m_bench);
-    return tool.get();
-}
-
-SolidTool* Workspace::solidTool(const ToolKind& kind) {
-    auto& tool = m_solidTools[&kind];
-    if (!tool) tool = kind.solid(m_bench);
+Tool* Workspace::toolOf(const ToolKind& kind) {
+    const int dimension = m_parts.tools.dimension();
+    auto& tool = m_tools[{&kind, dimension}];
+    if (!tool) tool = (dimension == 3 ? kind.solid : kind.picture)(m_bench);
     return tool.get();
 }
 
@@ -48,12 +46,8 @@ void Workspace::show() {
     SolidCanvas* solid = m_parts.solids.canvas();
     m_bench.solid = solid;
     takeTool();
-    if (kind && m_parts.tools.dimension() == 3 && solid) {
-        solid->setTool(solidTool(*kind));
-        solid->setValuesShown(m_parts.tools.isChosen("measure"));
-    } else if (kind && m_parts.tools.dimension() == 2) {
-        m_parts.picture.setTool(pictureTool(*kind));
-    }
+    if (Viewport* view = viewport(); view && kind) view->setTool(toolOf(*kind));
+    if (solid) solid->viewport().set(&Looks::values, m_parts.tools.isChosen("measure"));
     showMap();
 }
 
@@ -80,14 +74,16 @@ void Workspace::showMap() {
     map ? m_map.show(*map) : m_map.end();
 }
 
-Tool* Workspace::tool() const {
+/// Of what is open; null for solids where OpenGL is missing.
+Viewport* Workspace::viewport() const {
+    if (m_parts.tools.dimension() != 3) return &m_parts.picture.viewport();
     SolidCanvas* solid = m_parts.solids.canvas();
-    return m_parts.tools.dimension() == 3 && solid ? solid->tool() : m_parts.picture.tool();
+    return solid ? &solid->viewport() : nullptr;
 }
 
 CurveEditing* Workspace::curve() const {
-    Tool* current = tool();
-    return current ? current->curve() : nullptr;
+    const Viewport* view = viewport();
+    return view && view->tool() ? view->tool()->curve() : nullptr;
 }
 
 }  // namespace wend

@@ -17,6 +17,7 @@ class ShapeCanvas;
 class SolidCanvas;
 class SolidWorkshop;
 class Toolbox;
+class Viewport;
 
 /// Gives the chosen tool to the view of what is open, picture or solid. A tool is made when it is first used.
 class Workspace : public QObject {
@@ -40,20 +41,18 @@ class Workspace : public QObject {
     CurveEditing* curve() const;
 
   private:
-    Tool* tool() const;
+    Viewport* viewport() const;
     void show();
     void showMap();
     void takeTool();
     void takeBrush();
-    Tool* pictureTool(const ToolKind& kind);
-    SolidTool* solidTool(const ToolKind& kind);
+    Tool* toolOf(const ToolKind& kind);
 
     Parts m_parts;
     PaintMap m_map;
     BrushTarget m_painted = BrushTarget::Keep;  // by the brush, rather than by the comb
     Workbench m_bench;
-    std::map<const ToolKind*, std::unique_ptr<Tool>> m_pictureTools;
-    std::map<const ToolKind*, std::unique_ptr<SolidTool>> m_solidTools;
+    std::map<std::pair<const ToolKind*, int>, std::unique_ptr<Tool>> m_tools;  // by kind and dimension
 };
 
 }  // namespace wend

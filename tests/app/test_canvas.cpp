@@ -395,7 +395,7 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
 /// Clicked points are carried along by the shape: what is told is their distance now and at rest.
 void TestCanvas::lengthsAndAnglesAreMeasured() {
     MeasureTool<2> tool(*m_canvas);
-    m_canvas->setTool(&tool);
+    m_canvas->viewport().setTool(&tool);
     const auto click = [&](double x, double y, Qt::KeyboardModifiers keys = {}) {
         QTest::mouseClick(m_canvas.get(), Qt::LeftButton, keys, m_canvas->toWidget({x, y}).toPoint());
     };
@@ -427,7 +427,7 @@ void TestCanvas::lengthsAndAnglesAreMeasured() {
     for (const auto& [x, y] : {std::pair{60.0, 100.0}, {100.0, 80.0}, {180.0, 80.0}}) click(x, y);
     QVERIFY2(tool.text().startsWith(QStringLiteral("angle")) && told(1) > 90 && told(1) < 180,
              qPrintable(tool.text()));
-    m_canvas->setTool(nullptr);
+    m_canvas->viewport().setTool(nullptr);
 }
 
 /// Against every pair of perpendicular directions of a plane, tried one by one.
@@ -519,9 +519,9 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
         pose += frame->pose.col(v) / 3;
         rest += frame->rest->points.col(v) / 3;
     }
-    m_canvas->setMapShown(true);
+    m_canvas->viewport().set(&Looks::map, true);
     const auto overPicture = [&](Measure measure) {
-        m_canvas->setMap(measure, {0, 1});
+        m_canvas->viewport().set(&Looks::colours, {measure, {0, 1}});
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
         const QImage grabbed = m_canvas->grab().toImage(), drawn = m_canvas->drawn()->image;
         std::set<std::pair<int, int>> places;
@@ -547,7 +547,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
 void TestCanvas::edgesAreThoseOfThePose() {
     bendFar();
     const auto shown = [&](bool mesh) {
-        m_canvas->setMeshShown(mesh);
+        m_canvas->viewport().set(&Looks::mesh, mesh);
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
         return settled ? m_canvas->drawn()->image : QImage();
     };
@@ -587,9 +587,9 @@ void TestCanvas::restIsShown() {
     bendFar();
     const QImage bent = picture();
     QVERIFY(bent != before);
-    m_canvas->setRestShown(true);
+    m_canvas->viewport().set(&Looks::rest, true);
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn()->image == before; }, 20000));
-    m_canvas->setRestShown(false);
+    m_canvas->viewport().set(&Looks::rest, false);
     QCOMPARE(picture(), bent);
 }
 

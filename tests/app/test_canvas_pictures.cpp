@@ -220,7 +220,7 @@ void TestCanvasPictures::init() {
     m_session = std::make_unique<ShapeSession>();
     m_canvas = std::make_unique<ShapeCanvas>(*m_session);
     m_canvas->resize(420, 333);
-    m_canvas->setOverlaysHidden(true);
+    m_canvas->viewport().set(&Looks::hidden, true);
     m_canvas->show();
 }
 

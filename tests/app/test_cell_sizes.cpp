@@ -26,7 +26,7 @@ class TestCellSizes : public QObject {
     void groupsOfOneName();
     void sizeOfRegularCells();
     void strokesMakeCellsFiner();
-    void ctrlPaintsTheOtherWayRound();
+    void shiftPaintsTheOtherWayRound();
     void regionsByNumbers();
     void regionOfTheSelectedHandle();
     void mapOfSizesWhilePainting();
@@ -151,14 +151,14 @@ void TestCellSizes::strokesMakeCellsFiner() {
     QCOMPARE(m_f->session().frame()->vertices, before);
 }
 
-void TestCellSizes::ctrlPaintsTheOtherWayRound() {
+void TestCellSizes::shiftPaintsTheOtherWayRound() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_A, Qt::ShiftModifier);
     QVERIFY(m_f->actions().sizes->isChecked());
     type(box("sizeFactor"), 0.4);
     const double before = meanSize(true) / meanSize(false);
     m_f->canvas().setFocus();
     for (int i = 0; i < 5; ++i) QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
-    brushTheRightEnd(Qt::ControlModifier);
+    brushTheRightEnd(Qt::ShiftModifier);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->project().domain.sizes.at(0).factor, 2.5);
     const double after = meanSize(true) / meanSize(false);

@@ -201,7 +201,7 @@ class TestDepth : public QObject {
 
 void TestDepth::initTestCase() {
     m_canvas.resize(420, 333);
-    m_canvas.setOverlaysHidden(true);
+    m_canvas.viewport().set(&Looks::hidden, true);
     m_canvas.show();
     const QString path = m_folder.filePath(QStringLiteral("drawing.png"));
     QVERIFY(m_drawing.save(path));
@@ -384,8 +384,8 @@ void TestDepth::brushed() {
     const PenValue order(2);
     DepthTool tool(m_canvas, brush, order);
     m_canvas.zoomTo(1);
-    m_canvas.setOverlaysHidden(false);
-    m_canvas.setTool(&tool);
+    m_canvas.viewport().set(&Looks::hidden, false);
+    m_canvas.viewport().setTool(&tool);
     QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
     const auto orderAt = [&](const Vec<2>& p) {
         double found = 0;
@@ -417,8 +417,8 @@ void TestDepth::brushed() {
     QCOMPARE(orderAt({126, 41}), -2.0);
     undo.undo();
     QCOMPARE(m_session.document().project()->depth.size(), std::size_t(1));
-    m_canvas.setTool(nullptr);
-    m_canvas.setOverlaysHidden(true);
+    m_canvas.viewport().setTool(nullptr);
+    m_canvas.viewport().set(&Looks::hidden, true);
 }
 
 /// Of the hand and the body below the one that lies in front, whichever has the greater numbers.
@@ -448,7 +448,7 @@ void TestDepth::pinsInFrontArePicked() {
     const int steps = m_session.document().undoStack()->count();
     const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
     QVERIFY(settle(m_session));
-    PinTool tool(m_canvas, false);
+    PinTool<2> tool(m_canvas, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
         setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
@@ -496,9 +496,9 @@ void TestDepth::mapsShowWhatLiesInFront() {
     const auto colourOf = [&](int cell) {
         return QColor(colourAt(Measure::Angle, positionIn(range, Measure::Angle, values[cell])));
     };
-    m_canvas.setOverlaysHidden(false);
-    m_canvas.setMap(Measure::Angle, range);
-    m_canvas.setMapShown(true);
+    m_canvas.viewport().set(&Looks::hidden, false);
+    m_canvas.viewport().set(&Looks::colours, {Measure::Angle, range});
+    m_canvas.viewport().set(&Looks::map, true);
     for (const double order : {1.0, -1.0}) {
         setDepth({{"arm", Polygon{pointsOf(kArm)}, order}});
         QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
@@ -525,8 +525,8 @@ void TestDepth::mapsShowWhatLiesInFront() {
         QVERIFY2(compared > 20, qPrintable(QString::number(compared)));
         QVERIFY2(wrong <= 0.02 * compared, qPrintable(QString("%1 of %2").arg(wrong).arg(compared)));
     }
-    m_canvas.setMapShown(false);
-    m_canvas.setOverlaysHidden(true);
+    m_canvas.viewport().set(&Looks::map, false);
+    m_canvas.viewport().set(&Looks::hidden, true);
 }
 
 void TestDepth::pinsBringTheirPart() {

@@ -11,8 +11,8 @@
 #include "app/document/outline_edits.h"
 #include "app/document/project_file.h"
 #include "app/session/opening.h"
-#include "app/tools/flat_size_tool.h"
 #include "app/tools/outline_tool.h"
+#include "app/tools/size_tool.h"
 #include "app/view/canvas.h"
 #include "core/meshing/outline_combination.h"
 #include "core/solver/components.h"
@@ -108,10 +108,10 @@ void TestOutlineTools::init() {
 }
 
 void TestOutlineTools::use(OutlineTool::Shape shape, bool takesAway) {
-    m_canvas->setTool(nullptr);
+    m_canvas->viewport().setTool(nullptr);
     m_pen.set({takesAway});
     m_tool = std::make_unique<OutlineTool>(*m_canvas, shape, m_pen);
-    m_canvas->setTool(m_tool.get());
+    m_canvas->viewport().setTool(m_tool.get());
 }
 
 void TestOutlineTools::draw(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers) {
@@ -398,11 +398,11 @@ void TestOutlineTools::drawnAtRest() {
     QCOMPARE(m_session->playback().time(), 0.0);
     use(OutlineTool::Shape::Lasso);
     QCOMPARE(m_session->playback().time(), 0.0);
-    m_canvas->setTool(nullptr);  // what was shown is shown again,
+    m_canvas->viewport().setTool(nullptr);  // what was shown is shown again,
     QCOMPARE(m_session->playback().time(), time / 2);
     use(OutlineTool::Shape::Brush);
     m_session->document().close();  // of that document
-    m_canvas->setTool(nullptr);
+    m_canvas->viewport().setTool(nullptr);
     QCOMPARE(m_session->playback().time(), 0.0);
 }
 
@@ -410,9 +410,8 @@ void TestOutlineTools::drawnAtRest() {
 void TestOutlineTools::finerWhereItIsBrushed() {
     Brush brush;
     brush.set({.radius = 80, .hardness = 1});  // 40 pixels of the picture
-    const PenValue factor(0.5);
-    FlatSizeTool tool(*m_canvas, brush, factor);
-    m_canvas->setTool(&tool);
+    SizeTool<2> tool(*m_canvas, brush, [] { return 0.5; });
+    m_canvas->viewport().setTool(&tool);
     const auto meanEdge = [&](bool within) {
         const auto& rest = *m_session->frame<2>()->rest;
         double sum = 0;
@@ -434,7 +433,7 @@ void TestOutlineTools::finerWhereItIsBrushed() {
     draw({{80, 100}, {81, 100}}, Qt::ControlModifier);
     QVERIFY(domain().flatSizes.empty());
     QVERIFY(std::abs(meanEdge(true) / meanEdge(false) - 1) < 0.15);
-    m_canvas->setTool(nullptr);
+    m_canvas->viewport().setTool(nullptr);
 }
 
 QTEST_MAIN(TestOutlineTools)

@@ -498,7 +498,7 @@ void TestPainting::dragTip() {
     canvas.setFocus();
     m_f->tool("paint")->trigger();
     set([](BrushSettings& b) { b.radius = 40, b.hardness = 0.5; });
-    QSignalSpy menus(&canvas, SIGNAL(menuWanted(QPoint, wend::MenuPlace)));
+    QSignalSpy menus(&canvas.viewport(), &Viewport::menuWanted);
     QVERIFY(menus.isValid());
     const int steps = m_f->session().document().undoStack()->count();
     const Vec<Dim> place = Bar<Dim>::place(-1, 0);
@@ -507,7 +507,7 @@ void TestPainting::dragTip() {
         QImage image(canvas.size(), QImage::Format_RGB32);
         image.fill(Qt::white);
         QPainter painter(&image);
-        canvas.tool()->paint(painter);
+        canvas.viewport().tool()->paint(painter);
         return image;
     };
     const auto drag = [&](const QPoint& by) {
@@ -521,14 +521,14 @@ void TestPainting::dragTip() {
     QVERIFY(circle.pixel(at + QPoint(65, 0)) != QColor(Qt::white).rgb());
     QVERIFY(circle.pixel(at - QPoint(65, 0)) != QColor(Qt::white).rgb());
     QVERIFY(circle.pixel(at + QPoint(90, 0)) == QColor(Qt::white).rgb());  // the pointer's own place has none
-    QVERIFY(canvas.tool()->hint().contains(QStringLiteral("larger")));
+    QVERIFY(canvas.viewport().tool()->hint().contains(QStringLiteral("larger")));
     QTest::keyClick(&canvas, Qt::Key_Escape);
     QVERIFY(brush().now().radius == 40 && brush().now().hardness == 0.5);
     QTest::mouseRelease(&canvas, Qt::RightButton, Qt::AltModifier, at);
     drag({-1000, 1000});  // as far as a brush goes
     QTest::mouseRelease(&canvas, Qt::RightButton, Qt::AltModifier, at);
     QVERIFY(brush().now().radius == Brush::kSmallest && brush().now().hardness == 0);
-    QVERIFY(!canvas.tool()->hint().contains(QStringLiteral("larger")));
+    QVERIFY(!canvas.viewport().tool()->hint().contains(QStringLiteral("larger")));
     QCOMPARE(menus.count(), 0);
     QCOMPARE(m_f->session().document().undoStack()->count(), steps);
     QCOMPARE(canvas.toWidget(place).toPoint(), at);

@@ -426,7 +426,7 @@ void TestPosing::pointsAreNeitherTurnedNorScaled() {
             QVERIFY(!session().isDragging());
             QVERIFY2(m_window->statusBar()->currentMessage().contains(word), qPrintable(word));
             release(ringSpot(1, dx - 20, 30));
-            QVERIFY(canvas().tool()->hint().contains(word));
+            QVERIFY(canvas().viewport().tool()->hint().contains(word));
         }
     QCOMPARE(pin(1), before);
     QVERIFY(handles()[1].motions.empty());
@@ -534,7 +534,7 @@ void TestPosing::ringTakesNumbers() {
 
 void TestPosing::pointsHaveADottedRing() {
     QTest::mouseMove(&canvas(), ringSpot(1, -44, 0));
-    QVERIFY(canvas().tool()->hint().contains(QStringLiteral("cannot rotate")));
+    QVERIFY(canvas().viewport().tool()->hint().contains(QStringLiteral("cannot rotate")));
     picture(QStringLiteral("point"));
     const std::size_t count = handles().size();
     // Who pulls at it wants to turn the pin: it stays selected, and the status bar says what does it.

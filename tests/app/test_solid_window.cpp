@@ -470,7 +470,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
         QImage image(m_f->canvas().size(), QImage::Format_RGB32);
         image.fill(Qt::black);
         QPainter painter(&image);
-        m_f->canvas().tool()->paint(painter);
+        m_f->canvas().viewport().tool()->paint(painter);
         painter.end();
         QImage empty = image;
         empty.fill(Qt::black);
@@ -491,7 +491,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
 void TestSolidWindow::measuresLengthAndAngle() {
     QVERIFY(m_f->open());
     m_f->actions().measure->trigger();
-    const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().tool());
+    const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().viewport().tool());
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({-1.99, -0.5, 0.49}));
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({-1.99, -0.5, -0.49}));
     QVERIFY(tool.text().contains(QStringLiteral("length 1,")));
@@ -515,6 +515,7 @@ void TestSolidWindow::pictureHasItsSizeAndNoBackground() {
 
 void TestSolidWindow::presetsTurnTheView() {
     QVERIFY(m_f->open());
+    m_f->window().actions().selectTool->trigger();  // a drag sets no pin
     const auto turns = [&](Qt::MouseButton button, const QPoint& from) {
         const Vec<3> before = m_f->canvas().viewDirection();
         QTest::mousePress(&m_f->canvas(), button, {}, from);

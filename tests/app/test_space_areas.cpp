@@ -242,7 +242,7 @@ void TestSpaceAreas::controlClickTakesOneVertexAway() {
 
 void TestSpaceAreas::measuresAtAnyPoint() {
     m_f->actions().measure->trigger();
-    const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().tool());
+    const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().viewport().tool());
     const Vec<3> a(-1.13, -0.5, 0.11), b(0.71, -0.5, -0.23);  // no vertices
     m_f->click(m_f->at(a));
     m_f->click(m_f->at(b));

@@ -4,6 +4,7 @@
 #include "app/panels/handle_panel.h"
 #include "app/session/curve_making.h"
 #include "app/view/curve_actions.h"
+#include "app/view/pin_actions.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -187,7 +188,7 @@ void TestSpaceTools::outlinesSelectByAnyPoint_data() {
 void TestSpaceTools::outlinesSelectByAnyPoint() {
     QFETCH(QString, outline);
     QVERIFY(m_f->holdEnds());
-    SolidActions& a = m_f->actions();
+    PinActions& a = *m_f->window().findChild<PinActions*>();
     (outline == "lasso" ? a.selectLasso : outline == "brush" ? a.selectBrush : a.selectRectangle)->trigger();
     m_f->session().selection().clear();
     const auto around = [&](double x, Qt::KeyboardModifiers modifiers = {}) {
@@ -215,13 +216,13 @@ void TestSpaceTools::outlinesShowTheirMode() {
         QTest::keyClick(&m_f->canvas(), key, Qt::ShiftModifier);
         QTest::mouseMove(&m_f->canvas(), over + QPoint(3, 0));
         QTest::mouseMove(&m_f->canvas(), over);
-        return m_f->canvas().tool()->hint();
+        return m_f->canvas().viewport().tool()->hint();
     };
     const auto painted = [this] {
         QImage image(m_f->canvas().size(), QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::transparent);
         QPainter painter(&image);
-        m_f->canvas().tool()->paint(painter);
+        m_f->canvas().viewport().tool()->paint(painter);
         return image;
     };
     QStringList hints;
@@ -236,7 +237,7 @@ void TestSpaceTools::outlinesShowTheirMode() {
     QVERIFY(qAlpha(ring.pixel(over + QPoint(18, 0))) > 0 && qAlpha(ring.pixel(over)) == 0);
     QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
     QVERIFY(painted() != ring);
-    m_f->canvas().tool()->leave();
+    m_f->canvas().viewport().tool()->leave();
     QCOMPARE(qAlpha(painted().pixel(over + QPoint(22, 0))), 0);
 }
 

@@ -181,14 +181,14 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     m_f->session().selection().set({0});
     m_f->click(m_f->at(lastCurve(m_f->session().document().design<3>(), 0)->points[2]));
     const QKeyEvent key(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
-    QVERIFY(m_f->canvas().tool()->ownsKey(key));  // a point is chosen
+    QVERIFY(m_f->canvas().viewport().tool()->ownsKey(key));  // a point is chosen
     Project without = m_f->project();
     auto& handles = std::get<Design<3>>(without.design).handles;
     handles.erase(handles.begin());
     m_f->session().document().change(QStringLiteral("Without"), without);
     m_f->session().selection().set({0});
     QVERIFY(settle(m_f->session()));
-    QVERIFY(!m_f->canvas().tool()->ownsKey(key));
+    QVERIFY(!m_f->canvas().viewport().tool()->ownsKey(key));
 }
 
 void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {

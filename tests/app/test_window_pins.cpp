@@ -272,8 +272,8 @@ void TestWindowPins::menusWaitForTheGesture() {
     QVERIFY(settle(m_window->session()));
     const Vec<2> inner = lastCurve(m_window->session().document().design<2>(), 1)->points[1];
     ShapeCanvas& canvas = m_window->canvas();
-    canvas.disconnect(SIGNAL(menuWanted(QPoint, wend::MenuPlace)));  // a menu would wait for an answer
-    QSignalSpy menus(&canvas, &ShapeCanvas::menuWanted);
+    canvas.viewport().disconnect(SIGNAL(menuWanted(QPoint, wend::MenuPlace)));  // it would wait for an answer
+    QSignalSpy menus(&canvas.viewport(), &Viewport::menuWanted);
     const QPointF where = at(inner.x(), inner.y());
     const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons held) {
         QMouseEvent event(type, where, canvas.mapToGlobal(where), button, held, {});

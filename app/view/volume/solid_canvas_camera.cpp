@@ -1,7 +1,54 @@
 // From where a solid is seen, and what of it is kept with its project.
+#include <algorithm>
+
+#include "app/document/design.h"
+#include "app/session/pin_shapes.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {
+
+namespace {
+
+/// The points of a selected curve, which may lie far outside of it.
+void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<Vec<3>>& points) {
+    for (const Motion<3>& motion : handle.motions) {
+        const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
+        const auto at = std::lower_bound(path.times.begin(), path.times.end(), motion.start);
+        if (!curve || curve->points.empty() || at == path.times.end()) continue;
+        const Vec<3> start = path.points[static_cast<std::size_t>(at - path.times.begin())];
+        for (const Vec<3>& p : curve->points) points.push_back(start + p - curve->points.front());
+    }
+}
+
+/// The pins and their paths, as they are drawn.
+std::vector<Vec<3>> pathPoints(ShapeSession& session) {
+    std::vector<Vec<3>> points;
+    for (const PinView<3>& view : session.pins<3>()) points.push_back(view.centre);
+    const auto& handles = session.document().design<3>().handles;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        const auto starts = session.pathStarts<3>(h);
+        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
+        for (const PinPath<3>& path : pinPaths<3>(handles[h], shownStarts<3>(starts))) {
+            points.insert(points.end(), path.points.begin(), path.points.end());
+            if (session.selection().contains(h)) addDirections(handles[h], path, points);
+        }
+    }
+    return points;
+}
+
+}  // namespace
+
+/// Pins and paths as well.
+Points<3> SolidCanvas::fitted() const {
+    const Points<3> drawn = VolumeView::fitted();
+    if (m_viewport.looks().hidden || !m_session.frame<3>()) return drawn;
+    const std::vector<Vec<3>> marked = pathPoints(m_session);
+    Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
+    all.leftCols(drawn.cols()) = drawn;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        all.col(drawn.cols() + static_cast<Eigen::Index>(i)) = marked[i];
+    return all;
+}
 
 /// As every document is seen that brings no camera.
 void SolidCanvas::lookAtFirst() {

@@ -1,7 +1,6 @@
 // The map of a solid, and what is marked beside its surface.
 #include <algorithm>
 
-#include "app/panels/legend.h"
 #include "app/panels/smooth_map.h"
 #include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
@@ -18,28 +17,30 @@ constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
 }  // namespace
 
 void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
-    const auto own = [this](QRgb colour) { return m_dimmed ? dimmed(colour) : colour; };
-    const auto values = cellValues<3>(frame, m_measure, fieldOf<3>(m_session, m_measure));
+    const auto own = [this](QRgb colour) { return m_viewport.isDimmed() ? dimmed(colour) : colour; };
+    const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
+    const auto values = cellValues<3>(frame, measure, fieldOf<3>(m_session, measure));
     picture.section.reset();
     picture.materials = picture.materials && !picture.skin->materials.empty();
     picture.cellColours.clear();
     for (const double value : values)
-        picture.cellColours.push_back(own(colourAt(m_measure, positionIn(m_range, m_measure, value))));
-    if (!m_smooth) return;
-    picture.places = smoothPlaces<3>(*frame.rest, values, m_measure, m_range);
-    picture.ramp = colourRamp(m_measure);
+        picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
+    if (!smooth) return;
+    picture.places = smoothPlaces<3>(*frame.rest, values, measure, range);
+    picture.ramp = colourRamp(measure);
     std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
+    const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
-    if (m_arrows && !m_hidden)
+    if (looks.arrows && !looks.hidden)
         triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
-    if (m_glyphs && !m_hidden) {
+    if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
     }
-    if (m_faults && showsMap() && !m_rest && !m_standIn) {
+    if (m_faults && m_viewport.showsMap() && !looks.rest && !looks.standIn) {
         const auto faulty = faultMarks(frame, *m_faults, [this](const Vec<3>& p) { return isCutOff(p); });
         for (auto* list : {&triangles, &ellipsoids}) list->insert(list->end(), faulty.begin(), faulty.end());
     }
@@ -47,46 +48,13 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
 }
 
 void SolidCanvas::setFaults(const std::shared_ptr<const PoseFaults<3>>& faults) {
-    if (std::exchange(m_faults, faults) != faults && m_map) refresh();
-}
-
-void SolidCanvas::wantVelocity() {
-    if (m_session.document().dimension() == 3)
-        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows || m_values));
-}
-
-void SolidCanvas::setMapShown(bool shown) {
-    m_map = shown, wantVelocity(), refresh();
-}
-void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
-    m_measure = measure;
-    m_range = range;
-    wantVelocity();
-    if (m_map) refresh();
-}
-
-void SolidCanvas::setRangeKeeper(QAction& keep) {
-    m_lock = new LegendLock(keep, *this);
-    refresh();
-}
-
-void SolidCanvas::setMapOpacity(double opacity) {
-    m_opacity = opacity;
-    if (m_map) refresh();
-}
-
-void SolidCanvas::setMapSmooth(bool smooth) {
-    m_smooth = smooth;
-    if (m_map) refresh();
+    if (std::exchange(m_faults, faults) != faults && m_viewport.looks().map) refresh();
 }
 
 void SolidCanvas::showWorst() {
     const auto frame = m_session.frame<3>();
-    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
-    if (cell < 0) return;
-    Vec<3> centre = Vec<3>::Zero();
-    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
-    showPlace(centre);
+    const int cell = frame ? worstOf(*frame->distortion, m_viewport.looks().colours.measure).cell : -1;
+    if (cell >= 0) showPlace(centreOf<3>(*frame, cell));
 }
 
 void SolidCanvas::showCell(int cell) {

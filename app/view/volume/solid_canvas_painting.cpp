@@ -1,50 +1,78 @@
 // What lies over a solid.
 #include "app/panels/legend.h"
-#include "app/tools/solid_pin_tool.h"
+#include "app/view/shape/shape_painter.h"
 #include "app/view/volume/solid_canvas.h"
-#include "app/view/volume/solid_painter.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
 
+namespace {
+
+/// A small cross of the axes of the world, the nearest last.
+void paintCompass(QPainter& painter, const QPointF& at, const Mat<3>& worldToScreen) {
+    std::array<int, 3> order = {0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return worldToScreen(2, a) < worldToScreen(2, b); });
+    static const QString kNames[] = {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")};
+    QFont font = painter.font();
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    font.setBold(true);
+    painter.setFont(font);
+    for (const int k : order) {
+        const QPointF tip = at + 30 * QPointF(worldToScreen(0, k), -worldToScreen(1, k));
+        painter.setPen(QPen(kSpaceAxes[k], 2.25, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(at, tip);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(kSpaceAxes[k]);
+        painter.drawEllipse(tip, 8, 8);
+        painter.setPen(Qt::white);
+        painter.drawText(QRectF(tip.x() - 8, tip.y() - 8, 16, 16), Qt::AlignCenter, kNames[k]);
+    }
+}
+
+}  // namespace
+
 void SolidCanvas::paintOver(QPainter& painter) {
-    m_marksDue.stop();
+    m_viewport.marksPainted();
     paintMarks(painter);
-    if (m_hidden || !m_session.frame<3>()) return;
+    if (m_viewport.looks().hidden || !m_session.frame<3>()) return;
+    m_layer.setLayer(m_viewport.looks().layer);
     m_layer.paint(painter, *this);
     if (!m_session.playback().isPlaying()) {
         m_cutTool.paint(painter);
-        if (m_tool) m_tool->paint(painter);
+        if (const Tool* tool = m_viewport.tool()) tool->paint(painter);
     }
-    if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 3);
+    m_viewport.paintLegend(painter);
 }
 
 void SolidCanvas::paintMarks(QPainter& painter) {
     const auto frame = m_session.frame<3>();
+    const Looks& looks = m_viewport.looks();
+    const Measure measure = looks.colours.measure;
     if (shown().pose.cols() == 0) return;
-    const Theme theme = Theme::of(palette());
-    SolidPainter painterOfSolid(painter, *this, theme);
     painter.save();
-    painterOfSolid.compass(QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
+    paintCompass(painter, QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
     painter.restore();
-    if (m_hidden || !frame) return;
-    if (m_map && isDistortion(m_measure))
-        painterOfSolid.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
-    if (m_pointedOf == frame->shape) painterOfSolid.worst(*frame, m_pointedCell);
+    if (looks.hidden || !frame) return;
+    const Theme theme = Theme::of(palette());
+    ShapePainter<3> over(painter, *this, theme);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, worstOf(*frame->distortion, measure).cell);
+    if (m_pointedOf == frame->shape) over.worst(*frame, m_pointedCell);
+    m_onion.setShown(looks.onionSkin);
     m_onion.paintOutlines(painter, *this);
     if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
-    painterOfSolid.paths();
-    const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
-    painterOfSolid.pins(m_animation, pinTool ? pinTool->hovered() : -1);
+    over.paths(m_viewport.hovered());
+    over.pins(m_viewport.animation(), m_viewport.hovered());
 }
 
 void SolidCanvas::paintLegend(QPainter& painter) const {
     if (!hasLegend()) return;
+    const auto& map = m_viewport.looks().colours;
     const QColor colour = Theme::of(palette()).secondText;
     painter.setPen(colour);
     constexpr QRect kBar(24, 24, 240, 40);
-    painter.drawText(kBar.bottomLeft(), measureName(m_measure, 3));
-    wend::paintLegend(painter, kBar, m_measure, m_range, colour);
+    painter.drawText(kBar.bottomLeft(), measureName(map.measure, 3));
+    wend::paintLegend(painter, kBar, map.measure, map.range, colour);
 }
 
 }  // namespace wend

@@ -94,6 +94,7 @@ class VolumeView : public QOpenGLWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
     Navigation& navigation() { return m_navigation; }
+    const Navigation& navigation() const { return m_navigation; }
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QColor>
+#include <tuple>
+
+#include "app/panels/colour_map.h"
+#include "app/session/rest_frame.h"
+#include "app/session/shape.h"
+
+namespace wend {
+
+/// How a map colours the shape.
+struct MapLook {
+    Measure measure = Measure::Length;
+    MeasureRange range;
+    double opacity = kMapOpacity;  // over a picture, or a surface that has colours of its own
+    bool smooth = false;           // without the edges of its cells
+
+    bool operator==(const MapLook& o) const {
+        return std::tie(measure, range.low, range.high, range.dimension, opacity, smooth) ==
+               std::tie(o.measure, o.range.low, o.range.high, o.range.dimension, o.opacity, o.smooth);
+    }
+};
+
+/// What is seen of a shape, by switches and panels.
+struct Looks {
+    bool mesh = false, map = false, arrows = false, marks = false;
+    bool onionSkin = false;  // what was before and comes after
+    bool hidden = false;     // all that lies over the shape
+    bool rest = false;       // the shape as it was before it was bent
+    bool values = false;     // under the pointer they are shown elsewhere, the velocity among them
+    bool detail = true;  // the detailed or painted surface in a solid, rather than the tetrahedra's border
+    bool flat = false;   // each facet of it by itself
+    MapLook colours;     // of the map
+    QString layer;       // of the material, whose border is drawn; null: of none
+    QColor backdrop;     // invalid: the view's own
+    FramePtr standIn;    // in the place of the session's frame; null: none
+};
+
+/// The frame that is seen in the place of a session's own.
+template <int Dim>
+PosedPtr<Dim> seen(const Looks& looks, const PosedPtr<Dim>& own) {
+    const bool standsIn = looks.standIn && (own || Dim == 3);  // a picture is itself seen before its mesh is
+    const auto frame = standsIn ? posed<Dim>(looks.standIn) : own;
+    return frame && looks.rest ? atRest<Dim>(frame) : frame;
+}
+
+/// The middle of a cell in a pose.
+template <int Dim>
+Vec<Dim> centreOf(const PosedFrame<Dim>& frame, int cell) {
+    Vec<Dim> centre = Vec<Dim>::Zero();
+    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / (Dim + 1);
+    return centre;
+}
+
+}  // namespace wend

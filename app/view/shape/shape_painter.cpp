@@ -1,0 +1,196 @@
+#include "app/view/shape/shape_painter.h"
+
+#include "app/document/design.h"
+#include "app/panels/pin_marks.h"
+#include "app/session/mark_size.h"
+#include "app/session/pin_shapes.h"
+#include "app/session/solid_places.h"
+#include "app/tools/pin_picking.h"
+#include "app/tools/region_outline.h"
+#include "app/view/shape/looks.h"
+#include "core/motion/trajectory.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kFramesAlongCurve = 9;
+
+/// An axis of the frames that a curve carries along, and how long it is, in pixels.
+struct Axis {
+    QColor colour;
+    double size;
+};
+
+Axis axisOf(int dimension, int k) {
+    if (dimension == 2)
+        return k == 0 ? Axis{QColor(0xd4, 0x3d, 0x51), 22} : Axis{QColor(0x12, 0xa5, 0x94), 14};
+    return {kSpaceAxes[k], 26};
+}
+
+/// Its mark stands for more than a point.
+bool isArea(const PinView<2>& view) {
+    return view.region;
+}
+bool isArea(const PinView<3>& view) {
+    return view.points.size() > 1;
+}
+
+}  // namespace
+
+template <int Dim>
+QPolygonF ShapePainter<Dim>::toWidget(const std::vector<Vec<Dim>>& points) const {
+    QPolygonF line;
+    for (const Vec<Dim>& p : points) line << m_surface.toWidget(p);
+    return line;
+}
+
+/// The local frames that a curve carries along.
+template <int Dim>
+void ShapePainter<Dim>::frames(const Handle<Dim>& handle, const Vec<Dim>& start) {
+    for (const Motion<Dim>& motion : handle.motions) {
+        const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+        if (!curve || curve->frame == FrameKind::None) continue;
+        const Trajectory<Dim> trajectory(motion);
+        for (int i = 0; i < kFramesAlongCurve; ++i) {
+            const double t = motion.start + (motion.end - motion.start) * i / (kFramesAlongCurve - 1);
+            const Vec<Dim> at = trajectory.at(t).position(start);
+            const Mat<Dim> F = trajectory.frame(t);
+            const double pixel = marked(m_surface.pixelSize(at));
+            for (int k = 0; k < Dim; ++k) {
+                const auto [colour, size] = axisOf(Dim, k);
+                m_marks.line(toWidget({at, at + size * pixel * F.col(k)}), colour, 1.75, Qt::SolidLine);
+            }
+        }
+    }
+}
+
+template <int Dim>
+void ShapePainter<Dim>::paths(int hovered) {
+    if (session().document().dimension() != Dim) return;
+    m_marks.setQuick(session().isDragging());
+    const double time = session().playback().time();
+    const auto& handles = session().document().template design<Dim>().handles;
+    for (const bool selected : {false, true})
+        for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+            if (handles[h].motions.empty() || session().selection().contains(h) != selected) continue;
+            if (handles[h].activeTo <= time || handles[h].traits.hidden) continue;  // let go of
+            const auto starts = shownStarts<Dim>(session().template pathStarts<Dim>(h));
+            if (starts.empty()) continue;
+            for (const PinPath<Dim>& one : pinPaths<Dim>(handles[h], starts))
+                m_marks.path(toWidget(one.points), one.times, selected, time, h == hovered);
+            if (selected) frames(handles[h], starts.front());
+        }
+}
+
+template <>
+void ShapePainter<2>::spots(const PinView<2>& view) {
+    const bool selected = session().selection().contains(view.handle);
+    const QPolygonF places = toWidget(view.points);
+    m_marks.spots({places.begin(), places.end()}, selected ? m_theme.accent : kInk, 3.2, QPen(Qt::white, 1));
+}
+
+/// What a handle of many vertices holds, where it is seen; of a selected one also what is hidden, faintly.
+template <>
+void ShapePainter<3>::spots(const PinView<3>& view) {
+    const bool selected = session().selection().contains(view.handle);
+    const double r = selected ? 2.3 : 1.7;
+    std::vector<QPointF> seen, hidden;
+    for (const VertexMark& mark : m_surface.marksOf(session().verticesOf(view.handle)))
+        (mark.hidden ? hidden : seen).push_back(m_surface.toWidget(mark.at));
+    QColor fill = selected ? m_theme.accent : kInk;
+    fill.setAlpha(70);
+    if (selected) m_marks.spots(hidden, fill, r, Qt::NoPen);
+    fill.setAlpha(selected ? 255 : 110);
+    m_marks.spots(seen, fill, r, selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
+}
+
+/// A part of the shape that is held as a whole: its outline veils nothing until it is pointed at.
+template <>
+void ShapePainter<2>::region(const PinView<2>& view, bool hovered) {
+    const auto frame = session().frame<2>();
+    if (!frame) return;
+    const bool selected = session().selection().contains(view.handle);
+    QPolygonF border =
+        toWidget(regionBorder(session().document().design<2>().handles[view.handle], view, *frame));
+    if (border.isEmpty()) return;
+    border << border.first();
+    if (hovered) {
+        QColor fill = m_theme.accent;
+        fill.setAlphaF(0.08F);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(fill);
+        m_painter.drawPolygon(border);
+    }
+    m_marks.line(border, selected ? m_theme.accent : kInk, selected ? 2 : 1.25,
+                 selected ? Qt::SolidLine : Qt::CustomDashLine);
+}
+
+/// The outline of a selected handle's region, carried to where its vertices are now.
+template <>
+void ShapePainter<3>::region(const PinView<3>& view, bool) {
+    const auto frame = session().frame<3>();
+    const auto* region = std::get_if<Region<3>>(&session().document().design<3>().handles[view.handle].at);
+    if (!region || !frame || !session().selection().contains(view.handle)) return;
+    const auto& rest = frame->rest->points;
+    std::vector<Vec<3>> held;
+    for (const int v : verticesIn(*region, *frame->rest)) held.push_back(rest.col(v));
+    const Carrying carry = carryingOf(held, view.points);
+    for (auto line : regionOutline(*region, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
+        for (Vec<3>& p : line) p = carry(p);
+        m_marks.line(toWidget(line), m_theme.accent, 1.25, Qt::CustomDashLine);
+    }
+}
+
+template <int Dim>
+void ShapePainter<Dim>::pins(const PinAnimation& animation, int hovered) {
+    if (session().document().dimension() != Dim) return;
+    const auto pins = session().template pins<Dim>();
+    m_marks.setQuick(session().isDragging());
+    for (const PinView<Dim>& view : pins)
+        if (view.region) region(view, view.handle == hovered);
+    for (const PinView<Dim>& view : pins)
+        if (view.points.size() > 1 && (Dim == 3 || !view.region)) spots(view);
+    PinScene<Dim>{session(),
+                  animation,
+                  pins,
+                  hovered,
+                  [this](const Vec<Dim>& p) { return m_surface.toWidget(p); },
+                  [](const PinView<Dim>& view) { return isArea(view); },
+                  [this](const PinView<Dim>& view) { return isCovered<Dim>(m_surface, view); }}
+        .paint(m_painter, m_marks);
+}
+
+template <int Dim>
+void ShapePainter<Dim>::worst(const PosedFrame<Dim>& frame, int cell) {
+    if (cell < 0) return;
+    std::optional<Vec<Dim>> place = centreOf<Dim>(frame, cell);
+    if constexpr (Dim == 3) place = m_surface.placeOf(cell);
+    m_marks.worst(m_surface.toWidget(place ? *place : centreOf<Dim>(frame, cell)), !place);
+}
+
+template class ShapePainter<2>;
+template class ShapePainter<3>;
+
+void paintFaults(QPainter& painter, ToolSurface& surface, const PosedFrame<2>& frame,
+                 const PoseFaults<2>& faults) {
+    Marks marks(painter);
+    QColor fill(kWrong);
+    fill.setAlphaF(0.75F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    const auto at = [&](const Points<2>& points, int v) { return surface.toWidget(Vec<2>(points.col(v))); };
+    for (const auto& place : faults.blown)
+        for (const int cell : place.members) {
+            QPolygonF corners;
+            for (const int v : frame.rest->cells[cell]) corners << at(frame.pose, v);
+            painter.drawPolygon(corners);
+        }
+    for (const auto& place : faults.crossings)
+        for (const int edge : place.members) {
+            const auto& [a, b] = faults.border[edge];
+            marks.line({at(faults.points, a), at(faults.points, b)}, QColor(kWrong), 2.5, Qt::SolidLine);
+        }
+}
+
+}  // namespace wend

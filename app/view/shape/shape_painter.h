@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QPainter>
+
+#include "app/panels/marks.h"
+#include "app/panels/pin_animation.h"
+#include "app/panels/theme.h"
+#include "app/session/pose_faults.h"
+#include "app/tools/shape_tool.h"
+
+namespace wend {
+
+/// Those of the world, told apart by lightness too; the usual order x, y, z.
+inline const QColor kSpaceAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
+
+/// Draws what lies over a shape, crisp at any zoom: pins, their paths, the worst place.
+template <int Dim>
+class ShapePainter {
+  public:
+    ShapePainter(QPainter& painter, SurfaceOf<Dim>& surface, const Theme& theme)
+        : m_painter(painter), m_marks(painter), m_surface(surface), m_theme(theme) {}
+
+    void paths(int hovered);
+    /// Also, faintly, the handles that do not hold at the time that is shown.
+    void pins(const PinAnimation& animation, int hovered);
+    /// A cross in the middle of a cell; of a solid where it is seen, or a faint ring over where it is hidden.
+    void worst(const PosedFrame<Dim>& frame, int cell);
+
+  private:
+    ShapeSession& session() const { return m_surface.session(); }
+    QPolygonF toWidget(const std::vector<Vec<Dim>>& points) const;
+    void frames(const Handle<Dim>& handle, const Vec<Dim>& start);
+    void spots(const PinView<Dim>& view);
+    void region(const PinView<Dim>& view, bool hovered);
+
+    QPainter& m_painter;
+    Marks m_marks;
+    SurfaceOf<Dim>& m_surface;
+    const Theme& m_theme;
+};
+
+/// The edges of a picture that cross, and its triangles that have blown up.
+void paintFaults(QPainter& painter, ToolSurface& surface, const PosedFrame<2>& frame,
+                 const PoseFaults<2>& faults);
+
+}  // namespace wend

@@ -1,0 +1,109 @@
+#include "app/view/shape/viewport.h"
+
+#include <utility>
+
+#include "app/panels/legend.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kDimAfter = 250;  // milliseconds
+
+}  // namespace
+
+Viewport::Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& session, int dimension,
+                   Tool* over)
+    : m_view(view),
+      m_widget(widget),
+      m_overlay(overlay),
+      m_session(session),
+      m_dimension(dimension),
+      m_over(over),
+      m_animation(session) {
+    m_dim.setSingleShot(true);
+    m_dim.setInterval(kDimAfter);
+    m_marksDue.setSingleShot(true);
+    const auto paint = qOverload<>(&QWidget::update);
+    connect(&m_dim, &QTimer::timeout, this, [this] {
+        m_dimmed = m_session.isStale();
+        m_view.showLooks();
+    });
+    connect(&m_marksDue, &QTimer::timeout, &m_overlay, paint);
+    connect(&m_animation, &PinAnimation::changed, &m_overlay, paint);
+    connect(&m_session.playback(), &Playback::playingChanged, &m_overlay, paint);
+    connect(&m_session.document(), &Document::opened, this, &Viewport::wantField);
+    m_widget.installEventFilter(this);
+}
+
+void Viewport::setTool(Tool* tool) {
+    const bool showed = m_tool && m_tool->showsPicture();
+    if (Tool* last = std::exchange(m_tool, nullptr)) {
+        last->cancel();
+        last->leave();
+        last->dismiss();
+    }
+    m_tool = tool;
+    m_active = nullptr;
+    if (tool) tool->choose();
+    updateCursor();
+    if (tool) tellHint(*tool);
+    if (showed != (tool && tool->showsPicture())) m_view.showLooks();
+    m_overlay.update();
+}
+
+/// Without a solid there is nothing that a tool could do.
+void Viewport::tellHint(const Tool& tool) {
+    emit hintChanged(m_dimension == 2 || m_session.frame() ? tool.hint() : QString());
+}
+
+void Viewport::cancelGesture() {
+    if (Tool* tool = std::exchange(m_active, nullptr)) tool->cancel();
+}
+
+void Viewport::takeFrame() {
+    const bool hasShape = m_session.frame() != nullptr;
+    if (std::exchange(m_hasShape, hasShape) != hasShape && m_tool) tellHint(*m_tool);
+    if (m_session.isStale() && !m_dimmed) {
+        if (!m_dim.isActive()) m_dim.start();
+    } else if (!m_session.isStale()) {
+        m_dim.stop();
+        m_dimmed = false;
+    }
+}
+
+void Viewport::redraw(int milliseconds) {
+    if (!m_session.isDragging())
+        m_overlay.update();
+    else if (!m_marksDue.isActive())
+        m_marksDue.start(milliseconds);
+}
+
+void Viewport::takeLooks() {
+    wantField();
+    m_view.showLooks();
+}
+
+/// What shapes of the other dimension want is another view's.
+void Viewport::wantField() {
+    if (m_session.document().dimension() == m_dimension)
+        m_session.setFieldWanted(
+            wantedField(m_looks.map, m_looks.colours.measure, m_looks.arrows || m_looks.values));
+}
+
+void Viewport::setRangeKeeper(QAction& keep) {
+    m_lock = new LegendLock(keep, m_widget);
+    showLegendLock();
+}
+
+void Viewport::showLegendLock() {
+    if (m_lock) m_lock->setVisible(showsMap() && m_session.frame());
+}
+
+void Viewport::paintLegend(QPainter& painter) const {
+    if (showsMap())
+        paintLegendCard(painter, m_widget.size(), m_looks.colours.measure, m_looks.colours.range,
+                        m_widget.palette(), m_dimension);
+}
+
+}  // namespace wend
