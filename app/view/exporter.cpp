@@ -23,18 +23,16 @@ namespace {
 
 constexpr QSize kSolidPreview(360, 300);
 
-QString suffixOf(ExportKind kind, const QString& extension) {
-    if (kind == ExportKind::StMap) return QStringLiteral("-stmap") + extension;
-    const bool numbered = kind == ExportKind::Frames && extension != QStringLiteral(".glb");
-    return (numbered ? QStringLiteral("_####") : QStringLiteral("-bent")) + extension;
+QString suffixOf(const ExportForm& form) {
+    if (form.kind() == ExportKind::StMap) return QStringLiteral("-stmap") + form.extension();
+    const bool numbered = form.kind() == ExportKind::Frames && !form.isFilm();
+    return (numbered ? QStringLiteral("_####") : QStringLiteral("-bent")) + form.extension();
 }
 
-/// With a place for the number of every frame, unless one file holds them all.
-QString withNumber(ExportKind kind, QString path) {
-    const QString suffix = QFileInfo(path).suffix();
-    const bool isFilm = suffix.toLower() == QStringLiteral("glb");
-    if (kind == ExportKind::Frames && !QFileInfo(path).fileName().contains('#') && !isFilm && !path.isEmpty())
-        path.insert(path.size() - suffix.size() - 1, QStringLiteral("_####"));
+/// With a place for the number of every frame.
+QString withNumber(QString path) {
+    if (!path.isEmpty() && !QFileInfo(path).fileName().contains('#'))
+        path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
     return path;
 }
 
@@ -129,17 +127,18 @@ void Exporter::ask(ExportKind kind) {
 
 bool Exporter::writeAs(const ExportForm& form) {
     const RunOptions options = runOptionsFrom(form.values());
-    const QString path = askName(form.kind(), form.extension(), form.filter());
+    const QString path = askName(form);
     if (path.isEmpty() || !mayReplace(form.kind(), path, options.outputs.count)) return false;
     write(form.kind(), path, options);
     return true;
 }
 
-QString Exporter::askName(ExportKind kind, const QString& extension, const QString& filter) {
+QString Exporter::askName(const ExportForm& form) {
     const Document& document = m_session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
-    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(kind, extension));
-    return withNumber(kind, askFileToWrite(&m_window, ExportDialog::title(kind), proposal, filter));
+    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(form));
+    const QString path = askFileToWrite(&m_window, ExportDialog::title(form.kind()), proposal, form.filter());
+    return form.kind() == ExportKind::Frames && !form.isFilm() ? withNumber(path) : path;
 }
 
 bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
@@ -163,7 +162,7 @@ bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
 void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
     if (!shownFrame()) return;
     const auto shape = shownShape();
-    path = withNumber(kind, path);
+    if (kind == ExportKind::Frames && !isAnimation(path.toStdString())) path = withNumber(path);
     emit begun();
     run(workOf(kind, options.outputs.count), path, [=](const RunWatch& watch, std::string& remark) {
         shape->write(kind, path.toStdString(), options, watch, remark);

@@ -13,6 +13,7 @@
 
 #include "app/document/in_background.h"
 #include "app/panels/panel_parts.h"
+#include "app/view/export_button.h"
 #include "app/view/export_preview.h"
 #include "app/view/view_picture.h"
 #include "warp/image_formats.h"
@@ -37,7 +38,8 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
       m_height(new QSpinBox(this)),
       m_tied(new QCheckBox(tr("&Proportions of the view"), this)),
       m_note(new QLabel(this)),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)),
+      m_write(addExportButton(*m_buttons)),
       m_preview(new ExportPreview(this)),
       m_format(new QComboBox(this)),
       m_facts(new QLabel(this)),
@@ -113,10 +115,6 @@ void PictureDialog::lay() {
     all->addWidget(m_facts);
     all->addWidget(m_note);
     all->addWidget(m_buttons);
-    QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
-    save->setText(tr("E&xport…"));
-    save->setIcon({});
-    save->setProperty("role", "primary");
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -141,7 +139,7 @@ void PictureDialog::check() {
                          : tr("Width and height must be between %1 and %2 pixels.")
                                .arg(locale.toString(kSmallest), locale.toString(kLargest)));
     m_note->setVisible(!good);
-    m_buttons->button(QDialogButtonBox::Save)->setEnabled(good);
+    m_write->setEnabled(good);
     m_transparent->setEnabled(holdsAlpha("view" + extension().toStdString()));
     m_facts->setText(pixels());
     ++m_asked;

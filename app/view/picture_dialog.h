@@ -9,6 +9,7 @@ class QComboBox;
 class QDialogButtonBox;
 class QImage;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 
 namespace wend {
@@ -53,6 +54,7 @@ class PictureDialog : public QDialog {
     QCheckBox* m_tied;  // width and height, as in the view
     QLabel* m_note;     // why it cannot be written
     QDialogButtonBox* m_buttons;
+    QPushButton* m_write;
     ExportPreview* m_preview;
     QComboBox* m_format;
     QLabel* m_facts;
