@@ -234,9 +234,12 @@ void SolidWorkshop::exportView() {
 }
 
 QImage SolidWorkshop::smallView(const QSize& size) {
-    PictureChoice choice;
-    choice.size = size;
-    return m_canvas ? viewPicture(*m_canvas, choice) : QImage();
+    const auto frame = m_around.session.frame<3>();
+    if (!m_canvas || !frame) return {};
+    const double ratio = m_window.devicePixelRatioF();
+    QImage picture = m_plain.draw(*m_canvas, *frame, size * ratio);
+    picture.setDevicePixelRatio(ratio);
+    return picture;
 }
 
 void SolidWorkshop::showCut() {
