@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kNumberWidth = 116;  // of all: they stand below each other
+constexpr int kNumberWidth = 140;  // of all: they stand below each other
 
 }  // namespace
 

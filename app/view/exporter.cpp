@@ -6,6 +6,8 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <algorithm>
+#include <iterator>
 
 #include "app/document/in_background.h"
 #include "app/document/said.h"
@@ -21,7 +23,22 @@ namespace wend {
 
 namespace {
 
-constexpr QSize kSolidPreview(360, 300);
+constexpr QSize kSolidPreview(640, 640);  // of which what is empty is left out
+
+/// Without the rows and columns in which nothing is seen.
+QImage seenPart(const QImage& image) {
+    QRect seen;
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        const auto isSeen = [](QRgb pixel) { return qAlpha(pixel) > 0; };
+        const auto* end = row + image.width();
+        const auto* first = std::find_if(row, end, isSeen);
+        if (first == end) continue;
+        const auto last = std::find_if(std::reverse_iterator(end), std::reverse_iterator(row), isSeen);
+        seen |= QRect(QPoint(int(first - row), y), QPoint(int(last.base() - row) - 1, y));
+    }
+    return seen.isNull() ? image : image.copy(seen);
+}
 
 QString suffixOf(const ExportForm& form) {
     if (form.kind() == ExportKind::StMap) return QStringLiteral("-stmap") + form.extension();
@@ -110,7 +127,7 @@ std::shared_ptr<const FrameExport> Exporter::shownShape() const {
 ExportSubject Exporter::subject(ExportKind kind) const {
     const auto shape = shownShape();
     const bool solid = shape->dimension() == 3 && m_looks.solid;
-    return {kind, shape, solid ? m_looks.solid(kSolidPreview) : QImage(),
+    return {kind, shape, solid ? seenPart(m_looks.solid(kSolidPreview)) : QImage(),
             m_looks.picture ? m_looks.picture() : nullptr, m_crop.now()};
 }
 
