@@ -16,6 +16,10 @@ void Film::add(const WarpedPicture& picture) {
     Image frame = picture.header();
     frame.makePixels();
     if (!picture.paint(0, frame)) throw Cancelled();
+    add(frame);
+}
+
+void Film::add(const Image& frame) {
     m_encoder->add(converted(frame, {PixelType::UInt8, 4, true, true}));
 }
 

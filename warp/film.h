@@ -7,8 +7,9 @@ namespace wend {
 
 class FilmEncoder;
 class WarpedPicture;
+struct Image;
 
-/// Warped pictures of one size as a film in one file, an animated WebP: 8 bits deep with alpha, shown for
+/// Pictures of one size as a film in one file, an animated WebP: 8 bits deep with alpha, shown for
 /// equal times, again and again. In memory are its frames as they will be in the file.
 class Film {
   public:
@@ -18,6 +19,7 @@ class Film {
 
     /// Throws InputError, and Cancelled when the picture's painting is stopped.
     void add(const WarpedPicture& picture);
+    void add(const Image& frame);
     /// Throws InputError.
     void write(const std::string& file);
 

@@ -7,6 +7,7 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
+class QFormLayout;
 class QImage;
 class QLabel;
 class QPushButton;
@@ -20,19 +21,24 @@ struct PictureChoice {
     bool transparent = true;
     bool marks = false;   // pins, paths and axes, as they are seen
     bool legend = false;  // of the map, if one is shown
+    bool lossy = false;   // of WebP
+    int frames = 0;       // of a film; 0: a picture
+    double framesPerSecond = 24;
 };
 
 class ExportPreview;
+class OptionField;
 
-/// How large the picture of a view shall be, and what is in it; shows it, smaller, and about how large the
-/// file will be.
+/// How large the picture of a view shall be, or the film of its motion, and what is in it; shows it, smaller,
+/// and about how large the file will be.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
   public:
     using Draw = std::function<QImage(const PictureChoice&)>;
 
-    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {});
+    /// `seconds`: of the motion; 0 if there is none to be filmed.
+    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {}, double seconds = 0);
     PictureChoice choice() const;
     /// Of the format, with its dot.
     QString extension() const;
@@ -48,6 +54,7 @@ class PictureDialog : public QDialog {
     void check();
     void showPreview();
     QString pixels() const;
+    bool isFilm() const;
 
     QSize m_proportions;  // of the view
     QSpinBox *m_width, *m_height;
@@ -57,6 +64,9 @@ class PictureDialog : public QDialog {
     QPushButton* m_write;
     ExportPreview* m_preview;
     QComboBox* m_format;
+    QFormLayout* m_form;
+    OptionField *m_rate, *m_quality;
+    double m_seconds;  // of the motion
     QLabel* m_facts;
     Draw m_draw;
     QTimer m_timer;

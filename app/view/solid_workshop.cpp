@@ -214,8 +214,12 @@ void SolidWorkshop::showDomain() {
 
 void SolidWorkshop::exportView() {
     if (!m_canvas) return;
-    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
-                         [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); });
+    const ShapeSession& session = m_around.session;
+    const bool moves = session.frame() && !session.isBusy() && !session.isStale();
+    PictureDialog dialog(
+        m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
+        [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); },
+        moves ? session.playback().end() * Playback::kSecondsPerUnit : 0);
     QString path;
     while (path.isEmpty()) {
         if (dialog.exec() != QDialog::Accepted) return;
