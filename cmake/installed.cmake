@@ -2,7 +2,7 @@
 # app/session/program_files.cpp): the folder can be moved, and the sources may go.
 set(resources ${PROJECT_SOURCE_DIR}/resources)
 install(TARGETS wend DESTINATION bin)
-install(TARGETS wend-tetgen wend-pictures DESTINATION lib/wend)
+install(TARGETS wend-tetgen wend-cage wend-pictures DESTINATION lib/wend)
 if(WEND_HAS_OPENCL)
     install(TARGETS wend-clprobe DESTINATION lib/wend)
 endif()

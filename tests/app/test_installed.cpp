@@ -85,6 +85,12 @@ void TestInstalled::nothingIsMissing() {
           "share/metainfo/wend.metainfo.xml", "share/doc/wend/LICENSE", "share/wend/manual/manual.md",
           "share/wend/manual/pictures/window.png", "share/wend/samples/eagle-plumage.png"})
         QVERIFY2(QFile::exists(file(QLatin1String(name))), name);
+    // All that the program starts or loads, whatever is added.
+    const QStringList helpers =
+        QDir(QStringLiteral(WEND_BUILD)).entryList({QStringLiteral("wend-*")}, QDir::Files);
+    QVERIFY(helpers.size() >= 3);
+    for (const QString& helper : helpers)
+        QVERIFY2(QFile::exists(file("lib/wend/" + helper)), qPrintable(helper));
     QDirIterator all(m_moved, QDir::Files, QDirIterator::Subdirectories);
     while (all.hasNext()) {
         const QString name = all.next();
