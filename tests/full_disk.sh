@@ -95,6 +95,7 @@ attempt out.json --report DISK/out.json
 for part in phi stiffness direction; do attempt "$part.png" "--$part-picture" "DISK/$part.png"; done
 for format in exr tif; do attempt "map.$format" --stmap "DISK/map.$format"; done
 for format in png exr tif obj vtu; do attempt "f_1.$format" --frames "DISK/f_#.$format" --count 3; done
+attempt film.webp --frames DISK/film.webp --count 3
 
 echo "$runs runs on disks 0 to 4 pages too small: $lost failed"
 [ "$lost" -eq 0 ]

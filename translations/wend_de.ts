@@ -1080,10 +1080,6 @@
         <translation>Zahl der Bilder, zu gleichen Abständen vom Anfang bis zur letzten Zeit</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>Bilder je Sekunde eines bewegten .glb</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>ob Verzerrung, φ, Richtungen und Geschwindigkeit mit Netzen gehen, in Formaten, die Werte tragen</translation>
     </message>
@@ -1332,10 +1328,6 @@
         <translation>&amp;Bilder</translation>
     </message>
     <message>
-        <source>Frames per &amp;second</source>
-        <translation>Bilder je &amp;Sekunde</translation>
-    </message>
-    <message>
         <source>&amp;Values</source>
         <translation>&amp;Werte</translation>
     </message>
@@ -1486,6 +1478,34 @@
     <message>
         <source>Another colour …</source>
         <translation>Andere Farbe …</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3916,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation type="unfinished">Wie der &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4754,10 +4805,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>F&amp;ormat</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
@@ -5973,6 +6020,10 @@
     <message>
         <source>Cell %1</source>
         <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

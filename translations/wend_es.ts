@@ -1300,14 +1300,6 @@
         <translation>&amp;Fotogramas</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>fotogramas por segundo de un .glb animado</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>Fotogramas por &amp;segundo</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>si la distorsión, φ, las direcciones y la velocidad acompañan a las mallas, en los formatos que admiten valores</translation>
     </message>
@@ -1486,6 +1478,34 @@
     <message>
         <source>Another colour …</source>
         <translation>Otro color …</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3916,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation type="unfinished">Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4750,10 +4801,6 @@
     <message>
         <source>&amp;Height</source>
         <translation>Alt&amp;ura</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportar…</translation>
     </message>
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
@@ -5973,6 +6020,10 @@
     <message>
         <source>Cell %1</source>
         <translation>Celda %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

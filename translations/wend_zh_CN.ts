@@ -1300,14 +1300,6 @@
         <translation>帧数(&amp;R)</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>动画 .glb 每秒的帧数</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>帧速率(&amp;S)</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>在支持附加数值的格式中，网格是否附带畸变、φ、方向和速度</translation>
     </message>
@@ -1486,6 +1478,34 @@
     <message>
         <source>Another colour …</source>
         <translation>其他颜色…</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3889,6 +3909,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation type="unfinished">跟随桌面(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4742,10 +4793,6 @@
     <message>
         <source>&amp;Height</source>
         <translation>高度(&amp;H)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>导出(&amp;X)…</translation>
     </message>
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
@@ -5963,6 +6010,10 @@
     <message>
         <source>Cell %1</source>
         <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -196,6 +196,11 @@ bool holdsAlpha(const std::string& path) {
 }
 
 void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows) {
+    writeImage(path, header, stripRows, makeRows, false);
+}
+
+void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows,
+                bool lossy) {
     const Format& format = formatOf(path);
     if (header.width < 1 || header.height < 1) throw InputError(path, "there are no pixels to write");
     // OpenJPEG's encoder halves a picture five times, and writes nothing at all of a smaller one.
@@ -205,9 +210,9 @@ void writeImage(const std::string& path, const Image& header, int stripRows, con
     const PixelLayout layout = fileLayout(format, header);
     writeWhole(path, [&](const std::string& temporary) {
         pictureLibrary(path).write(
-            {format.id, path, temporary, withLayout(header, layout), [&](const TakeRows& take) {
-                 return Strips(header, layout, stripRows, makeRows).forEach(take);
-             }});
+            {format.id, path, temporary, withLayout(header, layout),
+             [&](const TakeRows& take) { return Strips(header, layout, stripRows, makeRows).forEach(take); },
+             lossy});
     });
 }
 

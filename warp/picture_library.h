@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "warp/image.h"
@@ -32,6 +33,25 @@ struct PictureToWrite {
     /// Hands over all strips from top to bottom, until one is refused: then it returns false. It can be asked
     /// again.
     std::function<bool(const TakeRows&)> strips;
+    bool lossy = false;  // of WebP: what the eye hardly misses goes, for a file of a fraction of the size
+};
+
+/// A film on its way into a file, an animated WebP.
+struct FilmToWrite {
+    std::string path;  // the name to speak of
+    double framesPerSecond = 24;
+    bool lossy = false;
+};
+
+/// Takes a film's frames one by one, and keeps them as they will be in the file.
+class FilmEncoder {
+  public:
+    virtual ~FilmEncoder() = default;
+    /// 8 bits deep with alpha, the colours not associated; of the first one's size and with its metadata.
+    /// Throws InputError.
+    virtual void add(const Image& frame) = 0;
+    /// Writes all of them. Throws InputError.
+    virtual void write(const std::string& temporary) = 0;
 };
 
 /// What is done by OpenImageIO. It brings two hundred other libraries along, and to link them takes ten times
@@ -48,6 +68,8 @@ class PictureLibrary {
     virtual StoredPicture read(const PictureSource& source, double maxMegapixels, void (*goOn)()) const = 0;
     /// Throws InputError(path, why) if the file is not what was handed over.
     virtual void write(const PictureToWrite& writing) const = 0;
+    /// Throws InputError(path, why) for a rate that the format does not hold.
+    virtual std::unique_ptr<FilmEncoder> film(const FilmToWrite& writing) const = 0;
 };
 
 /// Loads the module when it is asked for the first time, on behalf of the picture in `path`. Throws

@@ -10,6 +10,7 @@
 #include "core/mesh/error.h"
 #include "warp/at_rest.h"
 #include "warp/convert.h"
+#include "warp/image_formats.h"
 #include "warp/warp_job.h"
 
 namespace wend {
@@ -231,11 +232,12 @@ bool WarpedPicture::paint(int top, Image& strip) const {
     return !job.options.stop.stop_requested();
 }
 
-void writeWarped(const std::string& path, const WarpedPicture& picture, std::optional<PixelType> type) {
+void writeWarped(const std::string& path, const WarpedPicture& picture, std::optional<PixelType> type,
+                 bool lossy) {
     Image header = picture.header();
     header.type = type.value_or(header.type);
     const bool own = header.type == picture.header().type;
-    writeImage(path, header, WarpedPicture::kRows, [&](int top, Image& strip) {
+    const MakeRows makeRows = [&](int top, Image& strip) {
         if (own) {
             if (!picture.paint(top, strip)) throw Cancelled();
             return;
@@ -245,7 +247,8 @@ void writeWarped(const std::string& path, const WarpedPicture& picture, std::opt
         painted.makePixels();
         if (!picture.paint(top, painted)) throw Cancelled();
         strip = converted(painted, layoutOf(strip));
-    });
+    };
+    writeImage(path, header, WarpedPicture::kRows, makeRows, lossy);
 }
 
 }  // namespace wend

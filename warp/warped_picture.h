@@ -44,8 +44,8 @@ class WarpedPicture {
 
 /// Warps and writes strip by strip: beside the source, a few strips are in memory (formats without scan
 /// lines: the whole picture). `type`: instead of the source's, as far as the format holds it; values stay
-/// what they are. Throws InputError, and Cancelled when stopped; nothing is written then.
+/// what they are. `lossy`: of WebP. Throws InputError, and Cancelled when stopped; nothing is written then.
 void writeWarped(const std::string& path, const WarpedPicture& picture,
-                 std::optional<PixelType> type = std::nullopt);
+                 std::optional<PixelType> type = std::nullopt, bool lossy = false);
 
 }  // namespace wend

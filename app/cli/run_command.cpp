@@ -37,7 +37,7 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
     if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
     if (arguments.has("--fps") && !isAnimation(outputs.frames))
-        throw UsageError("--fps is for --frames with a .glb file");
+        throw UsageError("--fps is for --frames with a film: a .webp or .glb without ####");
     return outputs;
 }
 

@@ -267,13 +267,12 @@ constexpr std::array kOptions{
     Option{"", "--frames", File, "", kAny, "", "", "run",
            "write a sequence of pictures or meshes; #### stands for the frame's number. .vtu: with a .pvd "
            "beside; "
-           "a .glb without #### holds all frames of a solid as an animation"},
+           "without #### a .webp holds all pictures as a film, and a .glb all frames of a solid"},
     Option{"", "--count", Integer, "25", kFrames, "", "", "run",
            Options::tr("number of frames, at equal times from the start to the last time"), Field{},
            Row{.label = Options::tr("F&rames")}},
-    Option{"", "--fps", Number, "24", kPositive, "1/s", "", "run",
-           Options::tr("frames per second of an animated .glb"), Field{},
-           Row{.label = Options::tr("Frames per &second"), .decimals = 2}},
+    Option{"", "--fps", Number, "24", kPositive, "1/s", "", "run", Options::tr("frames per second of a film"),
+           Field{}, Row{.label = Options::tr("R&ate"), .unit = Options::tr(" fps"), .decimals = 2}},
     Option{"", "--fields", Choice, "all", kAny, "", "all|none", "run",
            Options::tr(
                "whether distortion, φ, directions and velocity go with meshes, in formats that carry values"),
@@ -324,6 +323,12 @@ constexpr std::array kOptions{
                .words = {{Options::tr("Transparent"), Options::tr("The border, drawn out"),
                           Options::tr("The picture as it was"), Options::tr("White"), Options::tr("Black"),
                           Options::tr("Another colour …")}}}},
+    Option{"", "--webp", Choice, "lossless", kAny, "", "lossless|lossy", "run",
+           Options::tr("whether WebP pictures and films keep every pixel, or are a fraction of the size with "
+                       "losses that are hardly seen"),
+           Field{},
+           Row{.label = Options::tr("&Quality"),
+               .words = {{Options::tr("Every pixel – lossless"), Options::tr("Smaller file – lossy")}}}},
     Option{"", "--partial", Flag, "", kAny, "", "", "run",
            "if the deformation stops early, write the last good shape all the same"},
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",

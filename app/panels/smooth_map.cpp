@@ -12,6 +12,20 @@ constexpr int kRampSteps = 256;
 
 }  // namespace
 
+bool isPainted(Measure measure) {
+    return measure == Measure::Phi || measure == Measure::Stiffness;
+}
+
+template <int Dim>
+std::vector<Eigen::Array4d> softColours(const SimplicialMesh<Dim>& rest, const std::vector<QRgb>& ofCells) {
+    std::vector<Eigen::Array4d> colours;
+    for (const QRgb colour : ofCells) {
+        const QRgb own = qPremultiply(colour);
+        colours.emplace_back(qRed(own), qGreen(own), qBlue(own), qAlpha(own));
+    }
+    return vertexMeans<Dim>(rest, colours, Eigen::Array4d(Eigen::Array4d::Zero()));
+}
+
 /// A cell without area may have a value that is no number: it counts as the largest.
 template <int Dim>
 std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
@@ -31,6 +45,8 @@ std::vector<QRgb> colourRamp(Measure measure) {
     return colours;
 }
 
+template std::vector<Eigen::Array4d> softColours<2>(const SimplicialMesh<2>&, const std::vector<QRgb>&);
+template std::vector<Eigen::Array4d> softColours<3>(const SimplicialMesh<3>&, const std::vector<QRgb>&);
 template std::vector<double> smoothPlaces<2>(const SimplicialMesh<2>&, const std::vector<double>&, Measure,
                                              const MeasureRange&);
 template std::vector<double> smoothPlaces<3>(const SimplicialMesh<3>&, const std::vector<double>&, Measure,

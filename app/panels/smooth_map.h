@@ -4,6 +4,13 @@
 
 namespace wend {
 
+/// What is painted is always seen with soft edges.
+bool isPainted(Measure measure);
+/// For that: colours of cells at the vertices, where they mix: red, green, blue and alpha, premultiplied,
+/// from 0 to 255. (On the way from one to the other there is no third, as between places.)
+template <int Dim>
+std::vector<Eigen::Array4d> softColours(const SimplicialMesh<Dim>& rest, const std::vector<QRgb>& ofCells);
+
 /// A map without the edges of its cells: what the cells have is brought to the vertices (vertexMeans), goes
 /// linearly between their places in the range, and has the colour of each place in between.
 ///

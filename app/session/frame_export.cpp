@@ -1,6 +1,7 @@
 #include "app/session/frame_export.h"
 
 #include <QDir>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -12,6 +13,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
+#include "warp/film.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -116,7 +118,7 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     warp.stop = watch.stop;
     if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
     requireDepth(path, options);
-    writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth);
+    writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth, options.lossy);
 }
 
 void FrameExport::writeStMap(const std::string& path, const View& view) const {
@@ -171,11 +173,12 @@ void FrameExport::write(ExportKind kind, const std::string& path, const RunOptio
 FileSize FrameExport::size(ExportKind kind, const std::string& extension, const RunOptions& options,
                            std::stop_token stop) const {
     const double count = kind == ExportKind::Frames ? options.outputs.count : 1;
+    if (kind == ExportKind::Frames && isAnimation(options.outputs.frames))
+        return {filmSize(options, stop), false};
     if (canWriteImage("size" + extension)) {
         const FileSize one = pictureSize(kind, extension, options, stop);
         return {count * one.bytes, one.measured && kind != ExportKind::Frames};
     }
-    if (kind == ExportKind::Frames && isAnimation("size" + extension)) return {filmSize(options), false};
     RunWatch watch;
     watch.stop = stop;
     std::string remark;
@@ -204,17 +207,53 @@ FileSize FrameExport::pictureSize(ExportKind kind, const std::string& extension,
     return {bytes * whole.height / rows, measured};
 }
 
-/// A film in one file grows by the same with every frame.
-double FrameExport::filmSize(const RunOptions& options) const {
-    const auto solid = posed<3>(m_frame);
+/// A film in one file grows by about the same with every frame.
+double FrameExport::filmSize(const RunOptions& options, const std::stop_token& stop) const {
     const auto bytes = [&](int count) {
-        const std::vector<Points<3>> poses(static_cast<std::size_t>(count), solid->pose);
-        return bytesOf(".glb", [&](const std::string& file) {
-            writeAnimation(file, *solid->built, poses, options.outputs.framesPerSecond);
-        });
+        return dimension() == 3 ? solidFilmBytes(count, options) : pictureFilmBytes(count, options, stop);
     };
     const double two = bytes(2), three = bytes(3);
     return two + (options.outputs.count - 2) * (three - two);
+}
+
+double FrameExport::solidFilmBytes(int count, const RunOptions& options) const {
+    const auto solid = posed<3>(m_frame);
+    const std::vector<Points<3>> poses(static_cast<std::size_t>(count), solid->pose);
+    return bytesOf(".glb", [&](const std::string& file) {
+        writeAnimation(file, *solid->built, poses, options.outputs.framesPerSecond);
+    });
+}
+
+/// So many frames from the middle of the motion on; of a large picture in strips.
+double FrameExport::pictureFilmBytes(int count, const RunOptions& options,
+                                     const std::stop_token& stop) const {
+    const View whole = view(ExportKind::Frames, options.canvas);
+    const bool small = static_cast<double>(whole.width) * whole.height <= kMeasured;
+    WarpOptions warp = warpOptions(options);
+    warp.stop = stop;
+    double bytes = 0, rows = 0;
+    for (const View& part : small ? std::vector<View>{whole} : bandsOf(whole)) {
+        Film film("size.webp", options.outputs.framesPerSecond, options.lossy);
+        for (int k = 0; k < count; ++k) {
+            const Points<2> pose = poseAt(0.5 + double(k) / options.outputs.count);
+            film.add(WarpedPicture(*m_picture, *m_rest, pose, part, warp));
+        }
+        rows += part.height;
+        bytes += bytesOf(".webp", [&](const std::string& file) { film.write(file); });
+    }
+    return bytes * whole.height / rows;
+}
+
+/// In pixels, after that part of the motion, between the frames that there are.
+Points<2> FrameExport::poseAt(double part) const {
+    if (m_motion.empty()) return m_pose;
+    const double time = part * m_motion.back()->time;
+    const auto after = std::ranges::find_if(m_motion, [&](const FramePtr& one) { return one->time >= time; });
+    const FramePtr& right = after == m_motion.end() ? m_motion.back() : *after;
+    const FramePtr& left = after == m_motion.begin() || after == m_motion.end() ? right : *(after - 1);
+    const double span = right->time - left->time, blend = span > 0 ? (time - left->time) / span : 0;
+    const auto one = posed<2>(left), other = posed<2>(right);
+    return inPixels(*one->built, (1 - blend) * one->pose + blend * other->pose);
 }
 
 }  // namespace wend

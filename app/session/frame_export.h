@@ -48,7 +48,8 @@ class FrameExport {
     /// should know of what was written. Throws InputError and Cancelled.
     void write(ExportKind kind, const std::string& path, const RunOptions& options, const RunWatch& watch,
                std::string& remark) const;
-    /// Of the file or, reckoned from one, all of a sequence. `extension`: with its dot. Throws as write().
+    /// Of the file or, reckoned from one, all of a sequence, or of the film that `options` name (see
+    /// isAnimation()). `extension`: with its dot. Throws as write().
     FileSize size(ExportKind kind, const std::string& extension, const RunOptions& options,
                   std::stop_token stop) const;
 
@@ -64,7 +65,10 @@ class FrameExport {
     void writeFrames(const std::string& path, const RunOptions& options, const RunWatch& watch) const;
     FileSize pictureSize(ExportKind kind, const std::string& extension, const RunOptions& options,
                          std::stop_token stop) const;
-    double filmSize(const RunOptions& options) const;
+    double filmSize(const RunOptions& options, const std::stop_token& stop) const;
+    double solidFilmBytes(int count, const RunOptions& options) const;
+    double pictureFilmBytes(int count, const RunOptions& options, const std::stop_token& stop) const;
+    Points<2> poseAt(double part) const;
     Extent<2> extent(ExportKind kind) const;
 
     std::shared_ptr<const Project> m_project;

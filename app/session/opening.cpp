@@ -1,12 +1,12 @@
 #include "app/session/opening.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
 #include "app/document/project_file.h"
 #include "app/session/flat_shape.h"
+#include "app/session/program_files.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
@@ -100,14 +100,6 @@ OpenedFile openMesh(const QString& path) {
     OpenedFile file;
     file.project = std::make_shared<const Project>(std::move(project));
     return file;
-}
-
-QString sampleFolder() {
-    const QString program = QCoreApplication::applicationDirPath();
-    for (const QString& folder :
-         {program + QStringLiteral("/../share/wend/samples"), QStringLiteral(WEND_SAMPLES)})
-        if (QFileInfo::exists(folder)) return QDir(folder).canonicalPath();
-    return {};
 }
 
 QString patternsOf(const std::vector<std::string>& extensions) {

@@ -22,6 +22,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
+#include "warp/film.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -100,6 +101,7 @@ class Run {
             writePictures(pose);
             writeMaterial();
             writeWaitingFrames();
+            writeFilm();
         } else {
             writeAnimation();
         }
@@ -168,17 +170,21 @@ class Run {
 
     const std::vector<float>& depths() { return *m_depths.of(m_project.depth, m_shape.rest); }
 
-    /// Writes the picture in the pixels of `view`. Throws Cancelled.
-    void writePicture(const std::string& file, const Points<2>& pixels, const View& view,
-                      const std::function<void(double)>& progress) {
+    /// The picture in the pixels of `view`.
+    WarpedPicture warped(const Points<2>& pixels, const View& view,
+                         const std::function<void(double)>& progress) {
         if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
         WarpOptions options = warpOptionsOf(m_project, m_options);
         options.depth = depths();
         options.makePainter = m_painters;
         options.stop = m_watch.stop;
         options.progress = progress;
-        writeWarped(file, WarpedPicture(*m_shape.picture, restInPixels(m_shape), pixels, view, options),
-                    m_options.depth);
+        return {*m_shape.picture, restInPixels(m_shape), pixels, view, options};
+    }
+
+    /// Throws Cancelled.
+    void writePicture(const std::string& file, const WarpedPicture& picture) const {
+        writeWarped(file, picture, m_options.depth, m_options.lossy);
     }
 
     /// Tells what is between the fractions `from` and `to` of the warping.
@@ -197,8 +203,9 @@ class Run {
         const Points<2> pixels = inPixels(m_shape, pose);
         const View view = canvasView(*m_shape.picture, extent(pixels), m_options.canvas);
         if (!outputs.image.empty())
-            m_files.add(outputs.image, ".png",
-                        [&](const std::string& file) { writePicture(file, pixels, view, warping(0, 1)); });
+            m_files.add(outputs.image, ".png", [&](const std::string& file) {
+                writePicture(file, warped(pixels, view, warping(0, 1)));
+            });
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(restInPixels(m_shape), pixels, view, m_shape.picture->width,
@@ -283,8 +290,19 @@ class Run {
 
     void writePictureFrame(int number, const Points<2>& pixels, const View& view,
                            const std::function<void(double)>& progress) {
-        m_files.add(frameName(m_options.outputs.frames, number), "",
-                    [&](const std::string& file) { writePicture(file, pixels, view, progress); });
+        const std::string& pattern = m_options.outputs.frames;
+        const WarpedPicture picture = warped(pixels, view, progress);
+        if (!isAnimation(pattern))
+            return m_files.add(frameName(pattern, number), "",
+                               [&](const std::string& file) { writePicture(file, picture); });
+        if (!m_film) m_film.emplace(pattern, m_options.outputs.framesPerSecond, m_options.lossy);
+        m_film->add(picture);
+    }
+
+    void writeFilm() {
+        if (m_film)
+            m_files.add(m_options.outputs.frames, ".webp",
+                        [&](const std::string& file) { m_film->write(file); });
     }
 
     void writeReport() {
@@ -323,6 +341,7 @@ class Run {
     int m_frames = 0;                   // passed
     std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
     Extent<2> m_allFrames;              // around those that wait
+    std::optional<Film> m_film;         // of pictures
     std::vector<Points<Dim>> m_animation;
     std::vector<std::string> m_names;  // of the mesh frames …
     std::vector<double> m_times;       // … and their times

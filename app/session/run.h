@@ -22,9 +22,9 @@ struct AdvanceResult;
 struct RunOutputs {
     std::string image, mesh, velocity, stMap, report;
     MaterialPictures material;    // at rest, of what there is in the plane
-    std::string frames;           // with #### for the number, counted from 0; or one .glb that holds them all
+    std::string frames;           // with #### for the number, counted from 0; or one film, see isAnimation()
     int count = 25;               // of frames, at equal times from 0 to the end, both included
-    double framesPerSecond = 24;  // of a .glb
+    double framesPerSecond = 24;  // of a film
 };
 
 /// What part of the plane a picture shows: as large as the source, as the shape needs, or a part of the
@@ -45,6 +45,7 @@ struct RunOptions {
     std::optional<PixelType> depth;  // of pictures; without: the source's
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour
+    bool lossy = false;                          // of WebP
     bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
     MeshWriteOptions meshes;
     bool partial = false;  // if the deformation stops early, write the last good shape all the same
@@ -70,7 +71,8 @@ void requirePossible(const Project& project, const RunOutputs& outputs);
 AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
                          const RunWatch& watch = {});
 
-/// Whether the frames go into one file: a .glb without a place for the number.
+/// Whether the frames go into one file: a .webp of pictures, a .glb of a solid, without a place for the
+/// number.
 bool isAnimation(const std::string& frames);
 /// The collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd"; empty for others.
 std::string collectionName(const std::string& pattern);

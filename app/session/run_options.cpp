@@ -53,6 +53,7 @@ RunOptions runOptionsFrom(const OptionValues& values) {
     options.filter = values.choice<Filter>("--filter");
     options.canvas = canvasOf(values.text("--canvas"));
     options.depth = depthOf(values.text("--depth"));
+    options.lossy = values.text("--webp") == "lossy";
     takeOutside(values.text("--outside"), options);
     options.partial = values.has("--partial");
     options.fields = values.text("--fields") == "all";

@@ -38,17 +38,17 @@ bool isOneOf(const std::string& word, std::initializer_list<const char*> words) 
 }
 
 void requireFrames(const Project& project, const std::string& path) {
-    if (isAnimation(path)) return requireShapeFormat(path, lowerExtension(path), project.dimension());
-    if (path.find('#') == std::string::npos)
+    const bool pictures = canWriteImage(path);
+    if (!isAnimation(path) && path.find('#') == std::string::npos)
         throw InputError(path, "the name of a sequence needs #### in the place of the number");
-    if (canWriteImage(path)) return requirePicture(project, path);
+    if (pictures) return requirePicture(project, path);
     requireShapeFormat(path, lowerExtension(path), project.dimension());
 }
 
 }  // namespace
 
 bool isAnimation(const std::string& frames) {
-    return lowerExtension(frames) == ".glb" && frames.find('#') == std::string::npos;
+    return isOneOf(lowerExtension(frames), {".glb", ".webp"}) && frames.find('#') == std::string::npos;
 }
 
 std::string collectionName(const std::string& pattern) {

@@ -5,6 +5,7 @@
 #include <QUndoStack>
 
 #include "app/view/backdrop_choice.h"
+#include "app/view/language_choice.h"
 #include "app/view/menu_letters.h"
 #include "app/view/toolbox.h"
 
@@ -18,6 +19,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
       samples(std::make_unique<QMenu>()),
       exports(std::make_unique<QMenu>()),
       backdrop(new BackdropChoice(this)),
+      languages(new LanguageChoice(this)),
       speed(std::make_unique<QMenu>()),
       markSizes(std::make_unique<QMenu>()),
       m_tools(tools) {
@@ -190,6 +192,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     appearance->addSeparator();
     appearance->addMenu(markSizes.get());
     appearance->addAction(lessMotion);
+    view->addMenu(languages->menu());
     view->addActions({showProperties, fullScreen});
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
     window.menuBar()->addMenu(more);

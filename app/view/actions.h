@@ -11,6 +11,7 @@ class QUndoStack;
 namespace wend {
 
 class BackdropChoice;
+class LanguageChoice;
 class Toolbox;
 
 /// Everything that can be done in the window beside its tools, with name, shortcut and explanation. What a
@@ -32,6 +33,7 @@ class Actions : public ActionMaker {
     QAction *about, *manual, *tutorial, *tips, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
     BackdropChoice* const backdrop;
+    LanguageChoice* const languages;
     /// Of playing and recording, and of marks; the factor is the data of their actions.
     const std::unique_ptr<QMenu> speed, markSizes;
 

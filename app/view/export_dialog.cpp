@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/view/export_button.h"
+
 namespace wend {
 
 QString ExportDialog::title(ExportKind kind) {
@@ -24,9 +26,7 @@ ExportDialog::ExportDialog(const ExportSubject& subject, QWidget* parent)
     : QDialog(parent), m_form(new ExportForm(ExportForm::Fields::Beside, this)) {
     setWindowTitle(title(subject.kind));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    auto* write = buttons->addButton(tr("E&xport…"), QDialogButtonBox::AcceptRole);
-    write->setProperty("role", "primary");
-    write->setDefault(true);
+    QPushButton* write = addExportButton(*buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_form, &ExportForm::readyChanged, write, &QWidget::setEnabled);

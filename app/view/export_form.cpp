@@ -22,7 +22,8 @@ namespace wend {
 
 namespace {
 
-constexpr int kLow = 168;  // of a preview above its fields, where room is scarce
+constexpr int kFilmRole = Qt::UserRole + 1;  // of a format's entry: whether it is a film
+constexpr int kLow = 168;                    // of a preview above its fields, where room is scarce
 
 QString bytesText(double bytes) {
     return QLocale().formattedDataSize(static_cast<qint64>(bytes), bytes < 1000 ? 0 : 1,
@@ -44,7 +45,7 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     m_format->setObjectName(QStringLiteral("format"));
     describe(m_format, tr("Format"), tr("What kind of file is written."));
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        m_formats[kind()] = extension();
+        m_formats[kind()] = m_format->currentText();
         adapt();
     });
     makeFields();
@@ -116,92 +117,11 @@ void ExportForm::showFormats() {
     const QSignalBlocker quiet(m_format);
     const QString before = m_formats[kind()];
     m_format->clear();
-    for (const ExportFormat& format : exportFormats(kind(), *shape()))
+    for (const ExportFormat& format : exportFormats(kind(), *shape())) {
         m_format->addItem(format.name, format.extension);
-    m_format->setCurrentIndex(std::max(0, m_format->findData(before)));
-}
-
-void ExportForm::makeFields() {
-    for (const char* flag : {"--count", "--fps", "--depth", "--canvas", "--outside", "--filter", "--fields",
-                             "--encoding", "--msh", "--border"}) {
-        auto* field = new OptionField(flag, this);
-        m_fields << field;
-        connect(field, &OptionField::changed, this, [this, field] {
-            tieRate(*field);
-            adapt();
-        });
+        m_format->setItemData(m_format->count() - 1, format.film, kFilmRole);
     }
-}
-
-void ExportForm::makeCropNote(Fields place) {
-    m_crop->setObjectName(QStringLiteral("cropNote"));
-    const QString label = tr("Fit the &Canvas");
-    auto* fit = new QPushButton(place == Fields::Beside ? label : withoutKey(label), m_crop);
-    fit->setAutoDefault(false);
-    describe(fit, tr("Fit the canvas"),
-             tr("Make the canvas as large as the shape needs, so that nothing is cut off."));
-    connect(fit, &QPushButton::clicked, this, [this] { field("--canvas")->setValue("fit"); });
-    m_cropText->setWordWrap(true);
-    m_cropText->setProperty("role", "warning");
-    auto* line =
-        new QBoxLayout(place == Fields::Beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom, m_crop);
-    line->setContentsMargins(12, 8, 8, 8);
-    line->addWidget(m_cropText, 1);
-    line->addWidget(fit);
-    m_crop->setAttribute(Qt::WA_StyledBackground);
-    m_crop->hide();
-}
-
-/// A box to tick has its words beside it.
-void ExportForm::addRow(OptionField& field, bool hasKey) {
-    if (field.option().kind == OptionKind::Flag) {
-        field.sayLabel(hasKey);
-        return m_form->addRow(&field);
-    }
-    m_form->addRow(hasKey ? field.label() : withoutKey(field.label()), &field);
-}
-
-/// Below, what is too long for its line has the next one for itself, and the menus of the window have the
-/// keys.
-void ExportForm::lay(Fields place) {
-    const bool beside = place == Fields::Beside;
-    if (!beside) m_form->setHorizontalSpacing(4);
-    m_form->setVerticalSpacing(beside ? 10 : 6);
-    m_form->setRowWrapPolicy(beside ? QFormLayout::DontWrapRows : QFormLayout::WrapLongRows);
-    m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    const QString format = tr("F&ormat");
-    m_form->addRow(beside ? format : withoutKey(format), m_format);
-    for (OptionField* field : m_fields) addRow(*field, beside);
-    m_facts->setObjectName(QStringLiteral("facts"));
-    m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_facts->setWordWrap(!beside);
-    m_problem->setObjectName(QStringLiteral("problem"));
-    m_problem->setProperty("role", "warning");
-    m_problem->setWordWrap(true);
-    m_problem->hide();
-    auto* fields = new QVBoxLayout;
-    fields->addLayout(m_form);
-    fields->addStretch(1);
-    auto* top = new QBoxLayout(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    top->setSpacing(beside ? 20 : 8);
-    top->addWidget(m_preview, 1);
-    if (!beside) top->addWidget(m_facts);
-    top->addLayout(fields);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(beside ? 12 : 8);
-    all->addLayout(top, 1);
-    if (beside) all->addWidget(m_facts);
-    all->addWidget(m_crop);
-    all->addWidget(m_problem);
-    for (QComboBox* box : findChildren<QComboBox*>()) {
-        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        if (beside) {
-            box->setMinimumWidth(220);
-        } else {
-            box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        }
-    }
+    m_format->setCurrentIndex(std::max(0, m_format->findText(before)));
 }
 
 QString ExportForm::extension() const {
@@ -210,6 +130,10 @@ QString ExportForm::extension() const {
 
 QString ExportForm::filter() const {
     return QStringLiteral("%1 (*%2)").arg(m_format->currentText(), extension());
+}
+
+bool ExportForm::isFilm() const {
+    return m_format->currentData(kFilmRole).toBool();
 }
 
 bool ExportForm::isPicture() const {
@@ -227,6 +151,8 @@ bool ExportForm::takes(const std::string& flag) const {
     const std::string file = "mesh" + extension().toStdString();
     if (flag == "--count" || flag == "--fps") return kind() == ExportKind::Frames;
     if (flag == "--canvas") return isPicture();
+    if (flag == "--webp") return extension() == QStringLiteral(".webp");
+    if (flag == "--depth" && isFilm()) return false;
     if (flag == "--depth" || flag == "--outside" || flag == "--filter")
         return isPicture() && kind() != ExportKind::StMap;
     if (isPicture()) return false;
@@ -240,6 +166,13 @@ OptionValues ExportForm::values() const {
     for (const OptionField* field : m_fields)
         if (takes(field->flag()) && !field->value().empty()) values.set(field->flag(), field->value());
     return values;
+}
+
+/// With the name of a film, or of a sequence, for the size.
+RunOptions ExportForm::options() const {
+    RunOptions options = runOptionsFrom(values());
+    options.outputs.frames = (isFilm() ? "film" : "frame_####") + extension().toStdString();
+    return options;
 }
 
 /// The film lasts as long as the motion: number and rate of its frames follow each other.
@@ -380,7 +313,7 @@ void ExportForm::startSize() {
     m_sizeStop = std::stop_source();
     const std::stop_token stop = m_sizeStop.get_token();
     const auto measure = [shape = m_subject.shape, kind = kind(), extension = extension().toStdString(),
-                          options = runOptionsFrom(values()), stop] {
+                          options = options(), stop] {
         return answerOf<FileSize>([&] { return shape->size(kind, extension, options, stop); });
     };
     inBackground(this, measure, [this, asked = m_asked](const Answer<FileSize>& answer) {

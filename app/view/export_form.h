@@ -45,6 +45,8 @@ class ExportForm : public QWidget {
     QString extension() const;
     /// For a file dialog.
     QString filter() const;
+    /// Whether one file holds all frames.
+    bool isFilm() const;
     /// What was chosen, of the options that the format knows.
     OptionValues values() const;
     /// What a file would get as an option's control: null if this kind of export has none.
@@ -70,6 +72,7 @@ class ExportForm : public QWidget {
     void showFormats();
     void showPart();
     bool isPicture() const;
+    RunOptions options() const;
     bool takes(const std::string& flag) const;
     void adapt();
     void tieRate(const OptionField& changed);
@@ -84,7 +87,7 @@ class ExportForm : public QWidget {
     void tellProblem(const QString& problem);
 
     ExportSubject m_subject;
-    std::map<ExportKind, QString> m_formats;  // chosen last
+    std::map<ExportKind, QString> m_formats;  // chosen last, by name
     std::optional<PixelRect> m_part;          // that is offered as canvas
     double m_seconds = 0;                     // of the motion that number and rate of frames were told for
     ExportPreview* m_preview;

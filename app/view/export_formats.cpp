@@ -10,6 +10,7 @@ using Formats = QList<ExportFormat>;
 
 const Formats kPictures{
     {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
+const Formats kFilms{{"WebP film", ".webp", true}};
 const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
 /// Surfaces first in the plane, in space what holds the solid itself.
 Formats meshFormats(bool solid, bool film) {
@@ -21,7 +22,7 @@ Formats meshFormats(bool solid, bool film) {
             << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),
                             QString::fromUtf8(first.data(), first.size())};
     }
-    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb")});
+    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb"), true});
     if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
     return formats + others;
 }
@@ -34,7 +35,7 @@ QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
     const bool solid = shape.dimension() == 3;
     const bool film = kind == ExportKind::Frames;
     const Formats meshes = meshFormats(solid, film);
-    return film && shape.picture() ? kPictures + meshes : meshes;
+    return film && shape.picture() ? kPictures + kFilms + meshes : meshes;
 }
 
 }  // namespace wend

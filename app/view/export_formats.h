@@ -9,6 +9,7 @@ namespace wend {
 
 struct ExportFormat {
     QString name, extension;  // with its dot
+    bool film = false;        // all frames in one file
 };
 
 /// What a shape can be written as, what suits it best first.

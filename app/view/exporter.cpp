@@ -6,6 +6,8 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <algorithm>
+#include <iterator>
 
 #include "app/document/in_background.h"
 #include "app/document/said.h"
@@ -21,20 +23,33 @@ namespace wend {
 
 namespace {
 
-constexpr QSize kSolidPreview(360, 300);
+constexpr QSize kSolidPreview(640, 640);  // of which what is empty is left out
 
-QString suffixOf(ExportKind kind, const QString& extension) {
-    if (kind == ExportKind::StMap) return QStringLiteral("-stmap") + extension;
-    const bool numbered = kind == ExportKind::Frames && extension != QStringLiteral(".glb");
-    return (numbered ? QStringLiteral("_####") : QStringLiteral("-bent")) + extension;
+/// Without the rows and columns in which nothing is seen.
+QImage seenPart(const QImage& image) {
+    QRect seen;
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        const auto isSeen = [](QRgb pixel) { return qAlpha(pixel) > 0; };
+        const auto* end = row + image.width();
+        const auto* first = std::find_if(row, end, isSeen);
+        if (first == end) continue;
+        const auto last = std::find_if(std::reverse_iterator(end), std::reverse_iterator(row), isSeen);
+        seen |= QRect(QPoint(int(first - row), y), QPoint(int(last.base() - row) - 1, y));
+    }
+    return seen.isNull() ? image : image.copy(seen);
 }
 
-/// With a place for the number of every frame, unless one file holds them all.
-QString withNumber(ExportKind kind, QString path) {
-    const QString suffix = QFileInfo(path).suffix();
-    const bool isFilm = suffix.toLower() == QStringLiteral("glb");
-    if (kind == ExportKind::Frames && !QFileInfo(path).fileName().contains('#') && !isFilm && !path.isEmpty())
-        path.insert(path.size() - suffix.size() - 1, QStringLiteral("_####"));
+QString suffixOf(const ExportForm& form) {
+    if (form.kind() == ExportKind::StMap) return QStringLiteral("-stmap") + form.extension();
+    const bool numbered = form.kind() == ExportKind::Frames && !form.isFilm();
+    return (numbered ? QStringLiteral("_####") : QStringLiteral("-bent")) + form.extension();
+}
+
+/// With a place for the number of every frame.
+QString withNumber(QString path) {
+    if (!path.isEmpty() && !QFileInfo(path).fileName().contains('#'))
+        path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
     return path;
 }
 
@@ -112,7 +127,7 @@ std::shared_ptr<const FrameExport> Exporter::shownShape() const {
 ExportSubject Exporter::subject(ExportKind kind) const {
     const auto shape = shownShape();
     const bool solid = shape->dimension() == 3 && m_looks.solid;
-    return {kind, shape, solid ? m_looks.solid(kSolidPreview) : QImage(),
+    return {kind, shape, solid ? seenPart(m_looks.solid(kSolidPreview)) : QImage(),
             m_looks.picture ? m_looks.picture() : nullptr, m_crop.now()};
 }
 
@@ -129,17 +144,18 @@ void Exporter::ask(ExportKind kind) {
 
 bool Exporter::writeAs(const ExportForm& form) {
     const RunOptions options = runOptionsFrom(form.values());
-    const QString path = askName(form.kind(), form.extension(), form.filter());
+    const QString path = askName(form);
     if (path.isEmpty() || !mayReplace(form.kind(), path, options.outputs.count)) return false;
     write(form.kind(), path, options);
     return true;
 }
 
-QString Exporter::askName(ExportKind kind, const QString& extension, const QString& filter) {
+QString Exporter::askName(const ExportForm& form) {
     const Document& document = m_session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
-    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(kind, extension));
-    return withNumber(kind, askFileToWrite(&m_window, ExportDialog::title(kind), proposal, filter));
+    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(form));
+    const QString path = askFileToWrite(&m_window, ExportDialog::title(form.kind()), proposal, form.filter());
+    return form.kind() == ExportKind::Frames && !form.isFilm() ? withNumber(path) : path;
 }
 
 bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
@@ -163,7 +179,7 @@ bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
 void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
     if (!shownFrame()) return;
     const auto shape = shownShape();
-    path = withNumber(kind, path);
+    if (kind == ExportKind::Frames && !isAnimation(path.toStdString())) path = withNumber(path);
     emit begun();
     run(workOf(kind, options.outputs.count), path, [=](const RunWatch& watch, std::string& remark) {
         shape->write(kind, path.toStdString(), options, watch, remark);

@@ -42,7 +42,7 @@ class Exporter : public QObject {
     /// Asks for the name and writes. False if it was not to be.
     bool writeAs(const ExportForm& form);
     /// What the slots write once all is chosen, by extension. Of a sequence the name has ####, which is added
-    /// if it is missing, or it is one .glb. Tells with failed() or done(), later.
+    /// if it is missing, or it is one film (see isAnimation()). Tells with failed() or done(), later.
     void write(ExportKind kind, QString path, const RunOptions& options = {});
     /// Whether this may be written there: asks if it would replace one of the document's own files, or frames
     /// that are there.
@@ -71,7 +71,7 @@ class Exporter : public QObject {
         bool stopped = false;
     };
     void ask(ExportKind kind);
-    QString askName(ExportKind kind, const QString& extension, const QString& filter);
+    QString askName(const ExportForm& form);
     void run(const QString& what, const QString& path, Job job);
     void tell(const Result& result, const QString& path);
     std::shared_ptr<const FrameExport> shownShape() const;

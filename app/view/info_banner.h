@@ -16,7 +16,7 @@ class InfoBanner : public QWidget {
 
   public:
     /// What a line is about, and with that when it goes.
-    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Mesh };
+    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Mesh, Language };
     /// A button that puts it right.
     struct Remedy {
         QString text;

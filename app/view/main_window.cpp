@@ -34,6 +34,7 @@
 #include "app/view/film_controls.h"
 #include "app/view/first_tips.h"
 #include "app/view/info_banner.h"
+#include "app/view/language_choice.h"
 #include "app/view/material_actions.h"
 #include "app/view/mode_row.h"
 #include "app/view/option_row.h"
@@ -311,6 +312,10 @@ void MainWindow::connectHelp() {
                    *m_properties->material().energySlider(), *m_tutorial, *m_actions->tips},
                   *m_pages);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
+    connect(m_actions->languages, &LanguageChoice::changed, this,
+            [this](const QString& text, const QString& again) {
+                m_banner->tell(Topic::Language, text, {{again, [this] { startAgain(); }}});
+            });
     connect(m_actions->tutorial, &QAction::triggered, this, [this] {
         m_tutorial->begin();
         m_files->open(Tutorial::picture());
@@ -319,6 +324,13 @@ void MainWindow::connectHelp() {
 
 void MainWindow::openPath(const QString& path) {
     m_files->open(path);
+}
+
+void MainWindow::startAgain() {
+    if (!close()) return;
+    const Document& document = m_session.document();
+    const QString file = document.path().isEmpty() ? document.source() : document.path();
+    m_again = file.isEmpty() ? QStringList() : QStringList(file);
 }
 
 void MainWindow::showDocument() {

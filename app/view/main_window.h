@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 #include <memory>
+#include <optional>
 
 #include "app/session/shape_session.h"
 
@@ -52,6 +53,10 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     void openPath(const QString& path);
+    /// Closes the window, if what is unsaved lets it, to be opened by a new start of the program.
+    void startAgain();
+    /// The arguments of that start: the file that is open.
+    const std::optional<QStringList>& again() const { return m_again; }
 
     ShapeSession& session() { return m_session; }
     ShapeCanvas& canvas() { return *m_canvas; }
@@ -125,6 +130,7 @@ class MainWindow : public QMainWindow {
     BusyNote* m_note;
     WorkNote* m_work;
     Tutorial* m_tutorial;
+    std::optional<QStringList> m_again;
     QString m_opening;  // the file that is being read
     ModeRow* m_modes = nullptr;
     QToolBar* m_topBar = nullptr;

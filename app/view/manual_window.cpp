@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "app/panels/panel_parts.h"
+#include "app/session/program_files.h"
 
 namespace wend {
 
@@ -18,6 +19,44 @@ namespace {
 
 const char* kFirstPage = "qrc:/wend/docs/manual.md";
 const char* kFolder = ":/wend/docs";
+
+constexpr int kWidest = 800;  // of a picture: what the window shows without being moved to the side
+
+/// What a page says; empty if there is none.
+void readPage(const QUrl& page, QTextDocument& into) {
+    QFile file(':' + page.path());
+    if (file.open(QIODevice::ReadOnly)) into.setMarkdown(QString::fromUtf8(file.readAll()));
+}
+
+/// The pages are within the program, their pictures beside it.
+class ManualPages : public QTextBrowser {
+  public:
+    using QTextBrowser::QTextBrowser;
+
+  protected:
+    /// As HTML: where it is seen while it is read, Markdown is laid out anew for every cell of its tables.
+    void doSetSource(const QUrl& name, QTextDocument::ResourceType) override {
+        QTextBrowser::doSetSource(name, QTextDocument::HtmlResource);
+    }
+
+    QVariant loadResource(int type, const QUrl& name) override {
+        if (type != QTextDocument::ImageResource) return html(name);
+        QImage image(manualFolder() + QStringLiteral("/pictures/") + name.fileName());
+        if (image.isNull()) image.load(sampleFolder() + '/' + name.fileName());
+        const int width = qRound(std::min(kWidest, viewport()->width()) * devicePixelRatioF());
+        if (image.width() > width) image = image.scaledToWidth(width, Qt::SmoothTransformation);
+        image.setDevicePixelRatio(devicePixelRatioF());
+        return image;
+    }
+
+  private:
+    QString html(const QUrl& name) const {
+        QTextDocument page;
+        page.setDefaultFont(font());
+        readPage(name, page);
+        return page.toHtml();
+    }
+};
 
 /// Those behind a page, then those before it, at last itself.
 QList<QUrl> pagesAfter(const QUrl& page) {
@@ -31,10 +70,8 @@ QList<QUrl> pagesAfter(const QUrl& page) {
 
 /// As the window would find it, in what is read rather than in how it is written.
 bool isOn(const QUrl& page, const QString& words) {
-    QFile file(':' + page.path());
-    if (!file.open(QIODevice::ReadOnly)) return false;
     QTextDocument text;
-    text.setMarkdown(QString::fromUtf8(file.readAll()));
+    readPage(page, text);
     return !text.find(words).isNull();
 }
 
@@ -42,7 +79,7 @@ bool isOn(const QUrl& page, const QString& words) {
 
 ManualWindow::ManualWindow(QWidget* parent)
     : QDialog(parent),
-      m_pages(new QTextBrowser(this)),
+      m_pages(new ManualPages(this)),
       m_search(new QLineEdit(this)),
       m_nowhere(secondLabel(tr("This stands on no page."), this)) {
     setWindowTitle(tr("Manual"));

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -9,10 +10,13 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <algorithm>
 #include <cmath>
 
 #include "app/document/in_background.h"
+#include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
+#include "app/view/export_button.h"
 #include "app/view/export_preview.h"
 #include "app/view/view_picture.h"
 #include "warp/image_formats.h"
@@ -22,6 +26,7 @@ namespace wend {
 namespace {
 
 constexpr int kSmallest = 16, kLargest = 20000;  // pixels; drawn in tiles
+constexpr int kFilmRole = Qt::UserRole + 1;      // of a format's entry: whether it is a film
 constexpr int kTyped = 9999999;                  // what may be written and is then told to be too large
 
 bool fits(const QSpinBox* box) {
@@ -30,16 +35,22 @@ bool fits(const QSpinBox* box) {
 
 }  // namespace
 
-PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw)
+PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw,
+                             double seconds)
     : QDialog(parent),
       m_proportions(proposal),
       m_width(new QSpinBox(this)),
       m_height(new QSpinBox(this)),
       m_tied(new QCheckBox(tr("&Proportions of the view"), this)),
       m_note(new QLabel(this)),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)),
+      m_write(addExportButton(*m_buttons)),
       m_preview(new ExportPreview(this)),
       m_format(new QComboBox(this)),
+      m_form(new QFormLayout),
+      m_rate(new OptionField("--fps", this)),
+      m_quality(new OptionField("--webp", this)),
+      m_seconds(seconds),
       m_facts(new QLabel(this)),
       m_draw(std::move(draw)),
       m_transparent(new QCheckBox(tr("&Transparent background"), this)),
@@ -60,6 +71,10 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
                                           {"JPEG", ".jpg"},
                                           {"WebP", ".webp"}})
         m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
+    if (seconds > 0) {
+        m_format->addItem(QStringLiteral("WebP film"), QStringLiteral(".webp"));
+        m_format->setItemData(m_format->count() - 1, true, kFilmRole);
+    }
     m_legend->setEnabled(hasLegend);
     m_legend->setChecked(hasLegend);
     describe(m_format, tr("Format"), tr("What kind of file is written."));
@@ -83,13 +98,16 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     connect(m_format, &QComboBox::currentIndexChanged, this, &PictureDialog::check);
     for (QCheckBox* box : {m_transparent, m_marks, m_legend})
         connect(box, &QCheckBox::toggled, this, &PictureDialog::check);
+    for (OptionField* field : {m_rate, m_quality})
+        connect(field, &OptionField::changed, this, &PictureDialog::check);
     check();
 }
 
 void PictureDialog::lay() {
-    auto* form = new QFormLayout;
+    QFormLayout* form = m_form;
     form->setVerticalSpacing(10);
     form->addRow(tr("F&ormat"), m_format);
+    for (OptionField* field : {m_rate, m_quality}) form->addRow(field->label(), field);
     form->addRow(tr("&Width"), m_width);
     form->addRow(tr("&Height"), m_height);
     for (QCheckBox* box : {m_tied, m_transparent, m_marks, m_legend}) form->addRow(box);
@@ -113,10 +131,6 @@ void PictureDialog::lay() {
     all->addWidget(m_facts);
     all->addWidget(m_note);
     all->addWidget(m_buttons);
-    QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
-    save->setText(tr("E&xport…"));
-    save->setIcon({});
-    save->setProperty("role", "primary");
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -141,8 +155,10 @@ void PictureDialog::check() {
                          : tr("Width and height must be between %1 and %2 pixels.")
                                .arg(locale.toString(kSmallest), locale.toString(kLargest)));
     m_note->setVisible(!good);
-    m_buttons->button(QDialogButtonBox::Save)->setEnabled(good);
+    m_write->setEnabled(good);
     m_transparent->setEnabled(holdsAlpha("view" + extension().toStdString()));
+    m_form->setRowVisible(m_rate, isFilm());
+    m_form->setRowVisible(m_quality, extension() == QStringLiteral(".webp"));
     m_facts->setText(pixels());
     ++m_asked;
     if (good && m_draw) m_timer.start();
@@ -156,16 +172,28 @@ QString PictureDialog::filter() const {
     return QStringLiteral("%1 (*%2)").arg(m_format->currentText(), extension());
 }
 
+bool PictureDialog::isFilm() const {
+    return m_format->currentData(kFilmRole).toBool();
+}
+
 PictureChoice PictureDialog::choice() const {
+    const double rate = m_rate->number();
     return {{m_width->value(), m_height->value()},
             m_transparent->isChecked() && m_transparent->isEnabled(),
             m_marks->isChecked(),
-            m_legend->isChecked()};
+            m_legend->isChecked(),
+            m_quality->value() == "lossy" && extension() == QStringLiteral(".webp"),
+            isFilm() ? static_cast<int>(std::lround(m_seconds * rate)) + 1 : 0,
+            rate};
 }
 
 QString PictureDialog::pixels() const {
     const QLocale locale;
-    return tr("%1 × %2 pixels").arg(locale.toString(m_width->value()), locale.toString(m_height->value()));
+    const QString one =
+        tr("%1 × %2 pixels").arg(locale.toString(m_width->value()), locale.toString(m_height->value()));
+    const int frames = choice().frames;
+    if (frames == 0) return one;
+    return QCoreApplication::translate("wend::ExportForm", "%n pictures of %1", nullptr, frames).arg(one);
 }
 
 /// Drawn here, where OpenGL is; only the file's size is found beside it.
@@ -176,9 +204,9 @@ void PictureDialog::showPreview() {
         small.size = small.size.scaled(m_preview->room(), Qt::KeepAspectRatio).expandedTo({1, 1});
     QImage image = m_draw(small);
     if (image.isNull()) return;
-    const auto work = [image, pixels, extension = extension().toStdString()] {
+    const auto work = [image, pixels, extension = extension().toStdString(), wanted = choice()] {
         try {
-            return viewFileSize(image, extension, pixels);
+            return viewFileSize(image, extension, pixels, wanted.lossy) * std::max(1, wanted.frames);
         } catch (const std::exception&) {
             return 0.0;  // the export itself will say what is wrong
         }

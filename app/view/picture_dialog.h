@@ -7,8 +7,10 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
+class QFormLayout;
 class QImage;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 
 namespace wend {
@@ -19,19 +21,24 @@ struct PictureChoice {
     bool transparent = true;
     bool marks = false;   // pins, paths and axes, as they are seen
     bool legend = false;  // of the map, if one is shown
+    bool lossy = false;   // of WebP
+    int frames = 0;       // of a film; 0: a picture
+    double framesPerSecond = 24;
 };
 
 class ExportPreview;
+class OptionField;
 
-/// How large the picture of a view shall be, and what is in it; shows it, smaller, and about how large the
-/// file will be.
+/// How large the picture of a view shall be, or the film of its motion, and what is in it; shows it, smaller,
+/// and about how large the file will be.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
   public:
     using Draw = std::function<QImage(const PictureChoice&)>;
 
-    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {});
+    /// `seconds`: of the motion; 0 if there is none to be filmed.
+    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {}, double seconds = 0);
     PictureChoice choice() const;
     /// Of the format, with its dot.
     QString extension() const;
@@ -47,14 +54,19 @@ class PictureDialog : public QDialog {
     void check();
     void showPreview();
     QString pixels() const;
+    bool isFilm() const;
 
     QSize m_proportions;  // of the view
     QSpinBox *m_width, *m_height;
     QCheckBox* m_tied;  // width and height, as in the view
     QLabel* m_note;     // why it cannot be written
     QDialogButtonBox* m_buttons;
+    QPushButton* m_write;
     ExportPreview* m_preview;
     QComboBox* m_format;
+    QFormLayout* m_form;
+    OptionField *m_rate, *m_quality;
+    double m_seconds;  // of the motion
     QLabel* m_facts;
     Draw m_draw;
     QTimer m_timer;

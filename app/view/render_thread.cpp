@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/panels/smooth_map.h"
-#include "app/session/vertex_means.h"
 #include "app/view/cell_filler.h"
 #include "warp/coverage.h"
 #include "warp/warp.h"
@@ -67,21 +66,13 @@ int alphaAt(const RenderRequest& request, double position) {
     return static_cast<int>(std::lround(255 * most * std::min(1.0, from / kFullPaint)));
 }
 
-bool isPainted(Measure measure) {
-    return measure == Measure::Phi || measure == Measure::Stiffness;
-}
-
 /// What is painted has soft edges: corners have the mean colour of their cells.
 template <class ColourOf>
 void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
                 const ColourOf& colourOf) {
-    using Colour = CellFiller::Colour;
-    std::vector<Colour> ofCells;
-    for (std::size_t c = 0; c < rest.cells.size(); ++c) {
-        const QRgb own = qPremultiply(colourOf(c));
-        ofCells.emplace_back(qRed(own), qGreen(own), qBlue(own), qAlpha(own));
-    }
-    const auto means = vertexMeans<2>(rest, ofCells, Colour(Colour::Zero()));
+    std::vector<QRgb> ofCells;
+    for (std::size_t c = 0; c < rest.cells.size(); ++c) ofCells.push_back(colourOf(c));
+    const auto means = softColours<2>(rest, ofCells);
     for (const int index : order) {
         const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
         filler.fill(cell, std::array{means[cell[0]], means[cell[1]], means[cell[2]]});

@@ -1,16 +1,33 @@
 #include "app/view/run_window.h"
 
 #include <QApplication>
-#include <QLibraryInfo>
-#include <QLocale>
+#include <QProcess>
 #include <QStyleFactory>
-#include <QTranslator>
 #include <clocale>
+#include <optional>
 
 #include "app/view/file_workflow.h"
+#include "app/view/language_choice.h"
 #include "app/view/main_window.h"
 
 namespace wend {
+
+namespace {
+
+/// Until it is closed. Then, if it is to be opened again, the arguments for that.
+std::optional<QStringList> showWindow(const QString& file) {
+    MainWindow window;
+    window.show();
+    window.files().guardWork(Recovery::standardFolder());
+    if (!file.isEmpty()) {
+        window.files().tellLostWhenOpened();
+        window.openPath(file);
+    }
+    QApplication::exec();
+    return window.again();
+}
+
+}  // namespace
 
 int runWindow(int argc, char** argv) {
     QApplication application(argc, argv);
@@ -20,22 +37,11 @@ int runWindow(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(WEND_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("wend"));
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QTranslator ours, qts;
-    if (ours.load(QLocale(), QStringLiteral("wend"), QStringLiteral("_"), QStringLiteral(":/i18n")))
-        QApplication::installTranslator(&ours);
-    if (qts.load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                 QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-        QApplication::installTranslator(&qts);
+    const SpokenLanguage language;
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/wend/icons/wend.svg")));
-    MainWindow window;
-    window.show();
-    const QString file = QApplication::arguments().value(1);
-    window.files().guardWork(Recovery::standardFolder());
-    if (!file.isEmpty()) {
-        window.files().tellLostWhenOpened();
-        window.openPath(file);
-    }
-    return QApplication::exec();
+    const std::optional<QStringList> again = showWindow(QApplication::arguments().value(1));
+    if (again) QProcess::startDetached(QApplication::applicationFilePath(), *again);
+    return 0;
 }
 
 }  // namespace wend

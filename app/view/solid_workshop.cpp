@@ -179,8 +179,12 @@ void SolidWorkshop::showDomain() {
 
 void SolidWorkshop::exportView() {
     if (!m_canvas) return;
-    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
-                         [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); });
+    const ShapeSession& session = m_around.session;
+    const bool moves = session.frame() && !session.isBusy() && !session.isStale();
+    PictureDialog dialog(
+        m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
+        [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); },
+        moves ? session.playback().end() * Playback::kSecondsPerUnit : 0);
     QString path;
     while (path.isEmpty()) {
         if (dialog.exec() != QDialog::Accepted) return;
@@ -199,9 +203,12 @@ void SolidWorkshop::exportView() {
 }
 
 QImage SolidWorkshop::smallView(const QSize& size) {
-    PictureChoice choice;
-    choice.size = size;
-    return m_canvas ? viewPicture(*m_canvas, choice) : QImage();
+    const auto frame = m_around.session.frame<3>();
+    if (!m_canvas || !frame) return {};
+    const double ratio = m_window.devicePixelRatioF();
+    QImage picture = m_plain.draw(*m_canvas, *frame, size * ratio);
+    picture.setDevicePixelRatio(ratio);
+    return picture;
 }
 
 void SolidWorkshop::showCut() {

@@ -5,6 +5,7 @@
 
 #include "app/tools/tool.h"
 #include "app/view/solid_actions.h"
+#include "app/view/volume/plain_view.h"
 
 namespace wend {
 
@@ -39,7 +40,7 @@ class SolidWorkshop : public QObject {
     void showDomain();
     /// Asks for size and name and writes the view as a picture.
     void exportView();
-    /// The view without what lies over it; null without one.
+    /// The solid from where the view looks, as files get it: without map and cut. Null without one.
     QImage smallView(const QSize& size);
     /// What is seen of the solid, in one canvas or in both halves.
     void connectLooks(wend::SolidCanvas* canvas);
@@ -75,6 +76,7 @@ class SolidWorkshop : public QObject {
     std::function<bool(const QString&)> m_mayReplace;
     bool m_isActive = false;
     int m_lastCut = 2;
+    PlainView m_plain;
 };
 
 }  // namespace wend

@@ -110,19 +110,8 @@ QPixmap TilePictures::drawn(const FramePtr& frame) {
 
 /// From where the view looks.
 QPixmap TilePictures::drawnSolid(const PosedFrame<3>& frame) {
-    SolidCanvas& own = *m_solid();
-    if (!m_view) {
-        m_view = new VolumeView(own.parentWidget());
-        m_view->hide();
-    }
-    m_view->setStyle(own.plainStyle());
-    m_view->setPicture(own.plainPicture(frame), false);
-    m_view->resize(EnergySlider::pictureSize());
-    m_view->camera() = own.camera();
-    m_view->fit();
-    if (!m_view->obstacle().isEmpty()) m_view->grabFramebuffer();  // the first time: makes its context
     const double ratio = m_tiles.devicePixelRatioF();
-    QPixmap picture = QPixmap::fromImage(m_view->picture(EnergySlider::pictureSize() * ratio, true));
+    QPixmap picture = QPixmap::fromImage(m_view.draw(*m_solid(), frame, EnergySlider::pictureSize() * ratio));
     picture.setDevicePixelRatio(ratio);
     return picture;
 }

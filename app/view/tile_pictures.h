@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "app/session/shape_session.h"
+#include "app/view/volume/plain_view.h"
 
 namespace wend {
 
 class EnergySlider;
 class ShapeCanvas;
 class SolidCanvas;
-class VolumeView;
 
 /// Shows on the tiles of the energies what each makes of the user's own shape: computed on a coarse mesh, of
 /// a solid in a coarse cage, one after the other, once nothing has changed for a while. Before anything
@@ -41,7 +41,7 @@ class TilePictures : public QObject {
     std::function<SolidCanvas*()> m_solid;
     EnergySlider& m_tiles;
     ShapeSession m_coarse;
-    VolumeView* m_view = nullptr;  // hidden: draws the pictures of solids
+    PlainView m_view;
     QTimer m_idle;
     std::shared_ptr<const Project> m_project;  // that they are made of,
     double m_time = 0;                         // and when

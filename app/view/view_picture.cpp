@@ -14,10 +14,12 @@
 #include <stop_token>
 
 #include "app/document/in_background.h"
+#include "app/session/shape_session.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
-#include "warp/image.h"
+#include "warp/film.h"
+#include "warp/image_formats.h"
 
 namespace wend {
 
@@ -138,7 +140,39 @@ void writeStrips(const std::string& path, SolidCanvas& canvas, const PictureChoi
         if (stop.stop_requested()) throw Cancelled();
         copyRows(rows.wait(top, strip.height), strip);
     };
-    runBeside([&] { writeImage(path, headerOf(choice), kStripRows, makeRows); });
+    runBeside([&] { writeImage(path, headerOf(choice), kStripRows, makeRows, choice.lossy); });
+}
+
+/// The time that is shown is again what it was when this goes.
+class TimeKeeper {
+  public:
+    explicit TimeKeeper(Playback& playback) : m_playback(playback), m_time(playback.time()) {}
+    ~TimeKeeper() { m_playback.setTime(m_time); }
+
+  private:
+    Playback& m_playback;
+    double m_time;
+};
+
+void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
+    QProgressDialog dialog(SolidCanvas::tr("Writing the film …"), SolidCanvas::tr("Cancel"), 0, 1,
+                           canvas.window());
+    prepare(dialog, choice);
+    dialog.setRange(0, choice.frames);
+    Playback& playback = canvas.session().playback();
+    playback.setPlaying(false);
+    const TimeKeeper keeper(playback);
+    Film film(path, choice.framesPerSecond, choice.lossy);
+    Image frame = headerOf(choice);
+    for (int k = 0; k < choice.frames; ++k) {
+        dialog.setValue(k);
+        if (dialog.wasCanceled()) throw Cancelled();
+        playback.setTime(playback.end() * k / (choice.frames - 1));
+        frame.makePixels();
+        copyRows(viewPicture(canvas, choice), frame);
+        film.add(frame);
+    }
+    writeWhole(path, [&film](const std::string& temporary) { film.write(temporary); });
 }
 
 /// What is seen stays as it is while this lives.
@@ -159,14 +193,15 @@ QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
     return viewRows(canvas, choice, 0, choice.size.height());
 }
 
-double viewFileSize(const QImage& small, const std::string& extension, double pixels) {
+double viewFileSize(const QImage& small, const std::string& extension, double pixels, bool lossy) {
     const TemporaryFolder folder(scratchFolder());
     const std::string path = folder.path() + "/size" + extension;
     PictureChoice choice;
     choice.size = small.size();
-    writeImage(path, headerOf(choice), kStripRows, [&](int top, Image& strip) {
+    const MakeRows makeRows = [&](int top, Image& strip) {
         copyRows(small.copy(0, top, small.width(), strip.height), strip);
-    });
+    };
+    writeImage(path, headerOf(choice), kStripRows, makeRows, lossy);
     const double drawn = static_cast<double>(small.width()) * small.height();
     return static_cast<double>(std::filesystem::file_size(path)) * pixels / drawn;
 }
@@ -177,9 +212,13 @@ bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice ch
     const std::string name = path.toStdString();
     if (const QString obstacle = canvas.obstacle(); !obstacle.isEmpty())
         throw InputError(name, obstacle.toStdString());
-    const Hold hold(canvas);
     try {
-        writeStrips(name, canvas, choice);
+        if (choice.frames > 0) {
+            writeFrames(name, canvas, choice);
+        } else {
+            const Hold hold(canvas);
+            writeStrips(name, canvas, choice);
+        }
         return true;
     } catch (const Cancelled&) {
         return false;

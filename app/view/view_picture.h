@@ -14,11 +14,12 @@ QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice);
 
 /// About how many bytes a view of so many pixels has as a file with this extension, by a smaller picture of
 /// it.
-double viewFileSize(const QImage& small, const std::string& extension, double pixels);
+double viewFileSize(const QImage& small, const std::string& extension, double pixels, bool lossy);
 
 /// The same as a file, by extension; formats without alpha get the view's background. Drawn and written strip
 /// by strip, the writing in another thread, with progress and a way to cancel; returns when it is done, false
-/// if it was cancelled. Throws InputError, also where the memory does not suffice.
+/// if it was cancelled. A film is drawn frame by frame, from the start of the motion to its end. Throws
+/// InputError, also where the memory does not suffice.
 bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice);
 
 }  // namespace wend

@@ -238,8 +238,10 @@ ChildResult runChild(const std::string& path, const std::string& input, double s
 
 std::string siblingProgram(const std::string& name) {
     std::error_code error;
-    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-    return (self.parent_path() / name).string();
+    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const auto installed = folder / ".." / "lib" / "wend" / name;
+    const auto beside = folder / name;
+    return (std::filesystem::exists(beside, error) ? beside : installed).string();
 }
 
 }  // namespace wend

@@ -20,7 +20,7 @@ struct ChildResult {
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
                      const std::stop_token& stop, double processorSeconds = 0, double idleSeconds = 0);
 
-/// A program that is installed beside this one.
+/// A file that came with this program: beside it, or where it is installed, in ../lib/wend.
 std::string siblingProgram(const std::string& name);
 
 }  // namespace wend

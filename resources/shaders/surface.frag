@@ -5,7 +5,7 @@ in Edged {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    float place;
+    vec3 place;
     vec3 barycentric;
 } vertex;
 uniform vec3 edgeColour;
@@ -15,7 +15,7 @@ in Vertex {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    float place;
+    vec3 place;
 } vertex;
 #endif
 
@@ -33,28 +33,30 @@ uniform sampler2D picture;
 // Another colour for each triangle lies over what is then gray, as in pictures.
 uniform sampler2D map;
 uniform float mapOpacity;  // 0: there is none
-// Colours that change smoothly: the vertices have places in a row of them.
+// Colours that change smoothly: the vertices have places in a row of them, or colours.
 uniform bool isSmooth;
+uniform bool hasRamp;
 uniform sampler2D ramp;
 uniform float opacity;
 
 out vec4 fragment;
 
-vec3 rampColour() {
+vec3 smoothColour() {
+    if (!hasRamp) return vertex.place;
     float count = textureSize(ramp, 0).x;
-    return texture(ramp, vec2((0.5 + clamp(vertex.place, 0.0, 1.0) * (count - 1.0)) / count, 0.5)).rgb;
+    return texture(ramp, vec2((0.5 + clamp(vertex.place.x, 0.0, 1.0) * (count - 1.0)) / count, 0.5)).rgb;
 }
 
 vec4 surfaceColour() {
     if (!coloursOfTriangles) return vertex.colour;
-    if (isSmooth && mapOpacity == 0.0) return vec4(rampColour(), 1.0);
+    if (isSmooth && mapOpacity == 0.0) return vec4(smoothColour(), 1.0);
     int triangle = firstTriangle + gl_PrimitiveID, width = textureSize(colours, 0).x;
     ivec2 place = ivec2(triangle % width, triangle / width);
     vec4 colour = texelFetch(colours, place, 0);
     if (textured) colour *= texture(picture, vertex.uv);
     if (mapOpacity == 0.0) return colour;
     float gray = dot(colour.rgb, vec3(0.34375, 0.5, 0.15625));  // as qGray
-    vec3 mapped = isSmooth ? rampColour() : texelFetch(map, place, 0).rgb;
+    vec3 mapped = isSmooth ? smoothColour() : texelFetch(map, place, 0).rgb;
     return vec4(mix(vec3(gray), mapped, mapOpacity), colour.a);
 }
 

@@ -8,7 +8,7 @@ in Vertex {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    float place;
+    vec3 place;
 } corners[];
 
 out Edged {
@@ -16,7 +16,7 @@ out Edged {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    float place;
+    vec3 place;
     vec3 barycentric;
 } vertex;
 

@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
 #include <QLocale>
@@ -13,6 +14,8 @@
 #include "app/view/export_dialog.h"
 #include "app/view/exporter.h"
 #include "app/view/main_window.h"
+#include "app/view/picture_dialog.h"
+#include "tests/support/webp_frames.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -40,6 +43,8 @@ class TestExportDialog : public QObject {
     void backgroundsAreWritten();
     void softEdgesAtRestAreTheSourcesOwn();
     void framesFollowTheirRate();
+    void filmIsOneFile();
+    void exportIsTheMainButton();
 
   private:
     void open(const QString& picture);
@@ -372,6 +377,53 @@ void TestExportDialog::framesAreNumbered() {
     QVERIFY(written(ExportKind::Frames, file("film.png"), with("--count", "3")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("film*")}),
              QStringList({"film_0000.png", "film_0001.png", "film_0002.png"}));
+}
+
+/// Of a picture: as long as the motion, without what the format does not hold; its frames are the sequence's.
+void TestExportDialog::filmIsOneFile() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const auto asked = dialog(ExportKind::Frames);
+    auto* format = asked->findChild<QComboBox*>(QStringLiteral("format"));
+    choose(*asked, ".webp");  // a sequence
+    QVERIFY(!asked->form().isFilm() && asked->form().field("--depth")->isVisible());
+    format->setCurrentIndex(format->findText(QStringLiteral("WebP film")));
+    const ExportForm& form = asked->form();
+    QVERIFY(form.isFilm());
+    for (const char* flag : {"--count", "--fps", "--webp", "--canvas", "--outside", "--filter"})
+        QVERIFY2(form.field(flag)->isVisible(), flag);
+    QVERIFY(!form.field("--depth")->isVisible());
+    form.field("--count")->setNumber(9);
+    emit form.field("--count")->changed();
+    QVERIFY(waitForSize(*asked));
+    RunOptions options = runOptionsFrom(form.values());
+    options.outputs.frames = "film.webp";
+    const double told = shape()->size(ExportKind::Frames, ".webp", options, {}).bytes;
+    QVERIFY(written(ExportKind::Frames, file("film.webp"), form.values()));
+    const double is = double(QFileInfo(file("film.webp")).size());
+    QVERIFY2(told > is / 2 && told < 2 * is, qPrintable(QString("%1 for %2").arg(told).arg(is)));
+    QVERIFY(written(ExportKind::Frames, file("f_#.png"), with("--count", "9")));
+    const WebpFrames film = webpFrames(file("film.webp"));
+    QCOMPARE(film.pictures.size(), std::size_t(9));
+    for (std::size_t k = 0; k < 9; ++k)
+        QCOMPARE(seenDifference(film.pictures[k], QImage(file(qPrintable(QString("f_%1.png").arg(k))))), 0);
+    const double seconds = session().playback().end() * Playback::kSecondsPerUnit;
+    QVERIFY(std::abs(film.ends[7] - 1000 * seconds) <= 1);  // then the last one is seen
+}
+
+/// It is seen to be: filled, as the step's own.
+void TestExportDialog::exportIsTheMainButton() {
+    open(writeCutOut(*m_folder));
+    const auto asked = dialog(ExportKind::Picture);
+    PictureDialog view({320, 200}, false, m_window.get());
+    view.show();
+    for (QDialog* one : {static_cast<QDialog*>(asked.get()), static_cast<QDialog*>(&view)})
+        for (QAbstractButton* button : one->findChild<QDialogButtonBox*>()->buttons()) {
+            const QColor inside =
+                button->grab().toImage().pixelColor(button->width() / 8, button->height() / 2);
+            const bool isFilled = inside.blue() > inside.red() + 60;
+            QCOMPARE(isFilled, button->text().contains(QStringLiteral("xport")));
+        }
 }
 
 void TestExportDialog::depthsAreWritten_data() {

@@ -34,6 +34,7 @@ class TestExportPanel : public QObject {
     void anyColourIsBehindThePicture();
     void framesLastAsLongAsTheMotion();
     void nothingIsWrittenWithoutAShape();
+    void solidIsPreviewedAsFilesGetIt();
     void cropIsDrawn();
     void cropIsOfAMeshsPictureToo();
     void cropIsChangedByItsParts();
@@ -300,6 +301,27 @@ void TestExportPanel::drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardMod
         QCoreApplication::sendEvent(&canvas, &move);
     }
     QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, at(to));
+}
+
+/// Neither map nor cut nor marks of the view are in the mesh that is written.
+void TestExportPanel::solidIsPreviewedAsFilesGetIt() {
+    QVERIFY(open(true));
+    toExport();
+    QTRY_VERIFY(panel().isVisible());
+    QTRY_VERIFY(!seen().isNull());
+    SolidCanvas& canvas = m_f->canvas();
+    const QImage plain = seen(), view = canvas.picture({300, 200}, true);
+    int opaque = 0;
+    for (int y = 0; y < plain.height(); ++y)
+        for (int x = 0; x < plain.width(); ++x) opaque += qAlpha(plain.pixel(x, y)) == 255;
+    QVERIFY2(opaque > 5000, qPrintable(QString::number(opaque)));
+    m_f->window().actions().showMap->trigger();
+    m_f->window().actions().showMarks->trigger();
+    m_f->actions().cut->trigger();
+    QTRY_VERIFY(canvas.cut() != CutKind::None && canvas.isSettled());
+    QVERIFY(canvas.picture({300, 200}, true) != view);
+    kind(QStringLiteral("Mesh"))->click();
+    QCOMPARE(seen(), plain);
 }
 
 void TestExportPanel::cropIsDrawn() {

@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QToolBar>
 #include <cmath>
@@ -17,6 +18,8 @@ class TestLooks : public QObject {
     void formulaIsThatOfTheStandard();
     void textIsReadable_data();
     void textIsReadable();
+    void boxesToTickAreSeen_data() { textIsReadable_data(); }
+    void boxesToTickAreSeen();
     void iconsDiffer();
     void firstWindowIsAsAnyOther();
 
@@ -87,6 +90,28 @@ void TestLooks::textIsReadable() {
     readable("chosen", theme.accentText, over(tint, surface), 3);
     readable("chosen text", look.color(QPalette::WindowText), over(tint, surface));
     readable("steps", look.color(QPalette::WindowText), theme.line);
+}
+
+/// Ticked or not, on the ground that they stand on; and which of both they are.
+void TestLooks::boxesToTickAreSeen() {
+    QFETCH(int, appearance);
+    const QPalette look = wendPalette(static_cast<Appearance>(appearance), QApplication::palette());
+    QWidget ground;
+    ground.setPalette(look);
+    ground.setStyleSheet(wendStyleSheet(look));
+    QCheckBox box(QStringLiteral(" "), &ground);
+    box.resize(40, 24);
+    double seen[2];
+    for (const bool ticked : {false, true}) {
+        box.setChecked(ticked);
+        const QImage image = box.grab().toImage();
+        double largest = 1;
+        for (int x = 0; x < 18; ++x)
+            largest = std::max(largest, contrast(image.pixelColor(x, 12), look.color(QPalette::Window)));
+        QVERIFY2(largest >= 3, qPrintable(QString::number(largest)));
+        seen[ticked] = contrast(image.pixelColor(5, 12), look.color(QPalette::Base));
+    }
+    QVERIFY2(seen[0] < 1.2 && seen[1] > 2, qPrintable(QStringLiteral("%1, %2").arg(seen[0]).arg(seen[1])));
 }
 
 /// At the size at which they are shown: every pair by a part of its pixels.

@@ -55,6 +55,7 @@ class TestModes : public QObject {
     void cheatSheetHasEveryKey_data();
     void cheatSheetHasEveryKey();
     void manualIsWithinTheProgram();
+    void manualShowsItsPictures();
     void manualIsSearchedOnAllPages();
     void backslashShowsTheShapeBefore_data();
     void backslashShowsTheShapeBefore();
@@ -357,6 +358,29 @@ void TestModes::manualIsWithinTheProgram() {
                 links << pages.source().resolved(QUrl(to));
     QVERIFY(links.size() > 10);
     for (const QUrl& link : links) QVERIFY2(QFile::exists(':' + link.path()), qPrintable(link.toString()));
+}
+
+/// All that its pages name, none wider than the window.
+void TestModes::manualShowsItsPictures() {
+    QTest::keyClick(&m_f->window(), Qt::Key_F1);
+    auto* manual = m_f->window().findChild<ManualWindow*>();
+    QTextBrowser& pages = *manual->pages();
+    int pictures = 0;
+    for (const QString& name : QDir(QStringLiteral(":/wend/docs")).entryList({QStringLiteral("*.md")})) {
+        pages.setSource(QUrl(QStringLiteral("qrc:/wend/docs/") + name));
+        for (QTextBlock block = pages.document()->begin(); block.isValid(); block = block.next())
+            for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+                const QTextCharFormat format = piece.fragment().charFormat();
+                if (!format.isImageFormat()) continue;
+                const QUrl picture(format.toImageFormat().name());
+                const auto image =
+                    pages.document()->resource(QTextDocument::ImageResource, picture).value<QImage>();
+                QVERIFY2(!image.isNull(), qPrintable(name + ": " + picture.toString()));
+                QVERIFY(image.deviceIndependentSize().width() <= pages.viewport()->width());
+                ++pictures;
+            }
+    }
+    QVERIFY2(pictures > 30, qPrintable(QString::number(pictures)));
 }
 
 /// Words that stand on one page are found from any other, by Enter in the field; what stands on none is told.

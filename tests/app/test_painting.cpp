@@ -35,6 +35,7 @@ class TestPainting : public PaintTest {
     void strokesAreSoftRegions();
     void paintIsSeenAtOnce_data() { dimensions(); }
     void paintIsSeenAtOnce();
+    void paintOnSolidsIsSoft();
     void combedPartsStretchLess_data() { dimensions(); }
     void combedPartsStretchLess();
     void modifiersEraseSmoothAndPick_data() { dimensions(); }
@@ -182,6 +183,42 @@ void TestPainting::seenAtOnce() {
     QVERIFY(canvas.shownFrame()->material->phi != plain || session.isStale());
     QVERIFY(settle(session));
     QVERIFY(session.frame<Dim>()->material->phi == shown);
+}
+
+/// Across the edge of what is painted the colours mix, without a jump from tetrahedron to tetrahedron and
+/// without a third colour that the row of energies has between them.
+void TestPainting::paintOnSolidsIsSoft() {
+    QVERIFY(Bar<3>::open(*m_f));
+    Project next = m_f->project();
+    auto& material = std::get<Design<3>>(next.design).material;
+    material.phi = phi::kEquia;
+    material.regions.push_back({"half", Region<3>(Ball<3>{{-3, 0, 0}, 3}), 0, phi::conformal(3), {}});
+    m_f->session().document().change(QStringLiteral("Half"), std::move(next));
+    QVERIFY(settle(m_f->session()));
+    m_f->tool("paint")->trigger();
+    SolidCanvas& canvas = m_f->canvas();
+    QTRY_VERIFY(canvas.isSettled());
+    const QImage seen = canvas.picture(canvas.size(), false);
+    const auto at = [&](double x, double y) {
+        const QColor colour = seen.pixelColor(qRound(x), qRound(y));
+        return Vec<3>(colour.red(), colour.green(), colour.blue());
+    };
+    for (const double v : {-0.3, -0.1, 0.1, 0.3}) {
+        const QPointF left = canvas.toWidget(Bar<3>::place(-1, v)),
+                      right = canvas.toWidget(Bar<3>::place(1, v));
+        const Vec<3> first = at(left.x(), left.y()), last = at(right.x(), right.y());
+        const double whole = (last - first).norm();
+        QVERIFY(whole > 100);
+        double largest = 0;
+        for (double x = left.x() + 1; x <= right.x(); ++x) {
+            const Vec<3> colour = at(x, left.y());
+            largest = std::max(largest, (colour - at(x - 1, left.y())).norm());
+            const double part = std::clamp((colour - first).dot(last - first) / (whole * whole), 0.0, 1.0);
+            const double aside = (colour - first - part * (last - first)).norm();
+            QVERIFY2(aside < 0.06 * whole, qPrintable(QString::number(aside)));
+        }
+        QVERIFY2(largest < 0.25 * whole, qPrintable(QString("%1 of %2").arg(largest).arg(whole)));
+    }
 }
 
 void TestPainting::combedPartsStretchLess() {

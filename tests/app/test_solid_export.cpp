@@ -26,6 +26,7 @@
 #include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/surfaces.h"
+#include "tests/support/webp_frames.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -45,6 +46,9 @@ class TestSolidExport : public QObject {
     void picturesAreAsChosen();
     void picturesAreWrittenInStrips();
     void picturesAreCancelled();
+    void viewIsFilmed();
+    void filmIsCancelled();
+    void filmIsAtChoiceWhereThereIsMotion();
     void legendAndMarksAreAtChoice();
     void badPlacesAreTold();
 
@@ -283,6 +287,69 @@ void TestSolidExport::picturesAreCancelled() {
     QVERIFY(!QFile::exists(file(QStringLiteral("never.png"))));
 }
 
+/// From the start of the motion to its end, each frame as the view is exported at that time; then the time is
+/// the one that was.
+void TestSolidExport::viewIsFilmed() {
+    SolidCanvas& canvas = *m_window->solids().canvas();
+    Playback& playback = m_window->session().playback();
+    playback.setTime(0.3 * playback.end());
+    const double before = playback.time();
+    PictureChoice choice;
+    choice.size = {320, 240};
+    choice.marks = true;
+    choice.frames = 4;
+    choice.framesPerSecond = 10;
+    QVERIFY(writeViewPicture(file(QStringLiteral("film.webp")), canvas, choice));
+    QCOMPARE(playback.time(), before);
+    const WebpFrames film = webpFrames(file(QStringLiteral("film.webp")));
+    QCOMPARE(film.pictures.size(), std::size_t(4));
+    QVERIFY(seenDifference(film.pictures.front(), film.pictures.back()) > 60);
+    choice.frames = 0;
+    for (int k = 0; k < 4; ++k) {
+        playback.setTime(playback.end() * k / 3);
+        QVERIFY(writeViewPicture(file(QStringLiteral("still.png")), canvas, choice));
+        const QImage still(file(QStringLiteral("still.png")));
+        QCOMPARE(seenDifference(film.pictures[std::size_t(k)], still), 0);
+        QCOMPARE(film.ends[std::size_t(k)], 100 * (k + 1));
+    }
+}
+
+void TestSolidExport::filmIsCancelled() {
+    SolidCanvas& canvas = *m_window->solids().canvas();
+    Playback& playback = m_window->session().playback();
+    playback.setTime(0.6 * playback.end());
+    const double before = playback.time();
+    PictureChoice choice;
+    choice.size = {320, 240};
+    choice.frames = 1000;
+    QTimer::singleShot(0, [this] {
+        if (auto* dialog = m_window->findChild<QProgressDialog*>())
+            dialog->findChild<QPushButton*>()->click();
+    });
+    QVERIFY(!writeViewPicture(file(QStringLiteral("never.webp")), canvas, choice));
+    QVERIFY(!QFile::exists(file(QStringLiteral("never.webp"))));
+    QCOMPARE(playback.time(), before);
+}
+
+void TestSolidExport::filmIsAtChoiceWhereThereIsMotion() {
+    const QString name = QStringLiteral("WebP film");
+    PictureDialog still({320, 200}, false, nullptr);
+    QCOMPARE(still.findChild<QComboBox*>()->findText(name), -1);
+    PictureDialog dialog({320, 200}, false, nullptr, {}, 2);
+    dialog.show();
+    auto* format = dialog.findChild<QComboBox*>();
+    auto* rate = dialog.findChild<QDoubleSpinBox*>();
+    QVERIFY(!rate->isVisible());
+    QCOMPARE(dialog.choice().frames, 0);
+    format->setCurrentIndex(format->findText(name));
+    QVERIFY(rate->isVisible());
+    QCOMPARE(dialog.extension(), QStringLiteral(".webp"));
+    QCOMPARE(dialog.choice().frames, 49);
+    rate->setValue(10);
+    QCOMPARE(dialog.choice().frames, 21);
+    QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("facts"))->text().contains(QStringLiteral("21")));
+}
+
 void TestSolidExport::legendAndMarksAreAtChoice() {
     SolidCanvas& canvas = *m_window->solids().canvas();
     PictureChoice choice;
@@ -312,7 +379,8 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("sizeNote"))->text().isEmpty());
     width->setValue(20001);
     QVERIFY(!dialog.findChild<QLabel*>(QStringLiteral("sizeNote"))->text().isEmpty());
-    QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->isEnabled());
+    for (const QAbstractButton* button : dialog.findChild<QDialogButtonBox*>()->buttons())
+        QCOMPARE(button->isEnabled(), button->property("role") != QStringLiteral("primary"));
     QVERIFY(dialog.choice().transparent && !dialog.choice().legend && !dialog.choice().marks);
 }
 

@@ -635,8 +635,8 @@ void TestVolumeView::markedTrianglesShineThrough() {
 void TestVolumeView::smoothColoursChangeEvenly() {
     VolumePicture picture = m_picture;
     for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(i, i, i));
-    for (Eigen::Index v = 0; v < picture.pose.cols(); ++v)
-        picture.places.push_back((picture.pose(0, v) + 2) / 4);
+    picture.places = Points<3>::Zero(3, picture.pose.cols());
+    picture.places.row(0) = (picture.pose.row(0).array() + 2) / 4;
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Top);
     m_view->setPicture(picture, true);
@@ -660,8 +660,8 @@ void TestVolumeView::smoothColoursOfASkin() {
     picture.skin = plate({});
     picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
     for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(0, i, 0));
-    for (Eigen::Index v = 0; v < picture.pose.cols(); ++v)
-        picture.places.push_back((picture.pose(0, v) + 2) / 4);
+    picture.places = Points<3>::Zero(3, picture.pose.cols());
+    picture.places.row(0) = (picture.pose.row(0).array() + 2) / 4;
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Top);
     m_view->setPicture(picture, true);

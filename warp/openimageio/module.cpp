@@ -7,6 +7,7 @@
 #include <string>
 
 #include "warp/openimageio/reader.h"
+#include "warp/openimageio/webp_film.h"
 #include "warp/openimageio/writer.h"
 
 namespace wend {
@@ -45,6 +46,9 @@ class OpenImageIO final : public PictureLibrary {
         return readStored(source, maxMegapixels, goOn);
     }
     void write(const PictureToWrite& writing) const override { writeStored(writing); }
+    std::unique_ptr<FilmEncoder> film(const FilmToWrite& writing) const override {
+        return makeWebpFilm(writing);
+    }
 };
 
 }  // namespace

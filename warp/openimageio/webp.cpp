@@ -1,7 +1,6 @@
 #include "warp/openimageio/webp.h"
 
 #include <webp/decode.h>
-#include <webp/encode.h>
 #include <webp/mux.h>
 
 #include <array>
@@ -39,27 +38,23 @@ WebPData asData(const Bytes& bytes) {
     return {bytes.data(), bytes.size()};
 }
 
-/// The lossless stream of the pixels, colours under transparent ones included; empty with the reason in
+/// The stream of the pixels, without loss also of colours under transparent ones; empty with the reason in
 /// `error`.
-Bytes encoded(const Image& image, std::string& error) {
+Bytes encoded(const Image& image, bool lossy, std::string& error) {
     WebPConfig config;
     WebPPicture picture;
     WebPMemoryWriter writer;
-    if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, 3) || !WebPPictureInit(&picture)) {
+    if (!prepareWebp(config, lossy)) {
         error = "the WebP library is of another version";
         return {};
     }
-    config.exact = 1;
     WebPMemoryWriterInit(&writer);
+    const bool imported = importWebp(picture, image);
     const std::unique_ptr<WebPPicture, void (*)(WebPPicture*)> pictureGuard(&picture, WebPPictureFree);
     const std::unique_ptr<WebPMemoryWriter, void (*)(WebPMemoryWriter*)> writerGuard(&writer,
                                                                                      WebPMemoryWriterClear);
-    picture.use_argb = 1;
-    picture.width = image.width, picture.height = image.height;
     picture.writer = WebPMemoryWrite, picture.custom_ptr = &writer;
-    const auto* pixels = reinterpret_cast<const std::uint8_t*>(image.data.data());
-    const auto import = image.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB;
-    if (!import(&picture, pixels, image.channels * image.width) || !WebPEncode(&config, &picture)) {
+    if (!imported || !WebPEncode(&config, &picture)) {
         error = "the WebP encoder failed (error " + std::to_string(picture.error_code) + ")";
         return {};
     }
@@ -86,27 +81,6 @@ Bytes xmpOf(const OIIO::ImageSpec& spec) {
     return {xmp.begin(), xmp.end()};
 }
 
-/// The file: the stream, the profile and what is said about the picture.
-Bytes assembled(const Bytes& stream, const OIIO::ImageSpec& spec) {
-    const std::array<std::pair<const char*, Bytes>, 3> chunks{
-        {{"ICCP", profileOf(spec)}, {"EXIF", exifOf(spec)}, {"XMP ", xmpOf(spec)}}};
-    const Mux mux(WebPMuxNew(), WebPMuxDelete);
-    const WebPData image = asData(stream);
-    bool good = WebPMuxSetImage(mux.get(), &image, 0) == WEBP_MUX_OK;
-    bool any = false;
-    for (const auto& [name, bytes] : chunks) {
-        if (bytes.empty()) continue;
-        const WebPData data = asData(bytes);
-        good = good && WebPMuxSetChunk(mux.get(), name, &data, 0) == WEBP_MUX_OK;
-        any = true;
-    }
-    WebPData file{};
-    if (!any || !good || WebPMuxAssemble(mux.get(), &file) != WEBP_MUX_OK) return stream;
-    const Bytes bytes(file.bytes, file.bytes + file.size);
-    WebPDataClear(&file);
-    return bytes;
-}
-
 /// A chunk's bytes, which `mux` keeps; empty without one.
 std::string_view chunk(const WebPMux* mux, const char* name) {
     WebPData data{};
@@ -116,13 +90,50 @@ std::string_view chunk(const WebPMux* mux, const char* name) {
 
 }  // namespace
 
-std::string writeWebp(const std::string& path, const Image& image, const OIIO::ImageSpec& spec) {
+bool prepareWebp(WebPConfig& config, bool lossy) {
+    constexpr float kQuality = 90;
+    if (!WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, kQuality)) return false;
+    config.use_sharp_yuv = 1;  // thin coloured lines stay what they are
+    if (lossy) return true;
+    config.exact = 1;
+    return WebPConfigLosslessPreset(&config, 3) != 0;
+}
+
+bool importWebp(WebPPicture& picture, const Image& image) {
+    if (!WebPPictureInit(&picture)) return false;
+    picture.use_argb = 1;
+    picture.width = image.width, picture.height = image.height;
+    const auto* pixels = reinterpret_cast<const std::uint8_t*>(image.data.data());
+    const auto import = image.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB;
+    return import(&picture, pixels, image.channels * image.width) != 0;
+}
+
+Bytes withMetadata(Bytes file, const OIIO::ImageSpec& spec) {
+    const std::array<std::pair<const char*, Bytes>, 3> chunks{
+        {{"ICCP", profileOf(spec)}, {"EXIF", exifOf(spec)}, {"XMP ", xmpOf(spec)}}};
+    const WebPData bare = asData(file);
+    const Mux mux(WebPMuxCreate(&bare, 0), WebPMuxDelete);
+    bool good = mux != nullptr, any = false;
+    for (const auto& [name, bytes] : chunks) {
+        if (bytes.empty()) continue;
+        const WebPData data = asData(bytes);
+        good = good && WebPMuxSetChunk(mux.get(), name, &data, 0) == WEBP_MUX_OK;
+        any = true;
+    }
+    WebPData all{};
+    if (!any || !good || WebPMuxAssemble(mux.get(), &all) != WEBP_MUX_OK) return file;
+    file.assign(all.bytes, all.bytes + all.size);
+    WebPDataClear(&all);
+    return file;
+}
+
+std::string writeWebp(const std::string& path, const Image& image, const OIIO::ImageSpec& spec, bool lossy) {
     if (image.width > WEBP_MAX_DIMENSION || image.height > WEBP_MAX_DIMENSION)
         return "WebP holds at most " + std::to_string(WEBP_MAX_DIMENSION) + " pixels a side";
     std::string error;
-    const Bytes stream = encoded(image, error);
+    Bytes stream = encoded(image, lossy, error);
     if (stream.empty()) return error;
-    const Bytes bytes = assembled(stream, spec);
+    const Bytes bytes = withMetadata(std::move(stream), spec);
     return writeBytes(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

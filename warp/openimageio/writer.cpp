@@ -59,32 +59,6 @@ void dropOddProfile(PictureFormat format, OIIO::ImageSpec& spec) {
         spec.erase_attribute("ICCProfile");
 }
 
-OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, fileType(image.type));
-    if (image.colours() == 1) spec.channelnames[0] = "Y";
-    if (image.alpha) spec.channelnames.back() = "A";
-    spec.alpha_channel = image.alpha ? image.channels - 1 : -1;
-    if (image.metadata) {  // nothing else makes any
-        const OIIO::ImageSpec& source = static_cast<const OpenImageIOMetadata&>(*image.metadata).spec;
-        for (const OIIO::ParamValue& value : source.extra_attribs)
-            if (!describesStorage(value.name().string())) spec.extra_attribs.add_or_replace(value);
-        copyWindow(source, spec);
-        dropOddProfile(format, spec);
-    }
-    if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
-    const std::string compression = codecOf(format).compression;
-    if (!compression.empty()) spec.attribute("compression", compression);
-    if (isLarge(image)) {
-        if (format == PictureFormat::Png) spec.attribute("png:compressionLevel", kQuickPng);
-        if (format == PictureFormat::Tiff) spec.attribute("compression", kQuickZip);
-    }
-    if (format == PictureFormat::Jpeg) spec.attribute("jpeg:subsampling", "4:4:4");
-    // The time of writing, which these libraries would put in, would make of the same picture another file.
-    const bool isDated = format == PictureFormat::Tiff || format == PictureFormat::Exr;
-    if (isDated && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "");
-    return spec;
-}
-
 /// How an attempt to write ended: the reason of a failure, empty on success, and whether it is the disk's.
 struct Attempt {
     std::string problem;
@@ -190,11 +164,37 @@ void writeWebpPicture(const PictureToWrite& writing, const OIIO::ImageSpec& spec
         whole.data.insert(whole.data.end(), strip.data.begin(), strip.data.end());
         return true;
     });
-    const std::string error = writeWebp(writing.temporary, whole, spec);
+    const std::string error = writeWebp(writing.temporary, whole, spec, writing.lossy);
     if (!error.empty()) throw InputError(writing.path, "cannot be written: " + error);
 }
 
 }  // namespace
+
+OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, fileType(image.type));
+    if (image.colours() == 1) spec.channelnames[0] = "Y";
+    if (image.alpha) spec.channelnames.back() = "A";
+    spec.alpha_channel = image.alpha ? image.channels - 1 : -1;
+    if (image.metadata) {  // nothing else makes any
+        const OIIO::ImageSpec& source = static_cast<const OpenImageIOMetadata&>(*image.metadata).spec;
+        for (const OIIO::ParamValue& value : source.extra_attribs)
+            if (!describesStorage(value.name().string())) spec.extra_attribs.add_or_replace(value);
+        copyWindow(source, spec);
+        dropOddProfile(format, spec);
+    }
+    if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
+    const std::string compression = codecOf(format).compression;
+    if (!compression.empty()) spec.attribute("compression", compression);
+    if (isLarge(image)) {
+        if (format == PictureFormat::Png) spec.attribute("png:compressionLevel", kQuickPng);
+        if (format == PictureFormat::Tiff) spec.attribute("compression", kQuickZip);
+    }
+    if (format == PictureFormat::Jpeg) spec.attribute("jpeg:subsampling", "4:4:4");
+    // The time of writing, which these libraries would put in, would make of the same picture another file.
+    const bool isDated = format == PictureFormat::Tiff || format == PictureFormat::Exr;
+    if (isDated && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "");
+    return spec;
+}
 
 void writeStored(const PictureToWrite& writing) {
     const OIIO::ImageSpec spec = fileSpec(writing.format, writing.picture);

@@ -14,6 +14,15 @@ namespace {
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
 
+/// From 0 to 1.
+Points<3> coloursOfVertices(const SimplicialMesh<3>& rest, const std::vector<QRgb>& ofCells) {
+    const auto means = softColours<3>(rest, ofCells);
+    Points<3> colours(3, static_cast<Eigen::Index>(means.size()));
+    for (std::size_t v = 0; v < means.size(); ++v)
+        colours.col(static_cast<Eigen::Index>(v)) = means[v].head<3>() / 255;
+    return colours;
+}
+
 }  // namespace
 
 void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
@@ -25,10 +34,16 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
     picture.cellColours.clear();
     for (const double value : values)
         picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
-    if (!smooth) return;
-    picture.places = smoothPlaces<3>(*frame.rest, values, measure, range);
-    picture.ramp = colourRamp(measure);
-    std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
+    if (isPainted(measure)) {
+        picture.places = coloursOfVertices(*frame.rest, picture.cellColours);
+    } else if (smooth) {
+        const auto places = smoothPlaces<3>(*frame.rest, values, measure, range);
+        picture.places = Points<3>::Zero(3, frame.pose.cols());
+        picture.places.row(0) =
+            Eigen::Map<const Eigen::RowVectorXd>(places.data(), static_cast<Eigen::Index>(places.size()));
+        picture.ramp = colourRamp(measure);
+        std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
+    }
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {

@@ -96,7 +96,7 @@ void SurfaceRenderer::create(Triangles& triangles) {
     triangles.uv.bind();
     m_gl->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     triangles.places.bind();
-    m_gl->glVertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+    m_gl->glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
 void SurfaceRenderer::createGlyphs(Triangles& glyphs) {
@@ -185,7 +185,7 @@ void SurfaceRenderer::setMap(const std::vector<QRgb>& colours) {
     fill(m_layers[Outer].map, colours);
 }
 
-void SurfaceRenderer::setPlaces(Layer layer, const std::vector<float>& places) {
+void SurfaceRenderer::setPlaces(Layer layer, const std::vector<std::array<float, 3>>& places) {
     Triangles& triangles = m_layers[layer];
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
     triangles.isSmooth = !places.empty();
@@ -199,6 +199,8 @@ void SurfaceRenderer::setPlaces(Layer layer, const std::vector<float>& places) {
 }
 
 void SurfaceRenderer::setRamp(const std::vector<QRgb>& colours) {
+    m_ramp.reset();
+    if (colours.empty()) return;
     QImage row(static_cast<int>(colours.size()), 1, QImage::Format_RGB32);
     std::ranges::copy(colours, reinterpret_cast<QRgb*>(row.bits()));
     m_ramp = std::make_unique<QOpenGLTexture>(row, QOpenGLTexture::DontGenerateMipMaps);
@@ -307,6 +309,7 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
     (m_ramp ? m_ramp : m_noTexture)->bind(3);
     program.setUniformValue("coloursOfTriangles", true);
     program.setUniformValue("isSmooth", triangles.isSmooth);
+    program.setUniformValue("hasRamp", m_ramp != nullptr);
     program.setUniformValue("mapOpacity", triangles.map ? static_cast<float>(mapOpacity) : 0.0F);
     for (const DrawMesh::Part& part : triangles.parts) {
         const bool textured = materials && part.material >= 0 &&

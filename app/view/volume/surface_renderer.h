@@ -76,10 +76,10 @@ class SurfaceRenderer {
     void setMap(const std::vector<QRgb>& colours);
     /// Pictures of the skin's materials, null ones where there are none.
     void setTextures(const std::vector<QImage>& pictures);
-    /// Places in the ramp of colours, one per vertex of the mesh, for colours that change smoothly; none:
-    /// each triangle has its own.
-    void setPlaces(Layer layer, const std::vector<float>& places);
-    /// The colours of the places from 0 to 1.
+    /// For colours that change smoothly, per vertex of the mesh: its place in the ramp of colours (the first
+    /// number) or, where there is no ramp, its own. None: each triangle has its own.
+    void setPlaces(Layer layer, const std::vector<std::array<float, 3>>& places);
+    /// The colours of the places from 0 to 1; none: there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
     /// Lines around the section: both ends of each.
     void setOutline(const Points<3>& ends);

@@ -16,9 +16,9 @@ struct VolumePicture {
     std::shared_ptr<const std::vector<Facet<3>>> facets;
     Points<3> pose;
     std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
-    // For colours that change smoothly: the vertices' places, from 0 to 1, in a row of colours; none: each
-    // cell has its own.
-    std::vector<double> places;
+    // For colours that change smoothly, a column per vertex: its place, from 0 to 1, in a row of colours (the
+    // first number) or, without a row, red, green and blue. None: each cell has its own.
+    Points<3> places = Points<3>(3, 0);
     std::vector<QRgb> ramp;
     std::optional<QRgb> section;  // of the face of a cut; none: those of its cells
     // A surface that is embedded in the solid and drawn in place of its border; null if there is none.

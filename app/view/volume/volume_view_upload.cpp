@@ -71,22 +71,21 @@ void VolumeView::uploadColours() {
                           m_picture.section
                               ? std::vector<QRgb>(m_section.triangles.size(), *m_picture.section)
                               : coloursOf(m_section, false));
-    if (!m_picture.places.empty()) m_renderer.setRamp(m_picture.ramp);
+    m_renderer.setRamp(m_picture.ramp);
     uploadPlaces(SurfaceRenderer::Outer, m_outer, showsSkin());
     uploadPlaces(SurfaceRenderer::Section, m_section, false);
 }
 
 /// Linear within the cells, so that a section shows what its neighbours on the surface do.
 void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin) {
-    std::vector<float> places;
-    if (!m_picture.places.empty()) {
-        Points<3> ofVertices = Points<3>::Zero(3, m_picture.pose.cols());
-        ofVertices.row(0) = Eigen::Map<const Eigen::RowVectorXd>(
-            m_picture.places.data(), static_cast<Eigen::Index>(m_picture.places.size()));
-        const Points<3> ofPoints = skin ? m_picture.embedding->interpolate(*m_picture.rest, ofVertices)
-                                        : drawnPoints(mesh, ofVertices);
-        for (const DrawMesh::Vertex& vertex : mesh.vertices)
-            places.push_back(static_cast<float>(ofPoints(0, vertex.point)));
+    std::vector<std::array<float, 3>> places;
+    if (m_picture.places.cols() > 0) {
+        const Points<3> ofPoints = skin ? m_picture.embedding->interpolate(*m_picture.rest, m_picture.places)
+                                        : drawnPoints(mesh, m_picture.places);
+        for (const DrawMesh::Vertex& vertex : mesh.vertices) {
+            const Eigen::Vector3f place = ofPoints.col(vertex.point).cast<float>();
+            places.push_back({place.x(), place.y(), place.z()});
+        }
     }
     m_renderer.setPlaces(layer, places);
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QMenu>
+#include <QTranslator>
+#include <memory>
+
+#include "app/view/action_maker.h"
+
+namespace wend {
+
+/// What the program says in the chosen language, as long as this lives: made before the window.
+class SpokenLanguage {
+  public:
+    SpokenLanguage();
+    ~SpokenLanguage();
+
+  private:
+    QTranslator m_ours, m_qts;
+};
+
+/// The language of the window: the desktop's, or one of those that it knows; remembered for other days, and
+/// spoken from the next start.
+class LanguageChoice : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    explicit LanguageChoice(QObject* parent);
+
+    QMenu* menu() const { return m_menu.get(); }
+
+  signals:
+    /// Another language is chosen than the one that is spoken; in that one, what there is to say of it and
+    /// the words for starting again. Both empty: it is this one again.
+    void changed(const QString& text, const QString& again);
+
+  private:
+    void choose(const QString& code);
+
+    std::unique_ptr<QMenu> m_menu;
+    QString m_spoken;  // its code; empty: the desktop's
+};
+
+}  // namespace wend
