@@ -1103,10 +1103,6 @@
         <translation>Zahl der Bilder, zu gleichen Abständen vom Anfang bis zur letzten Zeit</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>Bilder je Sekunde eines bewegten .glb</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>ob Verzerrung, φ, Richtungen und Geschwindigkeit mit Netzen gehen, in Formaten, die Werte tragen</translation>
     </message>
@@ -1355,10 +1351,6 @@
         <translation>&amp;Bilder</translation>
     </message>
     <message>
-        <source>Frames per &amp;second</source>
-        <translation>Bilder je &amp;Sekunde</translation>
-    </message>
-    <message>
         <source>&amp;Values</source>
         <translation>&amp;Werte</translation>
     </message>
@@ -1509,6 +1501,34 @@
     <message>
         <source>Another colour …</source>
         <translation>Andere Farbe …</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation>Bilder je Sekunde eines Films</translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation>Bild&amp;rate</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> fps</translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation>ob WebP-Bilder und -Filme jedes Pixel behalten oder mit kaum sichtbaren Verlusten nur einen Bruchteil so groß sind</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualität</translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation>Jedes Pixel – verlustfrei</translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation>Kleinere Datei – mit Verlusten</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +3950,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation>Welche Sprache das Fenster spricht</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>Wie der &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation>Die Sprache des Schreibtischs sprechen, wenn Wend sie kennt</translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation>Ab dem nächsten Start %1 sprechen</translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation>Ab dem nächsten Start spricht Wend Deutsch.</translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation>Neu starten</translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4788,10 +4839,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>F&amp;ormat</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
@@ -6003,6 +6050,10 @@
     <message>
         <source>Cell %1</source>
         <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>Der Film wird geschrieben …</translation>
     </message>
 </context>
 <context>

@@ -1323,14 +1323,6 @@
         <translation>&amp;Fotogramas</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>fotogramas por segundo de un .glb animado</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>Fotogramas por &amp;segundo</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>si la distorsión, φ, las direcciones y la velocidad acompañan a las mallas, en los formatos que admiten valores</translation>
     </message>
@@ -1509,6 +1501,34 @@
     <message>
         <source>Another colour …</source>
         <translation>Otro color …</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation>fotogramas por segundo de una película</translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation>C&amp;adencia</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> fps</translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation>si las imágenes y películas WebP conservan cada píxel o ocupan una fracción del tamaño con pérdidas apenas visibles</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Calidad</translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation>Cada píxel – sin pérdidas</translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation>Archivo menor – con pérdidas</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +3950,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation>Qué idioma habla la ventana</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation>Hablar el idioma del escritorio, si Wend lo conoce</translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation>Hablar %1 a partir del próximo inicio</translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation>Wend hablará español a partir del próximo inicio.</translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation>Reiniciar</translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4784,10 +4835,6 @@
     <message>
         <source>&amp;Height</source>
         <translation>Alt&amp;ura</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportar…</translation>
     </message>
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
@@ -6003,6 +6050,10 @@
     <message>
         <source>Cell %1</source>
         <translation>Celda %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>Exportando la película…</translation>
     </message>
 </context>
 <context>

@@ -1323,14 +1323,6 @@
         <translation>&amp;Images</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>images par seconde d’un .glb animé</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>Images par &amp;seconde</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>si la distorsion, φ, les directions et la vitesse accompagnent les maillages, dans les formats qui portent des valeurs</translation>
     </message>
@@ -1509,6 +1501,34 @@
     <message>
         <source>Another colour …</source>
         <translation>Autre couleur …</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation>images par seconde d’un film</translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation>&amp;Cadence</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation>si les images et films WebP gardent chaque pixel ou ne font qu’une fraction de la taille, avec des pertes à peine visibles</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualité</translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation>Chaque pixel – sans perte</translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation>Fichier plus petit – avec pertes</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +3950,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation>Quelle langue parle la fenêtre</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation>Parler la langue du bureau, si Wend la connaît</translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation>Parler %1 à partir du prochain démarrage</translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation>Wend parlera français à partir du prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation>Redémarrer</translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4784,10 +4835,6 @@
     <message>
         <source>&amp;Height</source>
         <translation>&amp;Hauteur</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xporter…</translation>
     </message>
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
@@ -6003,6 +6050,10 @@
     <message>
         <source>Cell %1</source>
         <translation>Cellule %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>Export du film…</translation>
     </message>
 </context>
 <context>

@@ -1323,14 +1323,6 @@
         <translation>フレーム数(&amp;R)</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>アニメーション .glb の 1 秒あたりのフレーム数</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>フレームレート(&amp;S)</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>値を持てる形式のメッシュに、ひずみ、φ、方向、速度を含めるかどうか</translation>
     </message>
@@ -1509,6 +1501,34 @@
     <message>
         <source>Another colour …</source>
         <translation>ほかの色…</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation>映像の 1 秒あたりのフレーム数</translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation>フレームレート(&amp;S)</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> fps</translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation>WebP の画像と映像ですべての画素を保つか、ほとんど見えない劣化でサイズをずっと小さくするか</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>品質(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation>すべての画素 – 劣化なし</translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation>小さいファイル – 劣化あり</translation>
     </message>
 </context>
 <context>
@@ -3923,6 +3943,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>言語(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation>ウィンドウの表示言語</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>デスクトップに合わせる(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation>Wend が対応していれば、デスクトップの言語で表示します</translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation>次回の起動から %1 で表示します</translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation>次回の起動から、Wend は日本語で表示されます。</translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation>再起動</translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4776,10 +4827,6 @@
     <message>
         <source>&amp;Height</source>
         <translation>高さ(&amp;H)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>書き出し(&amp;X)…</translation>
     </message>
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
@@ -5993,6 +6040,10 @@
     <message>
         <source>Cell %1</source>
         <translation>セル %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>映像を書き出しています…</translation>
     </message>
 </context>
 <context>

@@ -1323,14 +1323,6 @@
         <translation>帧数(&amp;R)</translation>
     </message>
     <message>
-        <source>frames per second of an animated .glb</source>
-        <translation>动画 .glb 每秒的帧数</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>帧速率(&amp;S)</translation>
-    </message>
-    <message>
         <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
         <translation>在支持附加数值的格式中，网格是否附带畸变、φ、方向和速度</translation>
     </message>
@@ -1509,6 +1501,34 @@
     <message>
         <source>Another colour …</source>
         <translation>其他颜色…</translation>
+    </message>
+    <message>
+        <source>frames per second of a film</source>
+        <translation>影片每秒的帧数</translation>
+    </message>
+    <message>
+        <source>R&amp;ate</source>
+        <translation>帧速率(&amp;S)</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> fps</translation>
+    </message>
+    <message>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <translation>WebP 图片和影片是保留每个像素，还是以几乎看不出的损失换取小得多的文件</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>质量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Every pixel – lossless</source>
+        <translation>每个像素 – 无损</translation>
+    </message>
+    <message>
+        <source>Smaller file – lossy</source>
+        <translation>更小的文件 – 有损</translation>
     </message>
 </context>
 <context>
@@ -3923,6 +3943,37 @@
     </message>
 </context>
 <context>
+    <name>wend::LanguageChoice</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Which language the window speaks</source>
+        <translation>窗口使用哪种语言</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>跟随桌面(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Speak the desktop&apos;s language, if Wend knows it</source>
+        <translation>如果 Wend 支持，就使用桌面的语言</translation>
+    </message>
+    <message>
+        <source>Speak %1 from the next start on</source>
+        <translation>从下次启动起使用%1</translation>
+    </message>
+    <message>
+        <source>Wend speaks English from its next start.</source>
+        <translation>Wend 将从下次启动起使用简体中文。</translation>
+    </message>
+    <message>
+        <source>Start Again</source>
+        <translation>重新启动</translation>
+    </message>
+</context>
+<context>
     <name>wend::LayerPanel</name>
     <message>
         <source>It is the same everywhere: brush over the shape to change a part.</source>
@@ -4776,10 +4827,6 @@
     <message>
         <source>&amp;Height</source>
         <translation>高度(&amp;H)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>导出(&amp;X)…</translation>
     </message>
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
@@ -5993,6 +6040,10 @@
     <message>
         <source>Cell %1</source>
         <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>正在导出影片…</translation>
     </message>
 </context>
 <context>
