@@ -1481,31 +1481,31 @@
     </message>
     <message>
         <source>frames per second of a film</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder je Sekunde eines Films</translation>
     </message>
     <message>
         <source>R&amp;ate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild&amp;rate</translation>
     </message>
     <message>
         <source> fps</source>
-        <translation type="unfinished"></translation>
+        <translation> fps</translation>
     </message>
     <message>
         <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
-        <translation type="unfinished"></translation>
+        <translation>ob WebP-Bilder und -Filme jedes Pixel behalten oder mit kaum sichtbaren Verlusten nur einen Bruchteil so groß sind</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Qualität</translation>
     </message>
     <message>
         <source>Every pixel – lossless</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Pixel – verlustfrei</translation>
     </message>
     <message>
         <source>Smaller file – lossy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinere Datei – mit Verlusten</translation>
     </message>
 </context>
 <context>
@@ -1722,39 +1722,39 @@
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation type="unfinished">Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
+        <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
     </message>
     <message>
         <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y, Z halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
     </message>
     <message>
         <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf die Form setzt einen Pin, Ziehen biegt sie sofort; daneben Pins umfahren wählt sie aus</translation>
     </message>
     <message>
         <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">Pins umfahren wählt sie aus; Umschalt dazu, Strg ab</translation>
+        <translation>Pins umfahren wählt sie aus; Umschalt dazu, Strg ab</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf die Form setzt einen Pin, Ziehen biegt sie sofort; daneben über Pins pinseln, [ und ] ändern die Größe</translation>
     </message>
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
+        <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf die Form setzt einen Pin; drücken und ziehen biegt sie sofort</translation>
     </message>
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation type="unfinished">Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
+        <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
     </message>
 </context>
 <context>
@@ -1772,23 +1772,23 @@
     <name>SizeTool</name>
     <message>
         <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation type="unfinished">Überstreichen, was feiner vernetzt werden soll; Umschalt macht es gröber, Strg wieder gleichmäßig, [ und ] ändern die Größe</translation>
+        <translation>Überstreichen, was feiner vernetzt werden soll; Umschalt macht es gröber, Strg wieder gleichmäßig, [ und ] ändern die Größe</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
-        <translation type="unfinished">Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
+        <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
     </message>
     <message>
         <source>Paint finer mesh</source>
-        <translation type="unfinished">Netz feiner malen</translation>
+        <translation>Netz feiner malen</translation>
     </message>
     <message>
         <source>Paint coarser mesh</source>
-        <translation type="unfinished">Netz gröber malen</translation>
+        <translation>Netz gröber malen</translation>
     </message>
     <message>
         <source>Paint even mesh</source>
-        <translation type="unfinished">Netz gleichmäßig malen</translation>
+        <translation>Netz gleichmäßig malen</translation>
     </message>
 </context>
 <context>
@@ -3919,31 +3919,31 @@
     <name>wend::LanguageChoice</name>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sprache</translation>
     </message>
     <message>
         <source>Which language the window speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Sprache das Fenster spricht</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished">Wie der &amp;Schreibtisch</translation>
+        <translation>Wie der &amp;Schreibtisch</translation>
     </message>
     <message>
         <source>Speak the desktop&apos;s language, if Wend knows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache des Schreibtischs sprechen, wenn Wend sie kennt</translation>
     </message>
     <message>
         <source>Speak %1 from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab dem nächsten Start %1 sprechen</translation>
     </message>
     <message>
         <source>Wend speaks English from its next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab dem nächsten Start spricht Wend Deutsch.</translation>
     </message>
     <message>
         <source>Start Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu starten</translation>
     </message>
 </context>
 <context>
@@ -5051,35 +5051,35 @@
     </message>
     <message>
         <source>Select &amp;Pins</source>
-        <translation type="unfinished">&amp;Pins auswählen</translation>
+        <translation>&amp;Pins auswählen</translation>
     </message>
     <message>
         <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation type="unfinished">Was mit dem Pin- oder Auswahlwerkzeug neben Pins gezogen wird, um sie auszuwählen</translation>
+        <translation>Was mit dem Pin- oder Auswahlwerkzeug neben Pins gezogen wird, um sie auszuwählen</translation>
     </message>
     <message>
         <source>By &amp;Rectangle</source>
-        <translation type="unfinished">Mit &amp;Rechteck</translation>
+        <translation>Mit &amp;Rechteck</translation>
     </message>
     <message>
         <source>Shift+R</source>
-        <translation type="unfinished">Shift+R</translation>
+        <translation>Shift+R</translation>
     </message>
     <message>
         <source>By &amp;Lasso</source>
-        <translation type="unfinished">Mit &amp;Lasso</translation>
+        <translation>Mit &amp;Lasso</translation>
     </message>
     <message>
         <source>Shift+O</source>
-        <translation type="unfinished">Shift+O</translation>
+        <translation>Shift+O</translation>
     </message>
     <message>
         <source>By &amp;Brush</source>
-        <translation type="unfinished">Mit &amp;Pinsel</translation>
+        <translation>Mit &amp;Pinsel</translation>
     </message>
     <message>
         <source>Shift+U</source>
-        <translation type="unfinished">Shift+U</translation>
+        <translation>Shift+U</translation>
     </message>
 </context>
 <context>
@@ -5643,7 +5643,7 @@
     </message>
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Kugel ist kleiner als das Netz: weiter ziehen oder mehr Punkte einstellen.</translation>
     </message>
 </context>
 <context>
@@ -6023,7 +6023,7 @@
     </message>
     <message>
         <source>Writing the film …</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Film wird geschrieben …</translation>
     </message>
 </context>
 <context>

@@ -1481,31 +1481,31 @@
     </message>
     <message>
         <source>frames per second of a film</source>
-        <translation type="unfinished"></translation>
+        <translation>fotogramas por segundo de una película</translation>
     </message>
     <message>
         <source>R&amp;ate</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;adencia</translation>
     </message>
     <message>
         <source> fps</source>
-        <translation type="unfinished"></translation>
+        <translation> fps</translation>
     </message>
     <message>
         <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
-        <translation type="unfinished"></translation>
+        <translation>si las imágenes y películas WebP conservan cada píxel o ocupan una fracción del tamaño con pérdidas apenas visibles</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Calidad</translation>
     </message>
     <message>
         <source>Every pixel – lossless</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada píxel – sin pérdidas</translation>
     </message>
     <message>
         <source>Smaller file – lossy</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo menor – con pérdidas</translation>
     </message>
 </context>
 <context>
@@ -1722,39 +1722,39 @@
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation type="unfinished">Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
+        <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
     </message>
     <message>
         <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
     </message>
     <message>
         <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la forma para poner un alfiler, arrastre para deformarla al momento; fuera de ella, rodee alfileres para seleccionarlos</translation>
     </message>
     <message>
         <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">Rodee alfileres para seleccionarlos; Mayús añade, Ctrl quita</translation>
+        <translation>Rodee alfileres para seleccionarlos; Mayús añade, Ctrl quita</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la forma para poner un alfiler, arrastre para deformarla al momento; fuera de ella, pase el pincel sobre alfileres, [ y ] cambian el tamaño</translation>
     </message>
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">Pase el pincel sobre alfileres para seleccionarlos, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
+        <translation>Pase el pincel sobre alfileres para seleccionarlos, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la forma para poner un alfiler, o pulse y arrastre para deformarla al momento</translation>
     </message>
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation type="unfinished">Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
+        <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
     </message>
 </context>
 <context>
@@ -1772,23 +1772,23 @@
     <name>SizeTool</name>
     <message>
         <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation type="unfinished">Pase el pincel donde la malla deba ser más fina; Mayús la hace más gruesa, Ctrl la deja uniforme, [ y ] cambian el tamaño</translation>
+        <translation>Pase el pincel donde la malla deba ser más fina; Mayús la hace más gruesa, Ctrl la deja uniforme, [ y ] cambian el tamaño</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
-        <translation type="unfinished">La malla procede de un archivo y se usa tal cual.</translation>
+        <translation>La malla procede de un archivo y se usa tal cual.</translation>
     </message>
     <message>
         <source>Paint finer mesh</source>
-        <translation type="unfinished">Pintar malla más fina</translation>
+        <translation>Pintar malla más fina</translation>
     </message>
     <message>
         <source>Paint coarser mesh</source>
-        <translation type="unfinished">Pintar malla más gruesa</translation>
+        <translation>Pintar malla más gruesa</translation>
     </message>
     <message>
         <source>Paint even mesh</source>
-        <translation type="unfinished">Pintar malla uniforme</translation>
+        <translation>Pintar malla uniforme</translation>
     </message>
 </context>
 <context>
@@ -3919,31 +3919,31 @@
     <name>wend::LanguageChoice</name>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>Which language the window speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué idioma habla la ventana</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished">Como el &amp;escritorio</translation>
+        <translation>Como el &amp;escritorio</translation>
     </message>
     <message>
         <source>Speak the desktop&apos;s language, if Wend knows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Hablar el idioma del escritorio, si Wend lo conoce</translation>
     </message>
     <message>
         <source>Speak %1 from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Hablar %1 a partir del próximo inicio</translation>
     </message>
     <message>
         <source>Wend speaks English from its next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wend hablará español a partir del próximo inicio.</translation>
     </message>
     <message>
         <source>Start Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiniciar</translation>
     </message>
 </context>
 <context>
@@ -5051,35 +5051,35 @@
     </message>
     <message>
         <source>Select &amp;Pins</source>
-        <translation type="unfinished">Seleccionar alfi&amp;leres</translation>
+        <translation>Seleccionar alfi&amp;leres</translation>
     </message>
     <message>
         <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation type="unfinished">Lo que se traza junto a los alfileres, con la herramienta Alfiler o Seleccionar, para seleccionarlos</translation>
+        <translation>Lo que se traza junto a los alfileres, con la herramienta Alfiler o Seleccionar, para seleccionarlos</translation>
     </message>
     <message>
         <source>By &amp;Rectangle</source>
-        <translation type="unfinished">Con &amp;rectángulo</translation>
+        <translation>Con &amp;rectángulo</translation>
     </message>
     <message>
         <source>Shift+R</source>
-        <translation type="unfinished">Shift+R</translation>
+        <translation>Shift+R</translation>
     </message>
     <message>
         <source>By &amp;Lasso</source>
-        <translation type="unfinished">Con &amp;lazo</translation>
+        <translation>Con &amp;lazo</translation>
     </message>
     <message>
         <source>Shift+O</source>
-        <translation type="unfinished">Shift+O</translation>
+        <translation>Shift+O</translation>
     </message>
     <message>
         <source>By &amp;Brush</source>
-        <translation type="unfinished">Con &amp;pincel</translation>
+        <translation>Con &amp;pincel</translation>
     </message>
     <message>
         <source>Shift+U</source>
-        <translation type="unfinished">Shift+U</translation>
+        <translation>Shift+U</translation>
     </message>
 </context>
 <context>
@@ -5643,7 +5643,7 @@
     </message>
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta bola es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
     </message>
 </context>
 <context>
@@ -6023,7 +6023,7 @@
     </message>
     <message>
         <source>Writing the film …</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportando la película…</translation>
     </message>
 </context>
 <context>

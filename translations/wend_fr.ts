@@ -1481,31 +1481,31 @@
     </message>
     <message>
         <source>frames per second of a film</source>
-        <translation type="unfinished"></translation>
+        <translation>images par seconde d’un film</translation>
     </message>
     <message>
         <source>R&amp;ate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Cadence</translation>
     </message>
     <message>
         <source> fps</source>
-        <translation type="unfinished"></translation>
+        <translation> i/s</translation>
     </message>
     <message>
         <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
-        <translation type="unfinished"></translation>
+        <translation>si les images et films WebP gardent chaque pixel ou ne font qu’une fraction de la taille, avec des pertes à peine visibles</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Qualité</translation>
     </message>
     <message>
         <source>Every pixel – lossless</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque pixel – sans perte</translation>
     </message>
     <message>
         <source>Smaller file – lossy</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichier plus petit – avec pertes</translation>
     </message>
 </context>
 <context>
@@ -1722,39 +1722,39 @@
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation type="unfinished">Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
+        <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
     </message>
     <message>
         <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y, Z verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
     </message>
     <message>
         <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur la forme pour poser une épingle, tirez pour la déformer aussitôt ; à côté, entourez des épingles pour les sélectionner</translation>
     </message>
     <message>
         <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">Entourez des épingles pour les sélectionner&#x202f;; Maj ajoute, Ctrl retire</translation>
+        <translation>Entourez des épingles pour les sélectionner&#x202f;; Maj ajoute, Ctrl retire</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur la forme pour poser une épingle, tirez pour la déformer aussitôt ; à côté, passez le pinceau sur des épingles, [ et ] changent la taille</translation>
     </message>
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">Passez le pinceau sur des épingles pour les sélectionner, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
+        <translation>Passez le pinceau sur des épingles pour les sélectionner, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur la forme pour poser une épingle, ou appuyez et tirez pour la déformer aussitôt</translation>
     </message>
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation type="unfinished">Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
+        <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
     </message>
 </context>
 <context>
@@ -1772,23 +1772,23 @@
     <name>SizeTool</name>
     <message>
         <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation type="unfinished">Passez le pinceau où le maillage doit être plus fin&#x202f;; Maj le rend plus grossier, Ctrl de nouveau uniforme, [ et ] changent la taille</translation>
+        <translation>Passez le pinceau où le maillage doit être plus fin&#x202f;; Maj le rend plus grossier, Ctrl de nouveau uniforme, [ et ] changent la taille</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
-        <translation type="unfinished">Le maillage vient d’un fichier et sert tel quel.</translation>
+        <translation>Le maillage vient d’un fichier et sert tel quel.</translation>
     </message>
     <message>
         <source>Paint finer mesh</source>
-        <translation type="unfinished">Maillage plus fin</translation>
+        <translation>Maillage plus fin</translation>
     </message>
     <message>
         <source>Paint coarser mesh</source>
-        <translation type="unfinished">Maillage plus grossier</translation>
+        <translation>Maillage plus grossier</translation>
     </message>
     <message>
         <source>Paint even mesh</source>
-        <translation type="unfinished">Maillage uniforme</translation>
+        <translation>Maillage uniforme</translation>
     </message>
 </context>
 <context>
@@ -3919,31 +3919,31 @@
     <name>wend::LanguageChoice</name>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Langue</translation>
     </message>
     <message>
         <source>Which language the window speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle langue parle la fenêtre</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished">Comme le &amp;bureau</translation>
+        <translation>Comme le &amp;bureau</translation>
     </message>
     <message>
         <source>Speak the desktop&apos;s language, if Wend knows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Parler la langue du bureau, si Wend la connaît</translation>
     </message>
     <message>
         <source>Speak %1 from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Parler %1 à partir du prochain démarrage</translation>
     </message>
     <message>
         <source>Wend speaks English from its next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wend parlera français à partir du prochain démarrage.</translation>
     </message>
     <message>
         <source>Start Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Redémarrer</translation>
     </message>
 </context>
 <context>
@@ -5051,35 +5051,35 @@
     </message>
     <message>
         <source>Select &amp;Pins</source>
-        <translation type="unfinished">Sélectionner des épin&amp;gles</translation>
+        <translation>Sélectionner des épin&amp;gles</translation>
     </message>
     <message>
         <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation type="unfinished">Ce qu’on trace à côté des épingles, avec l’outil Épingle ou Sélection, pour les sélectionner</translation>
+        <translation>Ce qu’on trace à côté des épingles, avec l’outil Épingle ou Sélection, pour les sélectionner</translation>
     </message>
     <message>
         <source>By &amp;Rectangle</source>
-        <translation type="unfinished">Au &amp;rectangle</translation>
+        <translation>Au &amp;rectangle</translation>
     </message>
     <message>
         <source>Shift+R</source>
-        <translation type="unfinished">Shift+R</translation>
+        <translation>Shift+R</translation>
     </message>
     <message>
         <source>By &amp;Lasso</source>
-        <translation type="unfinished">Au &amp;lasso</translation>
+        <translation>Au &amp;lasso</translation>
     </message>
     <message>
         <source>Shift+O</source>
-        <translation type="unfinished">Shift+O</translation>
+        <translation>Shift+O</translation>
     </message>
     <message>
         <source>By &amp;Brush</source>
-        <translation type="unfinished">Au &amp;pinceau</translation>
+        <translation>Au &amp;pinceau</translation>
     </message>
     <message>
         <source>Shift+U</source>
-        <translation type="unfinished">Shift+U</translation>
+        <translation>Shift+U</translation>
     </message>
 </context>
 <context>
@@ -5643,7 +5643,7 @@
     </message>
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette boule est plus petite que les mailles : tirez plus loin, ou augmentez le nombre de sommets.</translation>
     </message>
 </context>
 <context>
@@ -6023,7 +6023,7 @@
     </message>
     <message>
         <source>Writing the film …</source>
-        <translation type="unfinished"></translation>
+        <translation>Export du film…</translation>
     </message>
 </context>
 <context>

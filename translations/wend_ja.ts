@@ -1481,31 +1481,31 @@
     </message>
     <message>
         <source>frames per second of a film</source>
-        <translation type="unfinished"></translation>
+        <translation>映像の 1 秒あたりのフレーム数</translation>
     </message>
     <message>
         <source>R&amp;ate</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームレート(&amp;S)</translation>
     </message>
     <message>
         <source> fps</source>
-        <translation type="unfinished"></translation>
+        <translation> fps</translation>
     </message>
     <message>
         <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP の画像と映像ですべての画素を保つか、ほとんど見えない劣化でサイズをずっと小さくするか</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>品質(&amp;Q)</translation>
     </message>
     <message>
         <source>Every pixel – lossless</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての画素 – 劣化なし</translation>
     </message>
     <message>
         <source>Smaller file – lossy</source>
-        <translation type="unfinished"></translation>
+        <translation>小さいファイル – 劣化あり</translation>
     </message>
 </context>
 <context>
@@ -1721,39 +1721,39 @@
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation type="unfinished">矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
+        <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
     </message>
     <message>
         <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X、Y、Z で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
     </message>
     <message>
         <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>X、Y で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
-        <translation type="unfinished"></translation>
+        <translation>形状をクリックしてピンを打ち、ドラッグですぐに変形。形状の外からはピンを囲んで選択します</translation>
     </message>
     <message>
         <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">ピンを囲んで選択します。Shift で追加、Ctrl で除外</translation>
+        <translation>ピンを囲んで選択します。Shift で追加、Ctrl で除外</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>形状をクリックしてピンを打ち、ドラッグですぐに変形。形状の外からはピンをブラシでなぞります。[ と ] でサイズを変更</translation>
     </message>
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">ピンをブラシでなぞって選択します。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
+        <translation>ピンをブラシでなぞって選択します。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>形状をクリックしてピンを打つか、押したままドラッグしてすぐに変形させます</translation>
     </message>
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation type="unfinished">クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
+        <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
     </message>
 </context>
 <context>
@@ -1771,23 +1771,23 @@
     <name>SizeTool</name>
     <message>
         <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation type="unfinished">メッシュを細かくする部分をブラシでなぞります。Shift で粗く、Ctrl で均一に戻し、[ と ] でサイズを変更</translation>
+        <translation>メッシュを細かくする部分をブラシでなぞります。Shift で粗く、Ctrl で均一に戻し、[ と ] でサイズを変更</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
-        <translation type="unfinished">メッシュはファイルから読み込まれ、そのまま使われます。</translation>
+        <translation>メッシュはファイルから読み込まれ、そのまま使われます。</translation>
     </message>
     <message>
         <source>Paint finer mesh</source>
-        <translation type="unfinished">メッシュを細かくペイント</translation>
+        <translation>メッシュを細かくペイント</translation>
     </message>
     <message>
         <source>Paint coarser mesh</source>
-        <translation type="unfinished">メッシュを粗くペイント</translation>
+        <translation>メッシュを粗くペイント</translation>
     </message>
     <message>
         <source>Paint even mesh</source>
-        <translation type="unfinished">メッシュを均一にペイント</translation>
+        <translation>メッシュを均一にペイント</translation>
     </message>
 </context>
 <context>
@@ -3912,31 +3912,31 @@
     <name>wend::LanguageChoice</name>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>言語(&amp;L)</translation>
     </message>
     <message>
         <source>Which language the window speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウの表示言語</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished">デスクトップに合わせる(&amp;D)</translation>
+        <translation>デスクトップに合わせる(&amp;D)</translation>
     </message>
     <message>
         <source>Speak the desktop&apos;s language, if Wend knows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wend が対応していれば、デスクトップの言語で表示します</translation>
     </message>
     <message>
         <source>Speak %1 from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>次回の起動から %1 で表示します</translation>
     </message>
     <message>
         <source>Wend speaks English from its next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>次回の起動から、Wend は日本語で表示されます。</translation>
     </message>
     <message>
         <source>Start Again</source>
-        <translation type="unfinished"></translation>
+        <translation>再起動</translation>
     </message>
 </context>
 <context>
@@ -5043,35 +5043,35 @@
     </message>
     <message>
         <source>Select &amp;Pins</source>
-        <translation type="unfinished">ピンを選択(&amp;P)</translation>
+        <translation>ピンを選択(&amp;P)</translation>
     </message>
     <message>
         <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation type="unfinished">ピンツールまたは選択ツールで、ピンの横からドラッグして選択するときの形</translation>
+        <translation>ピンツールまたは選択ツールで、ピンの横からドラッグして選択するときの形</translation>
     </message>
     <message>
         <source>By &amp;Rectangle</source>
-        <translation type="unfinished">長方形(&amp;R)</translation>
+        <translation>長方形(&amp;R)</translation>
     </message>
     <message>
         <source>Shift+R</source>
-        <translation type="unfinished">Shift+R</translation>
+        <translation>Shift+R</translation>
     </message>
     <message>
         <source>By &amp;Lasso</source>
-        <translation type="unfinished">なげなわ(&amp;L)</translation>
+        <translation>なげなわ(&amp;L)</translation>
     </message>
     <message>
         <source>Shift+O</source>
-        <translation type="unfinished">Shift+O</translation>
+        <translation>Shift+O</translation>
     </message>
     <message>
         <source>By &amp;Brush</source>
-        <translation type="unfinished">ブラシ(&amp;B)</translation>
+        <translation>ブラシ(&amp;B)</translation>
     </message>
     <message>
         <source>Shift+U</source>
-        <translation type="unfinished">Shift+U</translation>
+        <translation>Shift+U</translation>
     </message>
 </context>
 <context>
@@ -5633,7 +5633,7 @@
     </message>
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>球がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
     </message>
 </context>
 <context>
@@ -6013,7 +6013,7 @@
     </message>
     <message>
         <source>Writing the film …</source>
-        <translation type="unfinished"></translation>
+        <translation>映像を書き出しています…</translation>
     </message>
 </context>
 <context>

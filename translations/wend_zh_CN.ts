@@ -1481,31 +1481,31 @@
     </message>
     <message>
         <source>frames per second of a film</source>
-        <translation type="unfinished"></translation>
+        <translation>影片每秒的帧数</translation>
     </message>
     <message>
         <source>R&amp;ate</source>
-        <translation type="unfinished"></translation>
+        <translation>帧速率(&amp;S)</translation>
     </message>
     <message>
         <source> fps</source>
-        <translation type="unfinished"></translation>
+        <translation> fps</translation>
     </message>
     <message>
         <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP 图片和影片是保留每个像素，还是以几乎看不出的损失换取小得多的文件</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>质量(&amp;Q)</translation>
     </message>
     <message>
         <source>Every pixel – lossless</source>
-        <translation type="unfinished"></translation>
+        <translation>每个像素 – 无损</translation>
     </message>
     <message>
         <source>Smaller file – lossy</source>
-        <translation type="unfinished"></translation>
+        <translation>更小的文件 – 有损</translation>
     </message>
 </context>
 <context>
@@ -1721,39 +1721,39 @@
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation type="unfinished">拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
+        <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
     </message>
     <message>
         <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>按 X、Y、Z 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
     </message>
     <message>
         <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation type="unfinished"></translation>
+        <translation>按 X、Y 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
-        <translation type="unfinished"></translation>
+        <translation>在形状上单击放置图钉，拖动立即变形；在形状外圈住图钉进行选择</translation>
     </message>
     <message>
         <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">圈住图钉进行选择；按住 Shift 添加，按住 Ctrl 减去</translation>
+        <translation>圈住图钉进行选择；按住 Shift 添加，按住 Ctrl 减去</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>在形状上单击放置图钉，拖动立即变形；在形状外用画笔刷过图钉，[ 和 ] 更改大小</translation>
     </message>
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation type="unfinished">用画笔刷过图钉进行选择，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
+        <translation>用画笔刷过图钉进行选择，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
     </message>
     <message>
         <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
-        <translation type="unfinished"></translation>
+        <translation>在形状上单击放置图钉，或按住并拖动立即使其变形</translation>
     </message>
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation type="unfinished">单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
+        <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
     </message>
 </context>
 <context>
@@ -1771,23 +1771,23 @@
     <name>SizeTool</name>
     <message>
         <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation type="unfinished">用画笔刷过网格要更细的部分；按住 Shift 变粗，按住 Ctrl 恢复均匀，[ 和 ] 更改大小</translation>
+        <translation>用画笔刷过网格要更细的部分；按住 Shift 变粗，按住 Ctrl 恢复均匀，[ 和 ] 更改大小</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
-        <translation type="unfinished">网格来自文件，按原样使用。</translation>
+        <translation>网格来自文件，按原样使用。</translation>
     </message>
     <message>
         <source>Paint finer mesh</source>
-        <translation type="unfinished">绘制更细的网格</translation>
+        <translation>绘制更细的网格</translation>
     </message>
     <message>
         <source>Paint coarser mesh</source>
-        <translation type="unfinished">绘制更粗的网格</translation>
+        <translation>绘制更粗的网格</translation>
     </message>
     <message>
         <source>Paint even mesh</source>
-        <translation type="unfinished">绘制均匀的网格</translation>
+        <translation>绘制均匀的网格</translation>
     </message>
 </context>
 <context>
@@ -3912,31 +3912,31 @@
     <name>wend::LanguageChoice</name>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>语言(&amp;L)</translation>
     </message>
     <message>
         <source>Which language the window speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口使用哪种语言</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished">跟随桌面(&amp;D)</translation>
+        <translation>跟随桌面(&amp;D)</translation>
     </message>
     <message>
         <source>Speak the desktop&apos;s language, if Wend knows it</source>
-        <translation type="unfinished"></translation>
+        <translation>如果 Wend 支持，就使用桌面的语言</translation>
     </message>
     <message>
         <source>Speak %1 from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>从下次启动起使用%1</translation>
     </message>
     <message>
         <source>Wend speaks English from its next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wend 将从下次启动起使用简体中文。</translation>
     </message>
     <message>
         <source>Start Again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新启动</translation>
     </message>
 </context>
 <context>
@@ -5043,35 +5043,35 @@
     </message>
     <message>
         <source>Select &amp;Pins</source>
-        <translation type="unfinished">选择图钉(&amp;P)</translation>
+        <translation>选择图钉(&amp;P)</translation>
     </message>
     <message>
         <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation type="unfinished">用图钉或选择工具在图钉旁拖动进行选择时所画的形状</translation>
+        <translation>用图钉或选择工具在图钉旁拖动进行选择时所画的形状</translation>
     </message>
     <message>
         <source>By &amp;Rectangle</source>
-        <translation type="unfinished">矩形(&amp;R)</translation>
+        <translation>矩形(&amp;R)</translation>
     </message>
     <message>
         <source>Shift+R</source>
-        <translation type="unfinished">Shift+R</translation>
+        <translation>Shift+R</translation>
     </message>
     <message>
         <source>By &amp;Lasso</source>
-        <translation type="unfinished">套索(&amp;L)</translation>
+        <translation>套索(&amp;L)</translation>
     </message>
     <message>
         <source>Shift+O</source>
-        <translation type="unfinished">Shift+O</translation>
+        <translation>Shift+O</translation>
     </message>
     <message>
         <source>By &amp;Brush</source>
-        <translation type="unfinished">画笔(&amp;B)</translation>
+        <translation>画笔(&amp;B)</translation>
     </message>
     <message>
         <source>Shift+U</source>
-        <translation type="unfinished">Shift+U</translation>
+        <translation>Shift+U</translation>
     </message>
 </context>
 <context>
@@ -5633,7 +5633,7 @@
     </message>
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>此球比网格的格子还小：请拖得更远，或增加顶点数。</translation>
     </message>
 </context>
 <context>
@@ -6013,7 +6013,7 @@
     </message>
     <message>
         <source>Writing the film …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在导出影片…</translation>
     </message>
 </context>
 <context>

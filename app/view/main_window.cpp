@@ -326,13 +326,6 @@ void MainWindow::openPath(const QString& path) {
     m_files->open(path);
 }
 
-void MainWindow::startAgain() {
-    if (!close()) return;
-    const Document& document = m_session.document();
-    const QString file = document.path().isEmpty() ? document.source() : document.path();
-    m_again = file.isEmpty() ? QStringList() : QStringList(file);
-}
-
 void MainWindow::showDocument() {
     const bool has = !m_session.document().isEmpty();
     const bool solid = m_session.document().dimension() == 3;

@@ -29,6 +29,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(m_files->mayLeave());
 }
 
+void MainWindow::startAgain() {
+    if (!close()) return;
+    const Document& document = m_session.document();
+    const QString file = document.path().isEmpty() ? document.source() : document.path();
+    m_again = file.isEmpty() ? QStringList() : QStringList(file);
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (EnergySlider::phiIn(event->mimeData())) return event->acceptProposedAction();
     const QString path =
