@@ -169,13 +169,14 @@ int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
 template <int Dim>
 void IsotropicBackEnd<Dim>::spreadWeights(int begin, int end) {
     const auto n = static_cast<std::size_t>(m_cellCount);
-    const bool stress = m_jump == isotropic::Jump::Stress;
+    const bool stress = m_jump == isotropic::Jump::Stress, swells = m_jump == isotropic::Jump::Strain;
     for (int k = 0; k < kCorners; ++k)
         for (int c = begin; c < end; ++c) {
             const int facet = m_facets[k * n + c];
             if (facet < 0) continue;
             m_shear[k * n + c] = m_facetWeight[facet] * (stress ? 1 : m_facetQ[facet]);
-            m_dilation[k * n + c] = stress ? 0 : m_facetWeight[facet] * m_facetR[facet];
+            // Jumps of shear and of stress have none.
+            if (swells) m_dilation[k * n + c] = m_facetWeight[facet] * m_facetR[facet];
         }
 }
 

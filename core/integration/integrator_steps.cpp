@@ -63,6 +63,10 @@ std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start
     const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
         return evaluate(t, side, v);
     };
+    if (m_solver->reuses())
+        m_history.begin(state.time, to, start, [this](const auto& from, const auto& shape, auto& fields) {
+            m_solver->turn(from, shape, fields);
+        });
     if (!method().attempt(rhs, m_solver->stages(), state.time, to, start, state.pace)) return {};
     const double error = method().error();
     if (!(error <= 1)) return error;

@@ -7,6 +7,8 @@ namespace wend {
 namespace {
 
 constexpr int kMost = 200;  // far beyond what ever pays; ends a run that rounding keeps from converging
+// What a last step without its product may leave of the error at least, for all that is expected of it.
+constexpr double kPlainContraction = 0.25;
 
 template <int Dim>
 double dot(const Points<Dim>& a, const Points<Dim>& b) {
@@ -58,6 +60,12 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             if (size / before > goal.poorestContraction) break;
         }
         const double contraction = first ? goal.contraction : std::max(goal.minContraction, size / before);
+        const double plain = std::max(contraction, kPlainContraction);
+        if (size * plain <= goal.tolerance * v.cwiseAbs().maxCoeff() * (1 - plain)) {
+            system.expand(m_z, v);
+            result.end = Result::End::Converged;
+            break;
+        }
         if (first)
             m_p = m_z;
         else

@@ -43,7 +43,8 @@ class ConjugateGradients {
     /// v += Z y, from a v that meets the constraints. The error after a step is estimated as what all further
     /// ones would add, |z| (ρ + ρ² + …) = |z| ρ / (1 − ρ): z the preconditioned residual before the step, ρ
     /// the last contraction of |z|, both in the maximum norm, but no less than goal.leastContraction. The
-    /// step that would bring it under the tolerance is the last.
+    /// step that would bring it under the tolerance is the last. Where it need not bring much it is z itself,
+    /// without the product that tells how far to go along it: within a few percent as far as that.
     /// `load` is f, one column per vertex; null: none.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
                const Goal& goal, const Points<Dim>* load, Points<Dim>& v);

@@ -15,6 +15,16 @@ constexpr double kBestContraction = 0.05;
 constexpr double kFreshMargin = 4, kBestFresh = 0.005;
 // With a new factor the contraction grows with the distance about as it did with the last one.
 constexpr double kCarriedMargin = 2;
+// A new factor is made so far ahead of the shape, as a part of the way on which the last one served, and no
+// farther: along straight lines a shape that turns is stretched. Less than this many solves are no way.
+constexpr double kAhead = 0.4, kFarthest = 0.15;
+constexpr int kWay = 4;
+// Where cells would fold over on so many times the way they would be too thin at its end: such a factor is
+// blind to what they resist.
+constexpr double kUnfolded = 3;
+// Nearer than this part of where the contraction was measured it is not expected to be better: a factor that
+// was made ahead is never quite met.
+constexpr double kNearest = 0.5;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
@@ -78,13 +88,34 @@ SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kin
     return {};
 }
 
+/// Brings the back end to where the shape will be when the new factor has served for a while: null, and it
+/// stays where it is, if that is not known or cells would soon fold over.
 template <int Dim>
-SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop) {
+Nodal<Dim> FactorCache<Dim>::goAhead(const Points<Dim>& velocity) {
+    const double distance = std::min(kFarthest, kAhead * (m_memory.ahead + m_memory.lag)),
+                 speed = velocity.cwiseAbs().maxCoeff();
+    if (m_policy.counts().evaluations < kWay || !(distance > 0 && speed > 0)) return nullptr;
+    const Points<Dim> way = distance / speed * velocity;
+    const Nodal<Dim> here = m_backEnd.stages().shape();
+    auto shape = std::make_shared<const Points<Dim>>(*here + way);
+    if (m_backEnd.setShape(*here + kUnfolded * way) < 0 && m_backEnd.setShape(*shape) < 0) {
+        m_memory.ahead = distance;
+        return shape;
+    }
+    m_backEnd.setStage();
+    return nullptr;
+}
+
+template <int Dim>
+SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const Points<Dim>* velocity) {
     const bool lasts = use == Use::Lasting, exact = use == Use::OnceExact;
     const auto kind = lasts   ? m_memory.best
                       : exact ? FactorKind::Reference
                               : std::max(m_memory.best, FactorKind::Double);
-    const SolveOutcome outcome = factorize(lasts ? m_backEnd.stages().shape() : nullptr, kind, stop);
+    const Nodal<Dim> ahead = lasts && velocity ? goAhead(*velocity) : nullptr;
+    if (!ahead) m_memory.ahead = 0;
+    const SolveOutcome outcome = factorize(ahead || !lasts ? ahead : m_backEnd.stages().shape(), kind, stop);
+    if (ahead) m_backEnd.setStage();
     if (outcome.kind == SolveOutcome::Kind::Stopped) return outcome;
     m_memory.shape = m_shape;
     m_memory.kind = m_factor.kind();
@@ -123,7 +154,7 @@ double FactorCache<Dim>::expectedContraction(double lag) const {
     if (lag == 0) return fresh;
     if (m_memory.contraction.value_or(1) >= 1) return 1;
     const double there = std::max(minContraction(), *m_memory.contraction);
-    return std::min(1.0, std::max(fresh, there * lag / m_memory.contractionLag));
+    return std::min(1.0, std::max(fresh, there * std::max(kNearest, lag / m_memory.contractionLag)));
 }
 
 /// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less

@@ -33,9 +33,10 @@ class FactorCache {
     std::span<double> values() { return m_factor.values(); }
 
     /// A new factor, at the back end's shape: one that lasts, in the poorest precision that serves here, or
-    /// one for a single solve, in double precision or (`exact`) by CHOLMOD.
+    /// one for a single solve, in double precision or (`exact`) by CHOLMOD. One that lasts is made ahead of
+    /// the shape where it is known with which velocities that moves: it serves on both sides.
     enum class Use { Lasting, Once, OnceExact };
-    SolveOutcome make(Use use, const std::stop_token& stop);
+    SolveOutcome make(Use use, const std::stop_token& stop, const Points<Dim>* velocity = nullptr);
     /// The factor of the memory is at hand, made again if another was made since. False if there is none, if
     /// a new one pays, or if it cannot be had, as with other constraints.
     bool restore(const std::stop_token& stop);
@@ -43,7 +44,9 @@ class FactorCache {
     bool improve();
 
     /// How far the back end's shape is from the factor's.
-    double lag() const { return m_backEnd.stages().distance(m_memory.shape); }
+    double lag() { return m_memory.lag = m_backEnd.stages().distance(m_memory.shape); }
+    /// Whether the factor was made at another shape than the back end's at that time.
+    bool isAhead() const { return m_memory.ahead > 0; }
     const Nodal<Dim>& shape() const { return m_memory.shape; }
     bool isSingle() const { return m_memory.kind == FactorKind::Single; }
     /// x ≈ K⁻¹ b with the factor at hand; false if that is not finite.
@@ -58,6 +61,7 @@ class FactorCache {
     void learn(double lag, const typename ConjugateGradients<Dim>::Result& result);
 
   private:
+    Nodal<Dim> goAhead(const Points<Dim>& velocity);
     SolveOutcome factorize(const Nodal<Dim>& shape, FactorKind kind, const std::stop_token& stop);
 
     BackEnd<Dim>& m_backEnd;

@@ -5,8 +5,8 @@
 namespace wend {
 
 /// When a new factor pays: decided by counted work, never by a clock, so that a run repeats to the last bit
-/// under any load. Before an evaluation: refactorize when going on, with one iteration more than the last
-/// evaluation took, would cost more than the average evaluation since the factor, the factor included.
+/// under any load. Before an evaluation: refactorize when going on, with half an iteration more than the
+/// last evaluation took, would cost more than the average evaluation since the factor, the factor included.
 class RefactorPolicy {
   public:
     /// Since the factor.
@@ -33,7 +33,7 @@ class RefactorPolicy {
     bool keepsPace() const { return m_factor > m_longestPause; }
     bool due() const {
         if (keepsPace()) return m_counts.last * m_iteration > kPartOfPause * m_factor;
-        return m_counts.evaluations > 0 && (m_counts.last + 1) * m_iteration * m_counts.evaluations >
+        return m_counts.evaluations > 0 && (m_counts.last + kMore) * m_iteration * m_counts.evaluations >
                                                m_factor + m_counts.iterations * m_iteration;
     }
     /// Whether so many iterations more cost clearly more than to start from a new factor.
@@ -43,7 +43,7 @@ class RefactorPolicy {
     void setCounts(const Counts& counts) { m_counts = counts; }
 
   private:
-    static constexpr double kPartOfPause = 0.15;
+    static constexpr double kPartOfPause = 0.15, kMore = 0.5;
 
     double m_factor = 0, m_iteration = 1, m_longestPause = std::numeric_limits<double>::infinity();
     Counts m_counts;

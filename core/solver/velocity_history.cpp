@@ -10,17 +10,51 @@ namespace {
 constexpr std::size_t kFields = 3;  // a cubic guess saves nothing more
 // Directions of the prescribed velocities that are weaker than this, relatively, are rounding.
 constexpr double kRankTolerance = 1e-6;
-// Times closer than this, relative to the span of the history, are one time with rounding.
+// Times closer than this are one time with rounding.
 constexpr double kSameTime = 1e-6;
+// Fields closer than this part of the history's span are one field: a polynomial through both, like the last
+// stages of Dormand and Prince, whose shapes differ in their errors, goes astray.
+constexpr double kTooClose = 0.15;
+// Misses of a step whose width differs by more than this factor tell little.
+constexpr double kOtherWidth = 2;
+
+bool samePlace(double a, double b) {
+    return std::abs(a - b) <= 1e-9;
+}
 
 }  // namespace
 
+/// Misses turn with the shape, like the fields themselves: without it they are wrong by the angle of a step.
+/// Measured on a bar that twists by 18° in a step: guesses wrong by 0.35 % without, by 0.005 % with it.
+template <int Dim>
+void VelocityHistory<Dim>::begin(double from, double to, const Nodal<Dim>& shape, const Turn& turn) {
+    if (m_step.width > 0 && from != m_step.from) {  // else the last attempt is made again
+        m_before = std::move(m_step);
+        std::vector<Points<Dim>> fields;
+        for (const Miss& miss : m_before.misses) fields.push_back(*miss.field);
+        if (!fields.empty()) turn(*m_before.shape, *shape, fields);
+        for (std::size_t i = 0; i < fields.size(); ++i)
+            m_before.misses[i].field = std::make_shared<const Points<Dim>>(std::move(fields[i]));
+    }
+    m_step = {from, to - from, shape, {}};
+}
+
+template <int Dim>
+int VelocityHistory<Dim>::turnOf(double place) const {
+    return static_cast<int>(std::count_if(m_step.misses.begin(), m_step.misses.end(),
+                                          [&](const Miss& miss) { return samePlace(miss.place, place); }));
+}
+
 template <int Dim>
 void VelocityHistory<Dim>::record(double time, const Points<Dim>& prescribed, const Points<Dim>& velocity) {
+    if (m_polynomial && m_step.width > 0)
+        m_step.misses.push_back({place(time), turnOf(place(time)),
+                                 std::make_shared<const Points<Dim>>(velocity - *m_polynomial)});
+    m_polynomial = nullptr;
     double span = 0;
     for (const auto& field : m_fields) span = std::max(span, std::abs(time - field.time));
     std::erase_if(m_fields, [&](const Field& field) {
-        return std::abs(time - field.time) <= kSameTime * std::max(span, std::abs(time));
+        return std::abs(time - field.time) <= std::max(kTooClose * span, kSameTime * std::abs(time));
     });
     if (m_fields.size() == kFields) m_fields.erase(m_fields.begin());
     m_fields.push_back({time, std::make_shared<const Points<Dim>>(prescribed),
@@ -37,8 +71,7 @@ Points<Dim> VelocityHistory<Dim>::combined(const Eigen::VectorXd& weights) const
 
 /// Lagrange's weights Π (t − t_j) / (t_i − t_j).
 template <int Dim>
-std::optional<Points<Dim>> VelocityHistory<Dim>::at(double time) const {
-    if (m_fields.empty()) return std::nullopt;
+Points<Dim> VelocityHistory<Dim>::through(double time) const {
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(m_fields.size()));
     for (std::size_t i = 0; i < m_fields.size(); ++i)
         for (std::size_t j = 0; j < m_fields.size(); ++j)
@@ -46,6 +79,21 @@ std::optional<Points<Dim>> VelocityHistory<Dim>::at(double time) const {
                 weights[static_cast<Eigen::Index>(i)] *=
                     (time - m_fields[j].time) / (m_fields[i].time - m_fields[j].time);
     return combined(weights);
+}
+
+template <int Dim>
+std::optional<Points<Dim>> VelocityHistory<Dim>::at(double time) {
+    m_polynomial = nullptr;
+    if (m_fields.empty()) return std::nullopt;
+    Points<Dim> guess = through(time);
+    if (m_fields.size() < kFields || m_step.width == 0) return guess;
+    m_polynomial = std::make_shared<const Points<Dim>>(guess);
+    const double wider = m_step.width / m_before.width;  // nothing is less than it, where there was no step
+    if (!(wider <= kOtherWidth && wider >= 1 / kOtherWidth)) return guess;
+    for (const Miss& miss : m_before.misses)
+        if (samePlace(miss.place, place(time)) && miss.turn == turnOf(place(time)))
+            guess += wider * wider * wider * *miss.field;  // of third order
+    return guess;
 }
 
 template <int Dim>

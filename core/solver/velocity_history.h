@@ -1,10 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/assembly/stage_vectors.h"
 
 namespace wend {
 
@@ -13,13 +14,21 @@ namespace wend {
 template <int Dim>
 class VelocityHistory {
   public:
-    /// What was solved for at a time; an earlier field of the same time is replaced.
+    /// Turns fields along with the surroundings of their vertices, from one shape to another.
+    using Turn =
+        std::function<void(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields)>;
+
+    /// An integrator tries a step from a shape. What guesses of the step before have missed by, those of this
+    /// one will miss by, too, where it comes to the same part of the step.
+    void begin(double from, double to, const Nodal<Dim>& shape, const Turn& turn);
+    /// What was solved for at a time; an earlier field of about the same time is replaced.
     void record(double time, const Points<Dim>& prescribed, const Points<Dim>& velocity);
     /// After a jump (other constraints, a breakpoint between motions, a restored state).
-    void clear() { m_fields.clear(); }
-    /// The polynomial in time through the last fields (quadratic, once there are three); none without a
-    /// field. For a prescribed motion that is smooth in time.
-    std::optional<Points<Dim>> at(double time) const;
+    void clear() { *this = {}; }
+    /// The polynomial in time through the last fields (quadratic, once there are three), and within a step
+    /// what it missed by in the step before; none without a field. For a prescribed motion that is smooth in
+    /// time.
+    std::optional<Points<Dim>> at(double time);
     /// The combination of the last fields that reproduces the prescribed velocities best (v̂ is linear in
     /// them): for a drag, whose motion is not smooth in time. None without a field of as many constraints.
     std::optional<Points<Dim>> fitting(const Points<Dim>& prescribed) const;
@@ -29,9 +38,24 @@ class VelocityHistory {
         double time;
         std::shared_ptr<const Points<Dim>> prescribed, velocity;
     };
+    struct Miss {
+        double place;  // in the step: 0 at its start, 1 at its end
+        int turn;      // how many of this place came before it
+        Nodal<Dim> field;
+    };
+    struct Step {
+        double from = 0, width = 0;  // no width: there is none
+        Nodal<Dim> shape;            // at its start
+        std::vector<Miss> misses;
+    };
     Points<Dim> combined(const Eigen::VectorXd& weights) const;
+    Points<Dim> through(double time) const;
+    double place(double time) const { return (time - m_step.from) / m_step.width; }
+    int turnOf(double place) const;
 
     std::vector<Field> m_fields;  // the oldest first
+    Step m_before, m_step;        // the one before, its misses turned to where the other begins
+    Nodal<Dim> m_polynomial;      // that the last guess began with; null where it was none of three fields
 };
 
 }  // namespace wend

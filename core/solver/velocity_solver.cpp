@@ -146,6 +146,14 @@ void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets
 }
 
 template <int Dim>
+void VelocitySolver<Dim>::turn(const Points<Dim>& from, const Points<Dim>& to,
+                               std::vector<Points<Dim>>& fields) {
+    auto& rotations = m_impl->turning();
+    rotations.compute(from, to, m_impl->backEnd->workers(), VertexRotations<Dim>::Finish::Rough);
+    for (auto& field : fields) rotations.turn(field);
+}
+
+template <int Dim>
 Eigen::MatrixXd VelocitySolver<Dim>::reducedMatrix() const {
     const auto& start = m_impl->system.columnStart();
     const auto& row = m_impl->system.row();

@@ -38,6 +38,9 @@ struct FactorMemory {
     // one in single precision at its own shape.
     std::optional<double> contraction;
     double contractionLag = 0;
+    // How far ahead of the shape at which it was made the factor's is, and how far from it the last one that
+    // was solved for: greatest differences of a coordinate.
+    double ahead = 0, lag = 0;
     std::optional<double> freshContraction;
     RefactorPolicy::Counts counts;
 };
@@ -122,6 +125,9 @@ class VelocitySolver {
     std::string backEndName() const;
     std::string deviceName() const;
     CopiedBytes copied() const;
+
+    /// Turns fields along with the surroundings of every vertex, from one shape to another.
+    void turn(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields);
 
     /// Moves the shape by the least-norm correction that puts the constrained points on `targets` (one column
     /// per row), to rounding: rows of one vertex set it exactly.

@@ -170,6 +170,12 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveReduced(Points<Dim>& v) {
     return v.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
 }
 
+template <int Dim>
+VertexRotations<Dim>& VelocitySolver<Dim>::Impl::turning() {
+    if (!rotations) rotations.emplace(*plan);
+    return *rotations;
+}
+
 /// Conjugate gradients with the factor at hand; false if a new one is the better way.
 template <int Dim>
 bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
@@ -177,8 +183,7 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     const double lag = cache->lag();
     const bool turned = turns && lag > 0 && sliders.empty();  // sliding is along fixed directions
     if (turned) {
-        if (!rotations) rotations.emplace(*plan);
-        rotations->compute(*cache->shape(), *backEnd->stages().shape(), backEnd->workers());
+        turning().compute(*cache->shape(), *backEnd->stages().shape(), backEnd->workers());
     }
     const auto precondition = [&](std::span<const double> r, std::span<double> z) {
         if (!turned) return cache->solve(r, z);
@@ -211,6 +216,16 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveDirectly(Points<Dim>& v) {
     return solveReduced(v);
 }
 
+/// With a new factor: ahead of the shape, which moves about so, or if that does not do at the shape itself.
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed, Points<Dim>& v,
+                                                  const Points<Dim>* velocity) {
+    if (const auto outcome = cache->make(use(), stop, velocity); !outcome.done()) return outcome;
+    if (!v.allFinite()) system.particular(prescribed, v);
+    if (reuses() && iterate(v)) return {};
+    return cache->isAhead() ? solveAnew(prescribed, v, nullptr) : solveDirectly(v);
+}
+
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Points<Dim>& v,
                                               const std::optional<Points<Dim>>& guess) {
@@ -225,15 +240,12 @@ SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Poi
     computeLoad();
     if (v.isZero(0) && !loadOrNull()) return {};  // nothing moves
     if (!system.unknowns().empty()) {
-        const bool iterates = reuses();
-        if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);
-        const bool stale = iterates && cache->restore(stop);
-        if (!stale || !iterate(v)) {
-            if (const auto outcome = cache->make(use(), stop); !outcome.done()) return outcome;
-            if (!v.allFinite()) system.particular(prescribed, v);
-            if (!iterates || !iterate(v))
-                if (const auto outcome = solveDirectly(v); !outcome.done()) return outcome;
-        }
+        const bool guessed = reuses() && guess && guess->allFinite();
+        if (guessed) system.adopt(*guess, v);
+        const bool stale = reuses() && cache->restore(stop);
+        if (!stale || !iterate(v))
+            if (const auto outcome = solveAnew(prescribed, v, guessed ? &*guess : nullptr); !outcome.done())
+                return outcome;
     }
     last = v;
     return {};

@@ -52,7 +52,9 @@ struct VelocitySolver<Dim>::Impl {
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const;
     typename FactorCache<Dim>::Use use() const;
+    VertexRotations<Dim>& turning();
     bool iterate(Points<Dim>& v);
+    SolveOutcome solveAnew(const Points<Dim>& prescribed, Points<Dim>& v, const Points<Dim>* velocity);
     SolveOutcome solveDirectly(Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);
 };

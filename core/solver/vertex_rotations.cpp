@@ -147,7 +147,8 @@ VertexRotations<Dim>::VertexRotations(const AssemblyPlan<Dim>& plan)
 }
 
 template <int Dim>
-void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers) {
+void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers,
+                                   Finish finish) {
     constexpr auto sums = Dim == 2 ? edgeSums2 : edgeSums3;
     constexpr auto add = Dim == 2 ? addNeighbours2 : addNeighbours3;
     constexpr auto nearest = Dim == 2 ? nearestRotations2 : nearestRotations3;
@@ -156,7 +157,8 @@ void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& t
         workers.forPieces(static_cast<int>(m_start.size()) - 1, kGrain, make);
     };
     forAll([&](int begin, int end) { sums(edges, begin, end, from.data(), to.data(), m_rotations.data()); });
-    for (int i = 0; i < kSweeps<Dim>; ++i) {
+    const int sweeps = finish == Finish::Smooth ? kSweeps<Dim> : 0;
+    for (int i = 0; i < sweeps; ++i) {
         forAll([&](int begin, int end) { add(edges, begin, end, m_rotations.data(), m_other.data()); });
         m_rotations.swap(m_other);
     }
@@ -188,6 +190,12 @@ void VertexRotations<Dim>::turn(const std::vector<int>& vertices, std::span<doub
         Eigen::Map<Vec<Dim>> part(b.data() + i * Dim);
         part = (rotation(vertices[i]) * part).eval();
     }
+}
+
+template <int Dim>
+void VertexRotations<Dim>::turn(Points<Dim>& field) const {
+    for (Eigen::Index v = 0; v < field.cols(); ++v)
+        field.col(v) = (rotation(static_cast<int>(v)) * field.col(v)).eval();
 }
 
 template class VertexRotations<2>;

@@ -17,12 +17,16 @@ class VertexRotations {
     VertexRotations() = default;
     explicit VertexRotations(const AssemblyPlan<Dim>& plan);
 
-    /// Of the best rigid fit of the edges at every vertex, smoothed over neighbours.
-    void compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers);
+    /// Of the best rigid fit of the edges at every vertex; smooth as a preconditioner needs them, or rough.
+    enum class Finish { Smooth, Rough };
+    void compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers,
+                 Finish finish = Finish::Smooth);
 
     /// b ← Rᵀ b and b ← R b, a vector of some vertices each.
     void turnBack(const std::vector<int>& vertices, std::span<double> b) const;
     void turn(const std::vector<int>& vertices, std::span<double> b) const;
+    /// The same of all vertices.
+    void turn(Points<Dim>& field) const;
 
   private:
     static constexpr int kNumbers = Dim == 2 ? 2 : 9;  // of a rotation: cosine and sine, or the matrix

@@ -186,8 +186,10 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
                              backEndFactory<3>(BackEndKind::Automatic));
         QCOMPARE(deformer.advance(now.end).outcome, Outcome::Done);
         const double off = (session.frame<3>()->pose - deformer.state().points).cwiseAbs().maxCoeff();
-        // Of a thousand slices the cells are as flat as 1 : 125, and rounding counts three times as much.
-        QVERIFY2(off <= (drag == 1 ? 0 : (slices > 500 ? 3e-8 : 1e-8) * kLength),
+        // Of a thousand slices the cells are as flat as 1 : 125, and the rounding of factors in single
+        // precision, which guesses hand on from step to step, counts twenty times as much. That is still a
+        // two hundredth of what fields may be off.
+        QVERIFY2(off <= (drag == 1 ? 0 : (slices > 500 ? 2e-7 : 1e-8) * kLength),
                  qPrintable(QStringLiteral("drag %1: %2").arg(drag).arg(off)));
     }
 }

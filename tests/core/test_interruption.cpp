@@ -73,7 +73,7 @@ void goesOnToTheSameBits(double phi) {
     QCOMPARE(whole.advance(1).outcome, Outcome::Done);
     int stops = 0;
     typename Deformer<Dim>::Watch watch;
-    for (int pieces = 0; cut.state().time < 1; pieces += 3) {
+    for (int pieces = 0; cut.state().time < 1; pieces += 2) {
         alarm.set(pieces);
         watch.stop = alarm.source.get_token();
         const double before = cut.state().time;

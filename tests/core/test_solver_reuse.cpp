@@ -30,6 +30,8 @@ class TestSolverReuse : public QObject {
     void rotationsAreThoseOfTheShape();
     void isotropicBackEndAgrees();
     void historyExtrapolates();
+    void historyLearnsFromMisses();
+    void fieldsTurnWithTheShape();
     void historyFitsPrescribed();
     void policyRefactorizes();
 };
@@ -293,22 +295,27 @@ void compareMemories(int n) {
         solver->setVelocityTolerance(1e-5);
     }
     Points<Dim> x = turn.mesh->points, v, w, other;
-    for (int i = 0; i < 12; ++i) {
+    std::optional<Points<Dim>> guess;
+    bool ahead = false;
+    for (int i = 0; i < 20; ++i) {
         const auto before = one.remember();
-        QVERIFY(one.solve(x, turn.speeds(x), v).done());
+        ahead = ahead || before.ahead > 0;
+        QVERIFY(one.solve(x, turn.speeds(x), v, guess).done());
         const auto after = one.remember();
         one.setVelocityTolerance(0);  // something else: a factor of its own
         QVERIFY(one.solve(turn.mesh->points, turn.speeds(x), other).done());
         one.setVelocityTolerance(1e-5);
         one.recall(before);
-        QVERIFY(one.solve(x, turn.speeds(x), other).done());
+        QVERIFY(one.solve(x, turn.speeds(x), other, guess).done());
         QVERIFY(v == other);
         one.recall(after);
         if (i % 3 == 0) two.recall(before);
-        QVERIFY(two.solve(x, turn.speeds(x), w).done());
+        QVERIFY(two.solve(x, turn.speeds(x), w, guess).done());
         QVERIFY(v == w);
-        x += 0.05 * v;
+        x += 0.03 * v;
+        guess = v;
     }
+    QVERIFY(ahead);  // one factor at least was made where the shape was not yet
     QVERIFY(two.statistics().factorizations < 12);
     two.forget();
     const int factorizations = two.statistics().factorizations;
@@ -408,12 +415,71 @@ void TestSolverReuse::historyExtrapolates() {
     VelocityHistory<2> history;
     QVERIFY(!history.at(0).has_value());
     const Points<2> none(2, 0);
-    for (double t : {0.0, 0.3, 0.35}) history.record(t, none, field(t));
-    history.record(0.35 * (1 + 1e-16), none, field(0.35));  // the same time
+    for (double t : {0.0, 0.3, 0.45}) history.record(t, none, field(t));
+    history.record(0.45 * (1 + 1e-16), none, field(0.45));  // the same time
     QVERIFY((*history.at(0.5) - field(0.5)).cwiseAbs().maxCoeff() <= 1e-12);
+    history.clear();
+    for (double t : {0.0, 0.3}) history.record(t, none, field(t));
+    history.record(0.6, none, a);
+    history.record(0.62, none, field(0.62));  // too close for a polynomial through both
+    QVERIFY((*history.at(0.9) - field(0.9)).cwiseAbs().maxCoeff() <= 1e-12);
     history.clear();
     history.record(1, none, a);
     QVERIFY(*history.at(2) == a);
+}
+
+Mat<2> rotationBy(double angle) {
+    return (Mat<2>() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)).finished();
+}
+
+/// Of steps of Runge and Kutta through a field that turns: a quadratic polynomial misses by what turns, too.
+void TestSolverReuse::historyLearnsFromMisses() {
+    std::mt19937 random(2);
+    const Points<2> start = randomField<2>(random, 9), none(2, 0);
+    const double h = 0.1, rate = 3;
+    const auto field = [&](double t) { return Points<2>(rotationBy(rate * t) * start); };
+    const VelocityHistory<2>::Turn turn = [&](const Points<2>& from, const Points<2>& to, auto& fields) {
+        QVERIFY(from.cols() == 1 && to.cols() == 1);
+        for (Points<2>& f : fields) f = (rotationBy(rate * (to(0) - from(0))) * f).eval();
+    };
+    VelocityHistory<2> history;
+    double worst = 0, worstOfPolynomial = 0;
+    for (int n = 0; n < 6; ++n) {
+        const double from = n * h;
+        const auto shape = std::make_shared<const Points<2>>(Points<2>::Constant(2, 1, from));
+        history.begin(from, from + 2 * h, shape, turn);
+        history.begin(from, from + h, shape, turn);  // the first attempt came to nothing
+        VelocityHistory<2> polynomial = history;
+        polynomial.begin(from, from + 10 * h, shape, turn);  // so that it learns nothing
+        for (const double part : {0.0, 0.5, 0.5, 1.0}) {
+            const double t = from + part * h;
+            const auto guess = history.at(t), plain = polynomial.at(t);
+            if (n > 2) {
+                worst = std::max(worst, (*guess - field(t)).cwiseAbs().maxCoeff());
+                worstOfPolynomial = std::max(worstOfPolynomial, (*plain - field(t)).cwiseAbs().maxCoeff());
+            }
+            history.record(t, none, field(t));
+            polynomial.record(t, none, field(t));
+        }
+    }
+    QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+    QVERIFY2(worstOfPolynomial > 1e-3, qPrintable(QString::number(worstOfPolynomial)));
+}
+
+/// By the rotation of every place, whatever else happens there.
+void TestSolverReuse::fieldsTurnWithTheShape() {
+    std::mt19937 random(3);
+    const Turn<2> turn(6);
+    const auto material =
+        std::make_shared<const Material<2>>(Material<2>::uniform(turn.mesh->cellCount(), phi::kMetr));
+    VelocitySolver<2> solver(turn.mesh, material, BackEndKind::Cpu, 1);
+    const Mat<2> R = rotationBy(0.7);
+    const Points<2> to = 1.2 * (R * turn.mesh->points);
+    std::vector<Points<2>> fields;
+    for (int i = 0; i < 2; ++i) fields.push_back(randomField<2>(random, turn.mesh->vertexCount()));
+    const auto before = fields;
+    solver.turn(turn.mesh->points, to, fields);
+    for (int i = 0; i < 2; ++i) QVERIFY((fields[i] - R * before[i]).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 void TestSolverReuse::historyFitsPrescribed() {
@@ -435,14 +501,14 @@ void TestSolverReuse::policyRefactorizes() {
     policy.setCosts(10, 1);
     QVERIFY(!policy.due());
     for (int i = 0; i < 4; ++i) policy.evaluated(1);
-    QVERIFY(!policy.due());  // (1 + 1) · 4 < 10 + 4
+    QVERIFY(!policy.due());  // (1 + ½) · 4 < 10 + 4
     policy.evaluated(3);
-    QVERIFY(policy.due());  // (3 + 1) · 5 > 10 + 7
+    QVERIFY(policy.due());  // (3 + ½) · 5 > 10 + 7
     policy.factorized();
     QVERIFY(!policy.due());
     QVERIFY(policy.hopeless(16) && !policy.hopeless(14));
     policy.setLongestPause(20);
-    for (int i = 0; i < 11; ++i) policy.evaluated(3);
+    for (int i = 0; i < 21; ++i) policy.evaluated(3);
     QVERIFY(policy.due() && !policy.keepsPace());  // a factor of 10 is no long pause
     policy.setLongestPause(5);
     QVERIFY(policy.due() && policy.keepsPace());  // but here: 3 > 0.15 · 10
