@@ -931,29 +931,6 @@
     </message>
 </context>
 <context>
-    <name>FlatSizeTool</name>
-    <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation>Überstreichen, was feiner vernetzt werden soll; Umschalt macht es gröber, Strg wieder gleichmäßig, [ und ] ändern die Größe</translation>
-    </message>
-    <message>
-        <source>The mesh comes from a file and is used as it is.</source>
-        <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
-    </message>
-    <message>
-        <source>Paint finer mesh</source>
-        <translation>Netz feiner malen</translation>
-    </message>
-    <message>
-        <source>Paint coarser mesh</source>
-        <translation>Netz gröber malen</translation>
-    </message>
-    <message>
-        <source>Paint even mesh</source>
-        <translation>Netz gleichmäßig malen</translation>
-    </message>
-</context>
-<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -1688,18 +1665,6 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag the pin; Esc puts the shape back</source>
-        <translation>Pin ziehen; Esc setzt die Form zurück</translation>
-    </message>
-    <message>
-        <source>Click on the shape to set a pin, then drag pins to bend it</source>
-        <translation>Auf die Form klicken, um einen Pin zu setzen, dann Pins ziehen, um sie zu biegen</translation>
-    </message>
-    <message>
-        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
-        <translation>Klicken oder Rechteck aufziehen wählt Pins, Ziehen bewegt sie, Pfeiltasten rücken sie</translation>
-    </message>
-    <message>
         <source>Drag as far as the pin shall hold; Esc gives it up</source>
         <translation>So weit ziehen, wie der Pin halten soll; Esc gibt es auf</translation>
     </message>
@@ -1735,6 +1700,42 @@
         <source>A point cannot scale – Alt-drag to widen it</source>
         <translation>Ein Punkt lässt sich nicht skalieren – mit Alt ziehen weitet ihn</translation>
     </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
+    </message>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X, Y, Z halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
+    </message>
+    <message>
+        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X, Y halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
+        <translation>Klick auf die Form setzt einen Pin, Ziehen biegt sie sofort; daneben Pins umfahren wählt sie aus</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>Pins umfahren wählt sie aus; Umschalt dazu, Strg ab</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
+        <translation>Klick auf die Form setzt einen Pin, Ziehen biegt sie sofort; daneben über Pins pinseln, [ und ] ändern die Größe</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
+        <translation>Klick auf die Form setzt einen Pin; drücken und ziehen biegt sie sofort</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
+    </message>
 </context>
 <context>
     <name>Recording</name>
@@ -1750,59 +1751,24 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
-        <translation>Feinere oder gröbere Zellen malen; Strg umgekehrt, [ und ] ändern die Größe, Esc verwirft</translation>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>Überstreichen, was feiner vernetzt werden soll; Umschalt macht es gröber, Strg wieder gleichmäßig, [ und ] ändern die Größe</translation>
     </message>
     <message>
-        <source>Paint finer cells</source>
-        <translation>Feinere Zellen malen</translation>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
     </message>
     <message>
-        <source>Paint coarser cells</source>
-        <translation>Gröbere Zellen malen</translation>
+        <source>Paint finer mesh</source>
+        <translation>Netz feiner malen</translation>
     </message>
     <message>
-        <source>Paint plain cells</source>
-        <translation>Gewöhnliche Zellen malen</translation>
-    </message>
-</context>
-<context>
-    <name>SolidPinTool</name>
-    <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
-        <translation>X, Y, Z halten eine Achse fest, Ziffern geben den Betrag, Esc stellt den Körper zurück</translation>
+        <source>Paint coarser mesh</source>
+        <translation>Netz gröber malen</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, then drag pins to bend it</source>
-        <translation>Klick auf den Körper setzt einen Pin, Ziehen an Pins biegt ihn</translation>
-    </message>
-    <message>
-        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or draw around pins to select them</source>
-        <translation>Klick auf den Körper setzt einen Pin, Pins umfahren wählt sie aus</translation>
-    </message>
-    <message>
-        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation>Pins umfahren wählt sie aus; Umschalt dazu, Strg ab</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
-        <translation>Klick auf den Körper setzt einen Pin, über Pins pinseln wählt sie aus; [ und ] ändern die Größe</translation>
-    </message>
-    <message>
-        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
-    </message>
-    <message>
-        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
-        <translation>Ziehen bewegt entlang des Bildschirms, mit Strg wird es aufgenommen; Shift-Klick wählt weitere</translation>
+        <source>Paint even mesh</source>
+        <translation>Netz gleichmäßig malen</translation>
     </message>
 </context>
 <context>
@@ -5036,6 +5002,38 @@
         <source>Open a picture first.</source>
         <translation>Zuerst ein Bild öffnen.</translation>
     </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>&amp;Pins auswählen</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>Was mit dem Pin- oder Auswahlwerkzeug neben Pins gezogen wird, um sie auszuwählen</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>Mit &amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Mit &amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>Mit &amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5596,6 +5594,10 @@
         <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
         <translation>K spielt ab; Wege anderer Pins von derselben Zeit an gezeichnet, und sie bewegen sich zusammen.</translation>
     </message>
+    <message>
+        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>Diese Kugel ist kleiner als das Netz: weiter ziehen oder mehr Punkte einstellen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5892,38 +5894,6 @@
     <message>
         <source>Rectangle, lasso and brush also take or select what is hidden</source>
         <translation>Rechteck, Lasso und Pinsel nehmen oder wählen auch, was verdeckt ist</translation>
-    </message>
-    <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation>Was mit dem Pin- oder Auswahlwerkzeug neben Pins gezogen wird, um sie auszuwählen</translation>
-    </message>
-    <message>
-        <source>By &amp;Rectangle</source>
-        <translation>Mit &amp;Rechteck</translation>
-    </message>
-    <message>
-        <source>Shift+R</source>
-        <translation>Shift+R</translation>
-    </message>
-    <message>
-        <source>By &amp;Lasso</source>
-        <translation>Mit &amp;Lasso</translation>
-    </message>
-    <message>
-        <source>Shift+O</source>
-        <translation>Shift+O</translation>
-    </message>
-    <message>
-        <source>By &amp;Brush</source>
-        <translation>Mit &amp;Pinsel</translation>
-    </message>
-    <message>
-        <source>Shift+U</source>
-        <translation>Shift+U</translation>
-    </message>
-    <message>
-        <source>Select &amp;Pins</source>
-        <translation>&amp;Pins auswählen</translation>
     </message>
     <message>
         <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>

@@ -931,29 +931,6 @@
     </message>
 </context>
 <context>
-    <name>FlatSizeTool</name>
-    <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation>Pase el pincel donde la malla deba ser más fina; Mayús la hace más gruesa, Ctrl la deja uniforme, [ y ] cambian el tamaño</translation>
-    </message>
-    <message>
-        <source>The mesh comes from a file and is used as it is.</source>
-        <translation>La malla procede de un archivo y se usa tal cual.</translation>
-    </message>
-    <message>
-        <source>Paint finer mesh</source>
-        <translation>Pintar malla más fina</translation>
-    </message>
-    <message>
-        <source>Paint coarser mesh</source>
-        <translation>Pintar malla más gruesa</translation>
-    </message>
-    <message>
-        <source>Paint even mesh</source>
-        <translation>Pintar malla uniforme</translation>
-    </message>
-</context>
-<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -1688,10 +1665,6 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag the pin; Esc puts the shape back</source>
-        <translation>Arrastre el alfiler; Esc restablece la forma</translation>
-    </message>
-    <message>
         <source>Drag as far as the pin shall hold; Esc gives it up</source>
         <translation>Arrastre hasta donde el alfiler deba sujetar; Esc cancela</translation>
     </message>
@@ -1702,14 +1675,6 @@
     <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>Un punto no puede rotar: arrastre con Alt para ensancharlo</translation>
-    </message>
-    <message>
-        <source>Click on the shape to set a pin, then drag pins to bend it</source>
-        <translation>Haga clic en la forma para poner un alfiler y luego arrastre los alfileres para deformarla</translation>
-    </message>
-    <message>
-        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
-        <translation>Haga clic o trace un rectángulo para seleccionar, arrastre para mover, las flechas desplazan</translation>
     </message>
     <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
@@ -1735,6 +1700,42 @@
         <source>A point cannot scale – Alt-drag to widen it</source>
         <translation>Un punto no se puede escalar: arrastre con Alt para ensancharlo</translation>
     </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
+    </message>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
+    </message>
+    <message>
+        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
+        <translation>Haga clic en la forma para poner un alfiler, arrastre para deformarla al momento; fuera de ella, rodee alfileres para seleccionarlos</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>Rodee alfileres para seleccionarlos; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
+        <translation>Haga clic en la forma para poner un alfiler, arrastre para deformarla al momento; fuera de ella, pase el pincel sobre alfileres, [ y ] cambian el tamaño</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Pase el pincel sobre alfileres para seleccionarlos, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
+        <translation>Haga clic en la forma para poner un alfiler, o pulse y arrastre para deformarla al momento</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
+    </message>
 </context>
 <context>
     <name>Recording</name>
@@ -1750,59 +1751,24 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
-        <translation>Pase el pincel donde las celdas deban ser más finas o más gruesas; Ctrl invierte, [ y ] cambian el tamaño, Esc cancela</translation>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>Pase el pincel donde la malla deba ser más fina; Mayús la hace más gruesa, Ctrl la deja uniforme, [ y ] cambian el tamaño</translation>
     </message>
     <message>
-        <source>Paint finer cells</source>
-        <translation>Pintar celdas más finas</translation>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>La malla procede de un archivo y se usa tal cual.</translation>
     </message>
     <message>
-        <source>Paint coarser cells</source>
-        <translation>Pintar celdas más gruesas</translation>
+        <source>Paint finer mesh</source>
+        <translation>Pintar malla más fina</translation>
     </message>
     <message>
-        <source>Paint plain cells</source>
-        <translation>Pintar celdas normales</translation>
-    </message>
-</context>
-<context>
-    <name>SolidPinTool</name>
-    <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
-        <translation>X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece el sólido</translation>
+        <source>Paint coarser mesh</source>
+        <translation>Pintar malla más gruesa</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or draw around pins to select them</source>
-        <translation>Haga clic en el sólido para poner un alfiler, o rodee alfileres para seleccionarlos</translation>
-    </message>
-    <message>
-        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation>Rodee alfileres para seleccionarlos; Mayús añade, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
-        <translation>Haga clic en el sólido para poner un alfiler, o pase el pincel sobre alfileres para seleccionarlos; [ y ] cambian el tamaño</translation>
-    </message>
-    <message>
-        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Pase el pincel sobre alfileres para seleccionarlos, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, then drag pins to bend it</source>
-        <translation>Haga clic en el sólido para poner un alfiler y luego arrastre los alfileres para deformarlo</translation>
-    </message>
-    <message>
-        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
-    </message>
-    <message>
-        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
-        <translation>Arrastre para mover a lo largo de la pantalla, con Ctrl para grabarlo; Mayús-clic selecciona más</translation>
+        <source>Paint even mesh</source>
+        <translation>Pintar malla uniforme</translation>
     </message>
 </context>
 <context>
@@ -5036,6 +5002,38 @@
         <source>Open a picture first.</source>
         <translation>Abra primero una imagen.</translation>
     </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>Seleccionar alfi&amp;leres</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>Lo que se traza junto a los alfileres, con la herramienta Alfiler o Seleccionar, para seleccionarlos</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>Con &amp;rectángulo</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Con &amp;lazo</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>Con &amp;pincel</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5596,6 +5594,10 @@
         <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
         <translation>K reproduce; dibuje las trayectorias de otros alfileres desde el mismo momento y se moverán juntos.</translation>
     </message>
+    <message>
+        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>Esta bola es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5758,34 +5760,6 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation>Lo que se traza junto a los alfileres, con la herramienta Alfiler o Seleccionar, para seleccionarlos</translation>
-    </message>
-    <message>
-        <source>By &amp;Rectangle</source>
-        <translation>Con &amp;rectángulo</translation>
-    </message>
-    <message>
-        <source>Shift+R</source>
-        <translation>Shift+R</translation>
-    </message>
-    <message>
-        <source>By &amp;Lasso</source>
-        <translation>Con &amp;lazo</translation>
-    </message>
-    <message>
-        <source>Shift+O</source>
-        <translation>Shift+O</translation>
-    </message>
-    <message>
-        <source>By &amp;Brush</source>
-        <translation>Con &amp;pincel</translation>
-    </message>
-    <message>
-        <source>Shift+U</source>
-        <translation>Shift+U</translation>
-    </message>
-    <message>
         <source>S&amp;kin</source>
         <translation>P&amp;iel</translation>
     </message>
@@ -5928,10 +5902,6 @@
     <message>
         <source>&amp;Solid</source>
         <translation>&amp;Sólido</translation>
-    </message>
-    <message>
-        <source>Select &amp;Pins</source>
-        <translation>Seleccionar alfi&amp;leres</translation>
     </message>
     <message>
         <source>L&amp;ook from</source>

@@ -931,29 +931,6 @@
     </message>
 </context>
 <context>
-    <name>FlatSizeTool</name>
-    <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation>Passez le pinceau où le maillage doit être plus fin&#x202f;; Maj le rend plus grossier, Ctrl de nouveau uniforme, [ et ] changent la taille</translation>
-    </message>
-    <message>
-        <source>The mesh comes from a file and is used as it is.</source>
-        <translation>Le maillage vient d’un fichier et sert tel quel.</translation>
-    </message>
-    <message>
-        <source>Paint finer mesh</source>
-        <translation>Maillage plus fin</translation>
-    </message>
-    <message>
-        <source>Paint coarser mesh</source>
-        <translation>Maillage plus grossier</translation>
-    </message>
-    <message>
-        <source>Paint even mesh</source>
-        <translation>Maillage uniforme</translation>
-    </message>
-</context>
-<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -1688,10 +1665,6 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag the pin; Esc puts the shape back</source>
-        <translation>Tirez l’épingle&#x202f;; Échap rétablit la forme</translation>
-    </message>
-    <message>
         <source>Drag as far as the pin shall hold; Esc gives it up</source>
         <translation>Glissez jusqu’où l’épingle doit maintenir la forme&#x202f;; Échap annule</translation>
     </message>
@@ -1702,14 +1675,6 @@
     <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>Un point ne peut pas pivoter – tirez avec Alt pour l’élargir</translation>
-    </message>
-    <message>
-        <source>Click on the shape to set a pin, then drag pins to bend it</source>
-        <translation>Cliquez sur la forme pour poser une épingle, puis tirez les épingles pour la déformer</translation>
-    </message>
-    <message>
-        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
-        <translation>Cliquez ou tracez un rectangle pour sélectionner, tirez pour déplacer, les flèches décalent</translation>
     </message>
     <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
@@ -1735,6 +1700,42 @@
         <source>A point cannot scale – Alt-drag to widen it</source>
         <translation>Un point ne peut pas être redimensionné – tirez avec Alt pour l’élargir</translation>
     </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
+    </message>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X, Y, Z verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
+    </message>
+    <message>
+        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X, Y verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
+        <translation>Cliquez sur la forme pour poser une épingle, tirez pour la déformer aussitôt ; à côté, entourez des épingles pour les sélectionner</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>Entourez des épingles pour les sélectionner&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
+        <translation>Cliquez sur la forme pour poser une épingle, tirez pour la déformer aussitôt ; à côté, passez le pinceau sur des épingles, [ et ] changent la taille</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Passez le pinceau sur des épingles pour les sélectionner, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
+        <translation>Cliquez sur la forme pour poser une épingle, ou appuyez et tirez pour la déformer aussitôt</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
+    </message>
 </context>
 <context>
     <name>Recording</name>
@@ -1750,59 +1751,24 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
-        <translation>Passez le pinceau où les cellules doivent être plus fines ou plus grossières&#x202f;; Ctrl inverse, [ et ] changent la taille, Échap annule</translation>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>Passez le pinceau où le maillage doit être plus fin&#x202f;; Maj le rend plus grossier, Ctrl de nouveau uniforme, [ et ] changent la taille</translation>
     </message>
     <message>
-        <source>Paint finer cells</source>
-        <translation>Cellules plus fines</translation>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Le maillage vient d’un fichier et sert tel quel.</translation>
     </message>
     <message>
-        <source>Paint coarser cells</source>
-        <translation>Cellules plus grossières</translation>
+        <source>Paint finer mesh</source>
+        <translation>Maillage plus fin</translation>
     </message>
     <message>
-        <source>Paint plain cells</source>
-        <translation>Cellules ordinaires</translation>
-    </message>
-</context>
-<context>
-    <name>SolidPinTool</name>
-    <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
-        <translation>X, Y, Z verrouillent un axe, les nombres fixent la valeur, Échap rétablit le solide</translation>
+        <source>Paint coarser mesh</source>
+        <translation>Maillage plus grossier</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or draw around pins to select them</source>
-        <translation>Cliquez sur le solide pour poser une épingle, ou entourez des épingles pour les sélectionner</translation>
-    </message>
-    <message>
-        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation>Entourez des épingles pour les sélectionner&#x202f;; Maj ajoute, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
-        <translation>Cliquez sur le solide pour poser une épingle, ou passez le pinceau sur des épingles pour les sélectionner&#x202f;; [ et ] changent la taille</translation>
-    </message>
-    <message>
-        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Passez le pinceau sur des épingles pour les sélectionner, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, then drag pins to bend it</source>
-        <translation>Cliquez sur le solide pour poser une épingle, puis tirez les épingles pour le déformer</translation>
-    </message>
-    <message>
-        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
-    </message>
-    <message>
-        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
-        <translation>Tirez pour déplacer le long de l’écran, avec Ctrl pour l’enregistrer&#x202f;; Maj-clic en sélectionne d’autres</translation>
+        <source>Paint even mesh</source>
+        <translation>Maillage uniforme</translation>
     </message>
 </context>
 <context>
@@ -5036,6 +5002,38 @@
         <source>Open a picture first.</source>
         <translation>Ouvrez d’abord une image.</translation>
     </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>Sélectionner des épin&amp;gles</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>Ce qu’on trace à côté des épingles, avec l’outil Épingle ou Sélection, pour les sélectionner</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>Au &amp;rectangle</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Au &amp;lasso</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>Au &amp;pinceau</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5596,6 +5594,10 @@
         <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
         <translation>K lance la lecture ; dessinez les trajectoires d’autres épingles à partir du même temps, et elles bougent ensemble.</translation>
     </message>
+    <message>
+        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>Cette boule est plus petite que les mailles : tirez plus loin, ou augmentez le nombre de sommets.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5758,34 +5760,6 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation>Ce qu’on trace à côté des épingles, avec l’outil Épingle ou Sélection, pour les sélectionner</translation>
-    </message>
-    <message>
-        <source>By &amp;Rectangle</source>
-        <translation>Au &amp;rectangle</translation>
-    </message>
-    <message>
-        <source>Shift+R</source>
-        <translation>Shift+R</translation>
-    </message>
-    <message>
-        <source>By &amp;Lasso</source>
-        <translation>Au &amp;lasso</translation>
-    </message>
-    <message>
-        <source>Shift+O</source>
-        <translation>Shift+O</translation>
-    </message>
-    <message>
-        <source>By &amp;Brush</source>
-        <translation>Au &amp;pinceau</translation>
-    </message>
-    <message>
-        <source>Shift+U</source>
-        <translation>Shift+U</translation>
-    </message>
-    <message>
         <source>S&amp;kin</source>
         <translation>&amp;Peau</translation>
     </message>
@@ -5928,10 +5902,6 @@
     <message>
         <source>&amp;Solid</source>
         <translation>&amp;Solide</translation>
-    </message>
-    <message>
-        <source>Select &amp;Pins</source>
-        <translation>Sélectionner des épin&amp;gles</translation>
     </message>
     <message>
         <source>L&amp;ook from</source>

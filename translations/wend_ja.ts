@@ -931,29 +931,6 @@
     </message>
 </context>
 <context>
-    <name>FlatSizeTool</name>
-    <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation>メッシュを細かくする部分をブラシでなぞります。Shift で粗く、Ctrl で均一に戻し、[ と ] でサイズを変更</translation>
-    </message>
-    <message>
-        <source>The mesh comes from a file and is used as it is.</source>
-        <translation>メッシュはファイルから読み込まれ、そのまま使われます。</translation>
-    </message>
-    <message>
-        <source>Paint finer mesh</source>
-        <translation>メッシュを細かくペイント</translation>
-    </message>
-    <message>
-        <source>Paint coarser mesh</source>
-        <translation>メッシュを粗くペイント</translation>
-    </message>
-    <message>
-        <source>Paint even mesh</source>
-        <translation>メッシュを均一にペイント</translation>
-    </message>
-</context>
-<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -1687,10 +1664,6 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag the pin; Esc puts the shape back</source>
-        <translation>ピンをドラッグします。Esc で形状を元に戻します</translation>
-    </message>
-    <message>
         <source>Drag as far as the pin shall hold; Esc gives it up</source>
         <translation>ピンがつかむ大きさまでドラッグします。Esc で中止</translation>
     </message>
@@ -1701,14 +1674,6 @@
     <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>点は回転できません。Alt + ドラッグで広げてください</translation>
-    </message>
-    <message>
-        <source>Click on the shape to set a pin, then drag pins to bend it</source>
-        <translation>形状をクリックしてピンを打ち、ドラッグして変形させます</translation>
-    </message>
-    <message>
-        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
-        <translation>クリックまたは長方形でピンを選択、ドラッグで移動、矢印キーで微調整</translation>
     </message>
     <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
@@ -1734,6 +1699,42 @@
         <source>A point cannot scale – Alt-drag to widen it</source>
         <translation>点は拡大・縮小できません。Alt + ドラッグで広げてください</translation>
     </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
+    </message>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X、Y、Z で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
+    </message>
+    <message>
+        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>X、Y で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
+        <translation>形状をクリックしてピンを打ち、ドラッグですぐに変形。形状の外からはピンを囲んで選択します</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>ピンを囲んで選択します。Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
+        <translation>形状をクリックしてピンを打ち、ドラッグですぐに変形。形状の外からはピンをブラシでなぞります。[ と ] でサイズを変更</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>ピンをブラシでなぞって選択します。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
+        <translation>形状をクリックしてピンを打つか、押したままドラッグしてすぐに変形させます</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
+    </message>
 </context>
 <context>
     <name>Recording</name>
@@ -1749,59 +1750,24 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
-        <translation>セルを細かく、または粗くペイントします。Ctrl で逆に、[ と ] でサイズを変更、Esc で中止</translation>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>メッシュを細かくする部分をブラシでなぞります。Shift で粗く、Ctrl で均一に戻し、[ と ] でサイズを変更</translation>
     </message>
     <message>
-        <source>Paint finer cells</source>
-        <translation>セルを細かくペイント</translation>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>メッシュはファイルから読み込まれ、そのまま使われます。</translation>
     </message>
     <message>
-        <source>Paint coarser cells</source>
-        <translation>セルを粗くペイント</translation>
+        <source>Paint finer mesh</source>
+        <translation>メッシュを細かくペイント</translation>
     </message>
     <message>
-        <source>Paint plain cells</source>
-        <translation>セルを標準に戻す</translation>
-    </message>
-</context>
-<context>
-    <name>SolidPinTool</name>
-    <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
-        <translation>X、Y、Z で軸を固定、数字で量を入力、Esc でソリッドを元に戻します</translation>
+        <source>Paint coarser mesh</source>
+        <translation>メッシュを粗くペイント</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or draw around pins to select them</source>
-        <translation>ソリッドをクリックしてピンを打つか、ピンを囲んで選択します</translation>
-    </message>
-    <message>
-        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation>ピンを囲んで選択します。Shift で追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
-        <translation>ソリッドをクリックしてピンを打つか、ピンをブラシでなぞって選択します。[ と ] でサイズを変更</translation>
-    </message>
-    <message>
-        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>ピンをブラシでなぞって選択します。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, then drag pins to bend it</source>
-        <translation>ソリッドをクリックしてピンを打ち、ドラッグして変形させます</translation>
-    </message>
-    <message>
-        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
-    </message>
-    <message>
-        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
-        <translation>ドラッグで画面に沿って移動、Ctrl+ドラッグで記録します。Shift+クリックで追加選択</translation>
+        <source>Paint even mesh</source>
+        <translation>メッシュを均一にペイント</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +4994,38 @@
         <source>Open a picture first.</source>
         <translation>まず画像を開いてください。</translation>
     </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>ピンを選択(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>ピンツールまたは選択ツールで、ピンの横からドラッグして選択するときの形</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>長方形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>なげなわ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>ブラシ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5586,6 +5584,10 @@
         <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
         <translation>K で再生。同じ時刻から他のピンのパスを描くと、一緒に動きます。</translation>
     </message>
+    <message>
+        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>球がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5748,34 +5750,6 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation>ピンツールまたは選択ツールで、ピンの横からドラッグして選択するときの形</translation>
-    </message>
-    <message>
-        <source>By &amp;Rectangle</source>
-        <translation>長方形(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Shift+R</source>
-        <translation>Shift+R</translation>
-    </message>
-    <message>
-        <source>By &amp;Lasso</source>
-        <translation>なげなわ(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Shift+O</source>
-        <translation>Shift+O</translation>
-    </message>
-    <message>
-        <source>By &amp;Brush</source>
-        <translation>ブラシ(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Shift+U</source>
-        <translation>Shift+U</translation>
-    </message>
-    <message>
         <source>S&amp;kin</source>
         <translation>スキン(&amp;K)</translation>
     </message>
@@ -5918,10 +5892,6 @@
     <message>
         <source>&amp;Solid</source>
         <translation>ソリッド(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Select &amp;Pins</source>
-        <translation>ピンを選択(&amp;P)</translation>
     </message>
     <message>
         <source>L&amp;ook from</source>

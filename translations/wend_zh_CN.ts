@@ -931,29 +931,6 @@
     </message>
 </context>
 <context>
-    <name>FlatSizeTool</name>
-    <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
-        <translation>用画笔刷过网格要更细的部分；按住 Shift 变粗，按住 Ctrl 恢复均匀，[ 和 ] 更改大小</translation>
-    </message>
-    <message>
-        <source>The mesh comes from a file and is used as it is.</source>
-        <translation>网格来自文件，按原样使用。</translation>
-    </message>
-    <message>
-        <source>Paint finer mesh</source>
-        <translation>绘制更细的网格</translation>
-    </message>
-    <message>
-        <source>Paint coarser mesh</source>
-        <translation>绘制更粗的网格</translation>
-    </message>
-    <message>
-        <source>Paint even mesh</source>
-        <translation>绘制均匀的网格</translation>
-    </message>
-</context>
-<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -1687,10 +1664,6 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag the pin; Esc puts the shape back</source>
-        <translation>拖动图钉；按 Esc 复原形状</translation>
-    </message>
-    <message>
         <source>Drag as far as the pin shall hold; Esc gives it up</source>
         <translation>拖动到图钉要抓取的范围；按 Esc 放弃</translation>
     </message>
@@ -1701,14 +1674,6 @@
     <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>单个点无法旋转 – 按住 Alt 拖动以扩大</translation>
-    </message>
-    <message>
-        <source>Click on the shape to set a pin, then drag pins to bend it</source>
-        <translation>在形状上单击放置图钉，然后拖动图钉使其变形</translation>
-    </message>
-    <message>
-        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
-        <translation>单击或拉出矩形选择图钉，拖动以移动，方向键微调</translation>
     </message>
     <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
@@ -1734,6 +1699,42 @@
         <source>A point cannot scale – Alt-drag to widen it</source>
         <translation>单个点无法缩放 – 按住 Alt 拖动以扩大</translation>
     </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
+    </message>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>按 X、Y、Z 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
+    </message>
+    <message>
+        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>按 X、Y 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
+        <translation>在形状上单击放置图钉，拖动立即变形；在形状外圈住图钉进行选择</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>圈住图钉进行选择；按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, drag to bend it at once; beside it, brush over pins, [ and ] change the size</source>
+        <translation>在形状上单击放置图钉，拖动立即变形；在形状外用画笔刷过图钉，[ 和 ] 更改大小</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>用画笔刷过图钉进行选择，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, or press and drag to bend it at once</source>
+        <translation>在形状上单击放置图钉，或按住并拖动立即使其变形</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
+    </message>
 </context>
 <context>
     <name>Recording</name>
@@ -1749,59 +1750,24 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
-        <translation>绘制更细或更粗的单元；按住 Ctrl 反向，[ 和 ] 更改大小，按 Esc 放弃</translation>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>用画笔刷过网格要更细的部分；按住 Shift 变粗，按住 Ctrl 恢复均匀，[ 和 ] 更改大小</translation>
     </message>
     <message>
-        <source>Paint finer cells</source>
-        <translation>绘制更细的单元</translation>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>网格来自文件，按原样使用。</translation>
     </message>
     <message>
-        <source>Paint coarser cells</source>
-        <translation>绘制更粗的单元</translation>
+        <source>Paint finer mesh</source>
+        <translation>绘制更细的网格</translation>
     </message>
     <message>
-        <source>Paint plain cells</source>
-        <translation>绘制普通单元</translation>
-    </message>
-</context>
-<context>
-    <name>SolidPinTool</name>
-    <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
-        <translation>按 X、Y、Z 锁定轴，键入数值设定量，按 Esc 复原实体</translation>
+        <source>Paint coarser mesh</source>
+        <translation>绘制更粗的网格</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
-        <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or draw around pins to select them</source>
-        <translation>在实体上单击放置图钉，或圈住图钉进行选择</translation>
-    </message>
-    <message>
-        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
-        <translation>圈住图钉进行选择；按住 Shift 添加，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
-        <translation>在实体上单击放置图钉，或用画笔刷过图钉进行选择；[ 和 ] 更改大小</translation>
-    </message>
-    <message>
-        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>用画笔刷过图钉进行选择，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Click on the solid to set a pin, then drag pins to bend it</source>
-        <translation>在实体上单击放置图钉，然后拖动图钉使其变形</translation>
-    </message>
-    <message>
-        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
-        <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
-    </message>
-    <message>
-        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
-        <translation>拖动可沿屏幕移动，按住 Ctrl 拖动可录制；Shift+单击可多选</translation>
+        <source>Paint even mesh</source>
+        <translation>绘制均匀的网格</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +4994,38 @@
         <source>Open a picture first.</source>
         <translation>请先打开图片。</translation>
     </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>选择图钉(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>用图钉或选择工具在图钉旁拖动进行选择时所画的形状</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>矩形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>套索(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>画笔(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5586,6 +5584,10 @@
         <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
         <translation>按 K 播放；从同一时刻绘制其他图钉的路径，它们会一起移动。</translation>
     </message>
+    <message>
+        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>此球比网格的格子还小：请拖得更远，或增加顶点数。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5748,34 +5750,6 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
-        <translation>用图钉或选择工具在图钉旁拖动进行选择时所画的形状</translation>
-    </message>
-    <message>
-        <source>By &amp;Rectangle</source>
-        <translation>矩形(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Shift+R</source>
-        <translation>Shift+R</translation>
-    </message>
-    <message>
-        <source>By &amp;Lasso</source>
-        <translation>套索(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Shift+O</source>
-        <translation>Shift+O</translation>
-    </message>
-    <message>
-        <source>By &amp;Brush</source>
-        <translation>画笔(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Shift+U</source>
-        <translation>Shift+U</translation>
-    </message>
-    <message>
         <source>S&amp;kin</source>
         <translation>蒙皮(&amp;K)</translation>
     </message>
@@ -5918,10 +5892,6 @@
     <message>
         <source>&amp;Solid</source>
         <translation>实体(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Select &amp;Pins</source>
-        <translation>选择图钉(&amp;P)</translation>
     </message>
     <message>
         <source>L&amp;ook from</source>
