@@ -7,6 +7,7 @@ The drawings have three tones, which the window replaces by those of its palette
 #4a5bd4 (what matters).
 """
 import json
+import math
 import pathlib
 import shutil
 import subprocess
@@ -44,7 +45,7 @@ class Grid:
             yield [self.at(i, j) for j in range(self.rows)], i in (0, self.columns - 1)
 
 
-def bent(wend, grid, material, handles):
+def bent(wend, grid, material, handles, *options):
     """Where the vertices are at the end."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
@@ -52,7 +53,7 @@ def bent(wend, grid, material, handles):
         project = {"format": "wend", "version": 1, "domain": {"mesh": "grid.obj"}, "material": material,
                    "handles": handles, "time": {"end": 1}}
         (folder / "grid.wend").write_text(json.dumps(project))
-        subprocess.run([wend, "run", "grid.wend", "--mesh", "bent.obj", "--quiet"], cwd=folder, check=True)
+        subprocess.run([wend, "run", "grid.wend", "--mesh", "bent.obj", "--quiet", *options], cwd=folder, check=True)
         return [tuple(map(float, line.split()[1:3]))
                 for line in (folder / "bent.obj").read_text().splitlines() if line.startswith("v ")]
 
@@ -62,8 +63,9 @@ def path(points, tone, width):
     return f'  <polyline points="{text}" stroke="{tone}" stroke-width="{width}"/>'
 
 
-def draw(name, grid, points, step, marks, box, is_special=lambda p: False):
-    """`marks`: a list of (where the pin is, whether it was pulled); `box`: what is seen, in the scene's units."""
+def draw(name, grid, points, step, marks, box, is_special=lambda p: False, way=()):
+    """`marks`: a list of (where the pin is, whether it was pulled); `box`: what is seen, in the scene's units;
+    `way`: of a pin."""
     low, high = box
     size = [(h - l) * SCALE for l, h in zip(low, high)]
     rows = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" height="{size[1]:.0f}" '
@@ -75,6 +77,8 @@ def draw(name, grid, points, step, marks, box, is_special=lambda p: False):
         special = [points[v] for v in vertices if is_special(grid.points[v])]
         if not border and len(special) > 1:
             rows.append(path(special, "#4a5bd4", 2))
+    if way:
+        rows.append(path(way, "#4a5bd4", 1.2))
     for (x, y), pulled in marks:
         tone = "#4a5bd4" if pulled else "#000000"
         rows.append(f'  <circle cx="{x * SCALE:.1f}" cy="{y * SCALE:.1f}" r="5" fill="{tone}"/>')
@@ -123,10 +127,32 @@ def stiffness(wend):
              lambda p: bool(regions) and p[0] <= 1.5)
 
 
+def circled(name, vertices, at, radius):
+    """A pin that is led once around a circle above it."""
+    points = [[at[0] + radius * math.sin(a), at[1] - radius * (1 - math.cos(a))]
+              for a in (2 * math.pi * k / 48 for k in range(49))]
+    return {"name": name, "at": {"vertices": vertices},
+            "motion": [{"kind": "curve", "interpolation": "polyline", "points": points, "time": [0, 1]}]}
+
+
+def memories(wend):
+    """A strip that is held at its left end, and whose right end went around and is back: what it ends in by itself, springing
+    back, and relaxed."""
+    grid = Grid(3, 1, 12)
+    left = [grid.at(0, j) for j in range(grid.rows)]
+    handles = [{"name": "left", "at": {"vertices": left}}, circled("right", near(grid, (3, 0.5), 0.2), (3, 0.5), 0.75)]
+    circle = [(3 + 0.75 * math.sin(a), 0.5 - 0.75 * (1 - math.cos(a))) for a in (math.pi * k / 24 for k in range(49))]
+    for name, memory, options, way in (("memory-none", 0, (), circle), ("memory-full", 40, (), circle),
+                                       ("relax-before", 0, (), ()), ("relax-after", 0, ("--settle",), ())):
+        points = bent(wend, grid, {"phi": "metr", "memory": memory}, handles, *options)
+        box = ((-0.3, -1.2), (4.0, 1.5)) if way else ((-0.3, -0.3), (3.5, 1.5))
+        draw(name, grid, points, 3, [((0, 0.5), False), ((3, 0.5), True)], box, way=way)
+
+
 def main():
     wend = str(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else shutil.which("wend")).resolve())
     OUT.mkdir(exist_ok=True)
-    for make in (energies, reaches, stiffness):
+    for make in (energies, reaches, stiffness, memories):
         make(wend)
 
 

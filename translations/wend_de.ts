@@ -1312,18 +1312,6 @@
         <translation>keine</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Formgedächtnis</translation>
-    </message>
-    <message>
-        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
-        <translation>Wie stark die Form zu ihrer Ruhe zurückgezogen wird, während sich ein Pin bewegt. Gar nicht: wo sie endet, hängt vom Weg ab, den der Pin gegangen ist. Ganz: kommt ein Pin zurück, dann auch die Form.</translation>
-    </message>
-    <message>
-        <source>Change memory</source>
-        <translation>Erinnerung ändern</translation>
-    </message>
-    <message>
         <source>F&amp;rames</source>
         <translation>&amp;Bilder</translation>
     </message>
@@ -1507,6 +1495,18 @@
         <source>Smaller file – lossy</source>
         <translation>Kleinere Datei – mit Verlusten</translation>
     </message>
+    <message>
+        <source>Springs back</source>
+        <translation>Federt zurück</translation>
+    </message>
+    <message>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <translation>Ein Pin geht herum und wieder zurück: Wie weit kommt auch die Form zurück? Gar nicht: Wo sie endet, hängt vom Weg ab. Ganz: Sie ist, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Change springing back</source>
+        <translation>Zurückfedern ändern</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1560,6 +1560,10 @@
     <message>
         <source>That was a line. Draw around a part of the picture.</source>
         <translation>Das war eine Linie. Umfahren Sie einen Teil des Bildes.</translation>
+    </message>
+    <message>
+        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <translation>Der Umriss ist von nun an, wie Sie ihn zeichnen, und hat keinen Rand mehr. „Ausschnitt“ als Umriss bringt den gefundenen zurück.</translation>
     </message>
 </context>
 <context>
@@ -1681,6 +1685,22 @@
         <source>×50 along the left half</source>
         <translation>×50 entlang der linken Hälfte</translation>
     </message>
+    <message>
+        <source>not at all</source>
+        <translation>gar nicht</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>ganz</translation>
+    </message>
+    <message>
+        <source>as it was pulled</source>
+        <translation>wie gezogen</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>entspannt</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1755,6 +1775,13 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>Choose one in the list first.</source>
+        <translation>Zuerst einen Eintrag der Liste wählen.</translation>
     </message>
 </context>
 <context>
@@ -2586,6 +2613,17 @@
     </message>
 </context>
 <context>
+    <name>wend::BorderOffer</name>
+    <message>
+        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <translation>Dieses Bild füllt seinen Rahmen. Mit festgehaltenem Rand biegt es sich im Inneren, und an den Kanten entsteht keine Lücke.</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>Bildrand festhalten</translation>
+    </message>
+</context>
+<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -2826,6 +2864,13 @@
     <message>
         <source>Change ease</source>
         <translation>Verlauf ändern</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutOutPanel</name>
+    <message>
+        <source>Only a cut-out has this. An outline that you have drawn stays as you drew it.</source>
+        <translation>Das hat nur ein Ausschnitt. Ein gezeichneter Umriss bleibt, wie er gezeichnet ist.</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3832,18 @@
         <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
         <translation>Die ungespeicherten Änderungen an „%1“ verwerfen? Sie lassen sich nicht zurückholen.</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save what you made of “%1”?</source>
+        <translation>Speichern, was Sie aus „%1“ gemacht haben?</translation>
+    </message>
+    <message>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <translation>Es wird ein eigenes Projekt; die Datei selbst bleibt, wie sie ist. Ohne Speichern geht das Gemachte verloren.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -3817,16 +3874,20 @@
 <context>
     <name>wend::FlowPanel</name>
     <message>
-        <source>Settle</source>
+        <source>Relax</source>
         <translation>Entspannen</translation>
     </message>
     <message>
-        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation>Die Form entspannt sich mit den Pins, wo sie sind, bis sie ihrer Ruhe so nah ist, wie sie kann. Das nimmt einen Augenblick am Ende der Bewegung ein.</translation>
+        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <translation>Die Pins bleiben, wo sie sind, und was dazwischen liegt, lässt seine Spannung los. Das nimmt eine Sekunde am Ende des Films ein.</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Formgedächtnis</translation>
+        <source>Springs back</source>
+        <translation>Federt zurück</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet.</source>
+        <translation>Noch hat sich nichts bewegt.</translation>
     </message>
 </context>
 <context>
@@ -4138,6 +4199,10 @@
         <source>Let go to open “%1”</source>
         <translation>Loslassen, um „%1“ zu öffnen</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4274,6 +4339,14 @@
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
         <translation>Die Form ist viel größer geworden als in Ruhe. Ein Klick erhält mehr von ihrer Größe.</translation>
+    </message>
+    <message>
+        <source>Whole shape</source>
+        <translation>Ganze Form</translation>
+    </message>
+    <message>
+        <source>Whole shape keeps</source>
+        <translation>Ganze Form erhält</translation>
     </message>
 </context>
 <context>
@@ -4601,10 +4674,6 @@
         <translation>Richt&amp;ung</translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation>Malen</translation>
-    </message>
-    <message>
         <source>Am&amp;ount</source>
         <translation>Men&amp;ge</translation>
     </message>
@@ -4627,6 +4696,14 @@
     <message>
         <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
         <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ], oder mit Alt und der rechten Taste nach oben ziehen.</translation>
+    </message>
+    <message>
+        <source>What the brush paints</source>
+        <translation>Was der Pinsel malt</translation>
+    </message>
+    <message>
+        <source>The brush paints</source>
+        <translation>Der Pinsel malt</translation>
     </message>
 </context>
 <context>
@@ -5490,10 +5567,6 @@
         <translation>%1 ändern</translation>
     </message>
     <message>
-        <source>Turn %1</source>
-        <translation>%1 drehen</translation>
-    </message>
-    <message>
         <source>Scale %1</source>
         <translation>%1 skalieren</translation>
     </message>
@@ -5536,10 +5609,6 @@
     <message>
         <source>What came after is replaced by this; Undo brings it back.</source>
         <translation>Was danach kam, ist hierdurch ersetzt; Rückgängig bringt es zurück.</translation>
-    </message>
-    <message>
-        <source>Settle</source>
-        <translation>Entspannen</translation>
     </message>
     <message>
         <source>There is no pin where a mirror image lies outside of the shape.</source>
@@ -5644,6 +5713,18 @@
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>Diese Kugel ist kleiner als das Netz: weiter ziehen oder mehr Punkte einstellen.</translation>
+    </message>
+    <message>
+        <source>Relax</source>
+        <translation>Entspannen</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <translation>Was %1 später tat, ist hierdurch ersetzt; Rückgängig bringt es zurück.</translation>
     </message>
 </context>
 <context>

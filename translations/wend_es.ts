@@ -1280,18 +1280,6 @@
         <translation>ninguno</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Memoria de forma</translation>
-    </message>
-    <message>
-        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
-        <translation>Fuerza con que la forma vuelve hacia su reposo mientras se mueve un alfiler. Nula: el resultado depende del camino que siguió el alfiler. Total: al volver el alfiler, vuelve también la forma.</translation>
-    </message>
-    <message>
-        <source>Change memory</source>
-        <translation>Cambiar memoria de forma</translation>
-    </message>
-    <message>
         <source>number of frames, at equal times from the start to the last time</source>
         <translation>número de fotogramas, a intervalos iguales del principio al final</translation>
     </message>
@@ -1507,6 +1495,18 @@
         <source>Smaller file – lossy</source>
         <translation>Archivo menor – con pérdidas</translation>
     </message>
+    <message>
+        <source>Springs back</source>
+        <translation>Vuelve a su forma</translation>
+    </message>
+    <message>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <translation>Un alfiler da una vuelta y regresa: ¿cuánto regresa también la forma? Nada: su final depende del camino. Del todo: queda como estaba.</translation>
+    </message>
+    <message>
+        <source>Change springing back</source>
+        <translation>Cambiar la vuelta a la forma</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1560,6 +1560,10 @@
     <message>
         <source>That was a line. Draw around a part of the picture.</source>
         <translation>Eso era una línea. Rodee una parte de la imagen.</translation>
+    </message>
+    <message>
+        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <translation>El contorno es desde ahora como usted lo dibuja y no tiene margen. «Recorte» como contorno recupera el encontrado.</translation>
     </message>
 </context>
 <context>
@@ -1681,6 +1685,22 @@
         <source>×50 along the left half</source>
         <translation>×50 a lo largo de la mitad izquierda</translation>
     </message>
+    <message>
+        <source>not at all</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>del todo</translation>
+    </message>
+    <message>
+        <source>as it was pulled</source>
+        <translation>tal como se tiró</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>relajada</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1755,6 +1775,13 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>Choose one in the list first.</source>
+        <translation>Elija primero uno de la lista.</translation>
     </message>
 </context>
 <context>
@@ -2586,6 +2613,17 @@
     </message>
 </context>
 <context>
+    <name>wend::BorderOffer</name>
+    <message>
+        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <translation>Esta imagen llena su marco. Con el borde sujeto se deforma por dentro y no se abren huecos en los lados.</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>Sujetar borde</translation>
+    </message>
+</context>
+<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -2826,6 +2864,13 @@
     <message>
         <source>Change ease</source>
         <translation>Cambiar la aceleración</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutOutPanel</name>
+    <message>
+        <source>Only a cut-out has this. An outline that you have drawn stays as you drew it.</source>
+        <translation>Solo un recorte tiene esto. Un contorno dibujado queda como lo dibujó.</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3832,18 @@
         <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
         <translation>¿Descartar los cambios sin guardar de «%1»? No se podrán recuperar.</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save what you made of “%1”?</source>
+        <translation>¿Guardar lo que ha hecho con «%1»?</translation>
+    </message>
+    <message>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <translation>Se convierte en un proyecto propio; el archivo queda como está. Si no lo guarda, lo hecho se perderá.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -3817,16 +3874,20 @@
 <context>
     <name>wend::FlowPanel</name>
     <message>
-        <source>Settle</source>
+        <source>Relax</source>
         <translation>Relajar</translation>
     </message>
     <message>
-        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation>Deja que la forma se relaje, con los alfileres donde están, hasta acercarse todo lo posible a su reposo. Ocupa un momento al final del movimiento.</translation>
+        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <translation>Los alfileres quedan donde están y lo que hay entre ellos suelta su tensión. Ocupa un segundo al final de la película.</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Memoria de forma</translation>
+        <source>Springs back</source>
+        <translation>Vuelve a su forma</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet.</source>
+        <translation>Todavía no se ha movido nada.</translation>
     </message>
 </context>
 <context>
@@ -4138,6 +4199,10 @@
         <source>Let go to open “%1”</source>
         <translation>Suelte para abrir «%1»</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4274,6 +4339,14 @@
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
         <translation>La forma es ahora mucho mayor que en reposo. Un clic conserva mejor su tamaño.</translation>
+    </message>
+    <message>
+        <source>Whole shape</source>
+        <translation>Toda la forma</translation>
+    </message>
+    <message>
+        <source>Whole shape keeps</source>
+        <translation>Toda la forma conserva</translation>
     </message>
 </context>
 <context>
@@ -4573,10 +4646,6 @@
         <translation>Di&amp;rección</translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation>Pintar</translation>
-    </message>
-    <message>
         <source>Am&amp;ount</source>
         <translation>I&amp;ntensidad</translation>
     </message>
@@ -4627,6 +4696,14 @@
     <message>
         <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
         <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ], o arrastrando hacia arriba con Alt y el botón derecho.</translation>
+    </message>
+    <message>
+        <source>What the brush paints</source>
+        <translation>Lo que pinta el pincel</translation>
+    </message>
+    <message>
+        <source>The brush paints</source>
+        <translation>El pincel pinta</translation>
     </message>
 </context>
 <context>
@@ -5471,10 +5548,6 @@
         <translation>Ensanchar %1</translation>
     </message>
     <message>
-        <source>Settle</source>
-        <translation>Relajar</translation>
-    </message>
-    <message>
         <source>%1 cannot go further: %2</source>
         <translation>%1 no puede ir más lejos: %2</translation>
     </message>
@@ -5521,10 +5594,6 @@
     <message>
         <source>%1 does not hold the shape at the time that is shown.</source>
         <translation>%1 no sujeta la forma en el momento que se muestra.</translation>
-    </message>
-    <message>
-        <source>Turn %1</source>
-        <translation>Rotar %1</translation>
     </message>
     <message>
         <source>Scale %1</source>
@@ -5644,6 +5713,18 @@
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>Esta bola es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
+    </message>
+    <message>
+        <source>Relax</source>
+        <translation>Relajar</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>Rotar %1</translation>
+    </message>
+    <message>
+        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <translation>Esto reemplaza lo que %1 hacía después; Deshacer lo recupera.</translation>
     </message>
 </context>
 <context>

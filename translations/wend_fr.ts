@@ -1280,18 +1280,6 @@
         <translation>aucun</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Mémoire de forme</translation>
-    </message>
-    <message>
-        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
-        <translation>Force qui ramène la forme vers son repos pendant qu’une épingle bouge. Nulle&#x202f;: le résultat dépend du chemin suivi par l’épingle. Totale&#x202f;: quand l’épingle revient, la forme revient aussi.</translation>
-    </message>
-    <message>
-        <source>Change memory</source>
-        <translation>Modifier la mémoire de forme</translation>
-    </message>
-    <message>
         <source>number of frames, at equal times from the start to the last time</source>
         <translation>nombre d’images, à intervalles égaux du début à la fin</translation>
     </message>
@@ -1507,6 +1495,18 @@
         <source>Smaller file – lossy</source>
         <translation>Fichier plus petit – avec pertes</translation>
     </message>
+    <message>
+        <source>Springs back</source>
+        <translation>Retour élastique</translation>
+    </message>
+    <message>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <translation>Une épingle fait un tour et revient : à quel point la forme revient-elle aussi ? Aucun : sa forme finale dépend du chemin. Total : elle est comme avant.</translation>
+    </message>
+    <message>
+        <source>Change springing back</source>
+        <translation>Modifier le retour élastique</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1560,6 +1560,10 @@
     <message>
         <source>That was a line. Draw around a part of the picture.</source>
         <translation>C’était une ligne. Entourez une partie de l’image.</translation>
+    </message>
+    <message>
+        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <translation>Le contour est désormais tel que vous le dessinez, sans marge à régler. « Détourage » comme contour rétablit celui qui a été trouvé.</translation>
     </message>
 </context>
 <context>
@@ -1681,6 +1685,22 @@
         <source>×50 along the left half</source>
         <translation>×50 le long de la moitié gauche</translation>
     </message>
+    <message>
+        <source>not at all</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>total</translation>
+    </message>
+    <message>
+        <source>as it was pulled</source>
+        <translation>telle que tirée</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>détendue</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1755,6 +1775,13 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>Choose one in the list first.</source>
+        <translation>Choisissez d’abord un élément de la liste.</translation>
     </message>
 </context>
 <context>
@@ -2586,6 +2613,17 @@
     </message>
 </context>
 <context>
+    <name>wend::BorderOffer</name>
+    <message>
+        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <translation>Cette image remplit son cadre. Le bord maintenu, elle se déforme à l’intérieur, sans vide sur les côtés.</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>Maintenir le bord</translation>
+    </message>
+</context>
+<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -2826,6 +2864,13 @@
     <message>
         <source>Change ease</source>
         <translation>Changer l’accélération</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutOutPanel</name>
+    <message>
+        <source>Only a cut-out has this. An outline that you have drawn stays as you drew it.</source>
+        <translation>Seul un détourage a ce réglage. Un contour dessiné reste tel que vous l’avez dessiné.</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3832,18 @@
         <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
         <translation>Abandonner les modifications non enregistrées de «&#x202f;%1&#x202f;»&#x202f;? Elles seront perdues.</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save what you made of “%1”?</source>
+        <translation>Enregistrer ce que vous avez fait de « %1 » ?</translation>
+    </message>
+    <message>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <translation>Cela devient un projet à part ; le fichier reste tel quel. Sans enregistrement, votre travail sera perdu.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -3817,16 +3874,20 @@
 <context>
     <name>wend::FlowPanel</name>
     <message>
-        <source>Settle</source>
+        <source>Relax</source>
         <translation>Détendre</translation>
     </message>
     <message>
-        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation>Laisse la forme se détendre, épingles en place, jusqu’à être aussi près que possible de son repos. Cela occupe un instant à la fin du mouvement.</translation>
+        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <translation>Les épingles restent en place, et ce qui est entre elles relâche sa tension. Cela prend une seconde à la fin du film.</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Mémoire de forme</translation>
+        <source>Springs back</source>
+        <translation>Retour élastique</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet.</source>
+        <translation>Rien n’a encore bougé.</translation>
     </message>
 </context>
 <context>
@@ -4138,6 +4199,10 @@
         <source>Let go to open “%1”</source>
         <translation>Relâchez pour ouvrir «&#x202f;%1&#x202f;»</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4274,6 +4339,14 @@
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
         <translation>La forme est devenue bien plus grande qu’au repos. Un clic conserve mieux sa taille.</translation>
+    </message>
+    <message>
+        <source>Whole shape</source>
+        <translation>Forme entière</translation>
+    </message>
+    <message>
+        <source>Whole shape keeps</source>
+        <translation>La forme conserve</translation>
     </message>
 </context>
 <context>
@@ -4573,10 +4646,6 @@
         <translation>Dire&amp;ction</translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation>Peindre</translation>
-    </message>
-    <message>
         <source>Am&amp;ount</source>
         <translation>I&amp;ntensité</translation>
     </message>
@@ -4627,6 +4696,14 @@
     <message>
         <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
         <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ], ou en glissant vers le haut avec Alt et le bouton droit.</translation>
+    </message>
+    <message>
+        <source>What the brush paints</source>
+        <translation>Ce que peint le pinceau</translation>
+    </message>
+    <message>
+        <source>The brush paints</source>
+        <translation>Le pinceau peint</translation>
     </message>
 </context>
 <context>
@@ -5471,10 +5548,6 @@
         <translation>Élargir %1</translation>
     </message>
     <message>
-        <source>Settle</source>
-        <translation>Détendre</translation>
-    </message>
-    <message>
         <source>%1 cannot go further: %2</source>
         <translation>%1 ne peut pas aller plus loin&#x202f;: %2</translation>
     </message>
@@ -5521,10 +5594,6 @@
     <message>
         <source>%1 does not hold the shape at the time that is shown.</source>
         <translation>%1 ne maintient pas la forme à l’instant affiché.</translation>
-    </message>
-    <message>
-        <source>Turn %1</source>
-        <translation>Faire pivoter %1</translation>
     </message>
     <message>
         <source>Scale %1</source>
@@ -5644,6 +5713,18 @@
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>Cette boule est plus petite que les mailles : tirez plus loin, ou augmentez le nombre de sommets.</translation>
+    </message>
+    <message>
+        <source>Relax</source>
+        <translation>Détendre</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>Faire pivoter %1</translation>
+    </message>
+    <message>
+        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <translation>Ce que %1 faisait après est remplacé ; Annuler le rétablit.</translation>
     </message>
 </context>
 <context>

@@ -1280,18 +1280,6 @@
         <translation>なし</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>形状記憶</translation>
-    </message>
-    <message>
-        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
-        <translation>ピンが動く間に形状が元の形へ引き戻される強さ。「なし」では、最終的な形はピンが通ったパスで決まります。「完全」では、ピンが戻れば形状も元に戻ります。</translation>
-    </message>
-    <message>
-        <source>Change memory</source>
-        <translation>形状記憶を変更</translation>
-    </message>
-    <message>
         <source>number of frames, at equal times from the start to the last time</source>
         <translation>開始から最後の時刻までを等間隔に分けたフレーム数</translation>
     </message>
@@ -1507,6 +1495,18 @@
         <source>Smaller file – lossy</source>
         <translation>小さいファイル – 劣化あり</translation>
     </message>
+    <message>
+        <source>Springs back</source>
+        <translation>元の形に戻る力</translation>
+    </message>
+    <message>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <translation>ピンをぐるりと動かして元の位置に戻したとき、形がどこまで元に戻るかです。なし：最後の形は通った道筋で変わります。完全：元の形に戻ります。</translation>
+    </message>
+    <message>
+        <source>Change springing back</source>
+        <translation>元の形に戻る力を変更</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1559,6 +1559,10 @@
     <message>
         <source>That was a line. Draw around a part of the picture.</source>
         <translation>線になっています。画像の一部を囲んでください。</translation>
+    </message>
+    <message>
+        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <translation>これ以降、輪郭は描いたとおりになり、余白の設定はありません。輪郭を「切り抜き」にすると、自動で見つけた輪郭に戻ります。</translation>
     </message>
 </context>
 <context>
@@ -1680,6 +1684,22 @@
         <source>×50 along the left half</source>
         <translation>左半分に沿って ×50</translation>
     </message>
+    <message>
+        <source>not at all</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>完全</translation>
+    </message>
+    <message>
+        <source>as it was pulled</source>
+        <translation>引いたまま</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>緩めた後</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1754,6 +1774,13 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>Choose one in the list first.</source>
+        <translation>先に一覧から選んでください。</translation>
     </message>
 </context>
 <context>
@@ -2585,6 +2612,17 @@
     </message>
 </context>
 <context>
+    <name>wend::BorderOffer</name>
+    <message>
+        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <translation>この画像は枠いっぱいに描かれています。端を固定すると、内側だけが変形し、縁にすき間ができません。</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>画像の端を固定</translation>
+    </message>
+</context>
+<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -2825,6 +2863,13 @@
     <message>
         <source>Change ease</source>
         <translation>緩急を変更</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutOutPanel</name>
+    <message>
+        <source>Only a cut-out has this. An outline that you have drawn stays as you drew it.</source>
+        <translation>これは切り抜きだけの設定です。描いた輪郭は描いたままになります。</translation>
     </message>
 </context>
 <context>
@@ -3780,6 +3825,18 @@
         <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
         <translation>「%1」の保存されていない変更を破棄しますか？ 元には戻せません。</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save what you made of “%1”?</source>
+        <translation>「%1」から作ったものを保存しますか？</translation>
+    </message>
+    <message>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <translation>別のプロジェクトとして保存され、元のファイルは変わりません。保存しない場合、作ったものは失われます。</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -3810,16 +3867,20 @@
 <context>
     <name>wend::FlowPanel</name>
     <message>
-        <source>Settle</source>
-        <translation>落ち着かせる</translation>
+        <source>Relax</source>
+        <translation>緩める</translation>
     </message>
     <message>
-        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation>ピンの位置は変えずに、形状を元の形にできるだけ近づけます。そのための時間がモーションの最後に少し加わります。</translation>
+        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <translation>ピンの位置はそのままで、その間の部分の張りを緩めます。フィルムの最後に 1 秒かかります。</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>形状記憶</translation>
+        <source>Springs back</source>
+        <translation>元の形に戻る力</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet.</source>
+        <translation>まだ何も動いていません。</translation>
     </message>
 </context>
 <context>
@@ -4131,6 +4192,10 @@
         <source>Let go to open “%1”</source>
         <translation>離すと「%1」を開きます</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消す</translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4267,6 +4332,14 @@
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
         <translation>形状が変形前よりかなり大きくなりました。クリックすると大きさをより保つようにします。</translation>
+    </message>
+    <message>
+        <source>Whole shape</source>
+        <translation>形全体</translation>
+    </message>
+    <message>
+        <source>Whole shape keeps</source>
+        <translation>形全体の保持</translation>
     </message>
 </context>
 <context>
@@ -4565,10 +4638,6 @@
         <translation>方向(&amp;R)</translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation>ペイント</translation>
-    </message>
-    <message>
         <source>Am&amp;ount</source>
         <translation>強さ(&amp;O)</translation>
     </message>
@@ -4619,6 +4688,14 @@
     <message>
         <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
         <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ]、または Alt+右ボタンで上へドラッグしても変更できます。</translation>
+    </message>
+    <message>
+        <source>What the brush paints</source>
+        <translation>ブラシで塗るもの</translation>
+    </message>
+    <message>
+        <source>The brush paints</source>
+        <translation>ブラシで塗る</translation>
     </message>
 </context>
 <context>
@@ -5462,10 +5539,6 @@
         <translation>%1 を広げる</translation>
     </message>
     <message>
-        <source>Settle</source>
-        <translation>落ち着かせる</translation>
-    </message>
-    <message>
         <source>%1 cannot go further: %2</source>
         <translation>%1 はこれ以上動かせません：%2</translation>
     </message>
@@ -5512,10 +5585,6 @@
     <message>
         <source>%1 does not hold the shape at the time that is shown.</source>
         <translation>%1 は表示中の時刻では効いていません。</translation>
-    </message>
-    <message>
-        <source>Turn %1</source>
-        <translation>%1 を回転</translation>
     </message>
     <message>
         <source>Scale %1</source>
@@ -5634,6 +5703,18 @@
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>球がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
+    </message>
+    <message>
+        <source>Relax</source>
+        <translation>緩める</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>%1 を回転</translation>
+    </message>
+    <message>
+        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <translation>%1 のこれより後の動きは置き換えられました。取り消しで元に戻せます。</translation>
     </message>
 </context>
 <context>

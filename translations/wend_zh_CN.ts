@@ -1280,18 +1280,6 @@
         <translation>无</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>形状记忆</translation>
-    </message>
-    <message>
-        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
-        <translation>图钉移动时，形状被拉回原始形状的力度。“无”：最终形状取决于图钉走过的路径。“完全”：图钉回到原处，形状也随之复原。</translation>
-    </message>
-    <message>
-        <source>Change memory</source>
-        <translation>更改形状记忆</translation>
-    </message>
-    <message>
         <source>number of frames, at equal times from the start to the last time</source>
         <translation>从开始到最后时刻等间隔的帧数</translation>
     </message>
@@ -1507,6 +1495,18 @@
         <source>Smaller file – lossy</source>
         <translation>更小的文件 – 有损</translation>
     </message>
+    <message>
+        <source>Springs back</source>
+        <translation>回弹</translation>
+    </message>
+    <message>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <translation>图钉绕一圈回到原处时，形状会恢复多少？无：最终形状取决于路径。完全：恢复原样。</translation>
+    </message>
+    <message>
+        <source>Change springing back</source>
+        <translation>更改回弹</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1559,6 +1559,10 @@
     <message>
         <source>That was a line. Draw around a part of the picture.</source>
         <translation>那是一条线。请圈出图像的一部分。</translation>
+    </message>
+    <message>
+        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <translation>从现在起轮廓以您所画为准，没有可调的边距。将轮廓设为“抠图”可恢复自动找到的轮廓。</translation>
     </message>
 </context>
 <context>
@@ -1680,6 +1684,22 @@
         <source>×50 along the left half</source>
         <translation>沿左半部分 ×50</translation>
     </message>
+    <message>
+        <source>not at all</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>完全</translation>
+    </message>
+    <message>
+        <source>as it was pulled</source>
+        <translation>拉动后</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>松弛后</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1754,6 +1774,13 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>Choose one in the list first.</source>
+        <translation>请先在列表中选择一项。</translation>
     </message>
 </context>
 <context>
@@ -2585,6 +2612,17 @@
     </message>
 </context>
 <context>
+    <name>wend::BorderOffer</name>
+    <message>
+        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <translation>这张图片充满画框。固定边缘后只在内部变形，边上不会露出空隙。</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>固定图片边缘</translation>
+    </message>
+</context>
+<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -2825,6 +2863,13 @@
     <message>
         <source>Change ease</source>
         <translation>更改缓动</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutOutPanel</name>
+    <message>
+        <source>Only a cut-out has this. An outline that you have drawn stays as you drew it.</source>
+        <translation>只有抠图才有此设置。手绘的轮廓保持您所画的样子。</translation>
     </message>
 </context>
 <context>
@@ -3780,6 +3825,18 @@
         <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
         <translation>放弃“%1”的未保存更改？将无法恢复。</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save what you made of “%1”?</source>
+        <translation>要保存您用“%1”做的内容吗？</translation>
+    </message>
+    <message>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <translation>它会成为单独的项目，原文件保持不变。如果不保存，所做的内容将丢失。</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -3810,16 +3867,20 @@
 <context>
     <name>wend::FlowPanel</name>
     <message>
-        <source>Settle</source>
+        <source>Relax</source>
         <translation>松弛</translation>
     </message>
     <message>
-        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation>图钉不动，让形状松弛到尽可能接近原始形状。这会在运动末尾占用一小段时间。</translation>
+        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <translation>图钉不动，图钉之间的部分释放张力。这会占用影片末尾的一秒。</translation>
     </message>
     <message>
-        <source>Remembers its shape</source>
-        <translation>形状记忆</translation>
+        <source>Springs back</source>
+        <translation>回弹</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet.</source>
+        <translation>还没有任何运动。</translation>
     </message>
 </context>
 <context>
@@ -4131,6 +4192,10 @@
         <source>Let go to open “%1”</source>
         <translation>松开以打开“%1”</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4267,6 +4332,14 @@
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
         <translation>形状比变形前大了许多。单击可更多地保持其大小。</translation>
+    </message>
+    <message>
+        <source>Whole shape</source>
+        <translation>整个形状</translation>
+    </message>
+    <message>
+        <source>Whole shape keeps</source>
+        <translation>整个形状保持</translation>
     </message>
 </context>
 <context>
@@ -4565,10 +4638,6 @@
         <translation>方向(&amp;R)</translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation>绘制</translation>
-    </message>
-    <message>
         <source>Am&amp;ount</source>
         <translation>强度(&amp;O)</translation>
     </message>
@@ -4619,6 +4688,14 @@
     <message>
         <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
         <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ]，或用 Alt+右键向上拖动来更改。</translation>
+    </message>
+    <message>
+        <source>What the brush paints</source>
+        <translation>画笔绘制的内容</translation>
+    </message>
+    <message>
+        <source>The brush paints</source>
+        <translation>画笔绘制</translation>
     </message>
 </context>
 <context>
@@ -5462,10 +5539,6 @@
         <translation>扩大 %1</translation>
     </message>
     <message>
-        <source>Settle</source>
-        <translation>松弛</translation>
-    </message>
-    <message>
         <source>%1 cannot go further: %2</source>
         <translation>%1 无法再移动：%2</translation>
     </message>
@@ -5512,10 +5585,6 @@
     <message>
         <source>%1 does not hold the shape at the time that is shown.</source>
         <translation>%1 在当前显示的时刻不起作用。</translation>
-    </message>
-    <message>
-        <source>Turn %1</source>
-        <translation>旋转 %1</translation>
     </message>
     <message>
         <source>Scale %1</source>
@@ -5634,6 +5703,18 @@
     <message>
         <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>此球比网格的格子还小：请拖得更远，或增加顶点数。</translation>
+    </message>
+    <message>
+        <source>Relax</source>
+        <translation>松弛</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>旋转 %1</translation>
+    </message>
+    <message>
+        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <translation>%1 此后的运动已被替换；撤销可恢复。</translation>
     </message>
 </context>
 <context>

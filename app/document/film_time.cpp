@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <set>
 
@@ -153,6 +154,66 @@ bool isAfter(double a, double b) {
     return a > b && !sameTime(a, b);
 }
 
+/// Of the rhythm of the hand that it was recorded with: how far its times are from its way, as parts of both.
+template <int Dim>
+double unevenness(const Motion<Dim>& motion) {
+    const auto* stroke = std::get_if<Recorded<Dim>>(&motion.kind);
+    if (!stroke) return 0;
+    const double whole = lengthOf<Dim>(stroke->points), time = stroke->times.back() - stroke->times.front();
+    double length = 0, worst = 0;
+    for (std::size_t i = 1; i < stroke->points.size() && whole > 0; ++i) {
+        length += (stroke->points[i] - stroke->points[i - 1]).norm();
+        worst = std::max(worst, std::abs(length / whole - (stroke->times[i] - stroke->times.front()) / time));
+    }
+    return worst;
+}
+
+/// What moves from one time to another, together.
+struct Stretch {
+    double start = 0, end = 0, pace = 0;
+    auto operator<=>(const Stretch&) const = default;
+};
+
+/// In the order of their beginnings. Where the shape relaxes it has no pace.
+template <int Dim>
+std::vector<Stretch> stretchesOf(const Project& project) {
+    std::vector<Stretch> stretches;
+    for (const SettleWindow& window : project.settle) stretches.push_back({window.start, window.end});
+    for (const Handle<Dim>& handle : std::get<Design<Dim>>(project.design).handles)
+        for (const Motion<Dim>& motion : handle.motions) {
+            const auto same = std::ranges::find_if(stretches, [&motion](const Stretch& one) {
+                return sameTime(one.start, motion.start) && sameTime(one.end, motion.end);
+            });
+            Stretch& own =
+                same != stretches.end() ? *same : stretches.emplace_back(Stretch{motion.start, motion.end});
+            own.pace = std::max(own.pace, pathLength<Dim>(motion, 0) / (motion.end - motion.start));
+        }
+    std::ranges::sort(stretches);
+    return stretches;
+}
+
+template <int Dim>
+bool hasOwnTiming(const Project& project) {
+    constexpr double kSeen = 0.02;  // of the film, or of a motion
+    constexpr double kUnlike = 3;   // times as fast
+    bool movesOnly = true;
+    for (const Handle<Dim>& handle : std::get<Design<Dim>>(project.design).handles)
+        for (const Motion<Dim>& motion : handle.motions) {
+            if (motion.ease != Ease::Linear || unevenness<Dim>(motion) > kSeen) return true;
+            movesOnly = movesOnly && std::holds_alternative<Recorded<Dim>>(motion.kind);
+        }
+    double at = 0, slowest = std::numeric_limits<double>::infinity(), fastest = 0;
+    for (const Stretch& one : stretchesOf<Dim>(project)) {
+        if (std::abs(one.start - at) > kSeen * project.end) return true;
+        at = one.end;
+        // One that is so short may have been given more time than its way is due.
+        if (one.pace == 0 || one.end - one.start < kSeen * project.end) continue;
+        slowest = std::min(slowest, one.pace);
+        fastest = std::max(fastest, one.pace);
+    }
+    return at > 0 && (project.end - at > kSeen * project.end || (movesOnly && fastest > kUnlike * slowest));
+}
+
 /// Calls `map` for every time of the project but its end.
 template <class Map>
 void mapTimes(Project& project, const Map& map) {
@@ -207,26 +268,8 @@ void endMotionsAt(Handle<Dim>& handle, double time) {
     }
 }
 
-bool hasOwnTiming(const Project& project, double arm) {
-    constexpr double kSame = 0.02;  // of the whole time: not seen
-    const auto lengthUntil = [&](double time) {
-        const Project part = endedAt(project, time);
-        return std::visit(
-            [arm]<int Dim>(const Design<Dim>& design) { return pathLength<Dim>(design.handles, arm); },
-            part.design);
-    };
-    std::set<double> breakpoints;
-    std::visit(
-        [&breakpoints](const auto& design) {
-            for (const auto& handle : design.handles)
-                for (const auto& motion : handle.motions) breakpoints.insert({motion.start, motion.end});
-        },
-        project.design);
-    if (breakpoints.empty()) return false;
-    const double end = *breakpoints.rbegin(), whole = lengthUntil(end);
-    return std::ranges::any_of(breakpoints, [&](double time) {
-        return std::abs(lengthUntil(time) - whole * time / end) > kSame * whole;
-    });
+bool hasOwnTiming(const Project& project) {
+    return project.dimension() == 2 ? hasOwnTiming<2>(project) : hasOwnTiming<3>(project);
 }
 
 Project endedAt(const Project& project, double time) {

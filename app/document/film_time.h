@@ -17,9 +17,10 @@ double pathLength(const Motion<Dim>& motion, double arm);
 template <int Dim>
 double pathLength(const std::vector<Handle<Dim>>& handles, double arm);
 
-/// Whether the motions take their time otherwise than in proportion to their ways: it was recorded or set by
-/// hand, and to spread the times anew changes it.
-bool hasOwnTiming(const Project& project, double arm);
+/// Whether somebody has said when things happen: motions rest between each other, overlap, go at unlike
+/// paces, begin or end softly or have the rhythm of a hand. What is only posed follows one another, in
+/// proportion to the ways. To spread the times anew changes what was timed.
+bool hasOwnTiming(const Project& project);
 
 /// What happens up to a time: motions that are under way are cut there, later ones go. Pins that come later
 /// now come at the very end, those that would be let go of later hold on.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/film_time.h"
+
 namespace wend {
 
 namespace {
@@ -72,6 +74,26 @@ bool same(const std::variant<T...>& a, const std::variant<T...>& b) {
         [&b](const auto& value) { return same(value, std::get<std::decay_t<decltype(value)>>(b)); }, a);
 }
 
+template <int Dim>
+bool same(const Motion<Dim>& a, const Motion<Dim>& b) {
+    return a.start == b.start && a.end == b.end && a.ease == b.ease && same(a.kind, b.kind);
+}
+
+/// True if the motion is the other one, cut off at its end: until then both are the same. (What slows down
+/// goes evenly when it is cut, and the pieces of a spline get other times. The other way round a state at the
+/// end of the cut one is none of the whole one: the integrator stops there, and steps on over it.)
+template <int Dim>
+bool isCutOff(const Motion<Dim>& motion, const Motion<Dim>& whole) {
+    const auto* curve = std::get_if<CurveMotion<Dim>>(&whole.kind);
+    const bool keepsTimes = (whole.ease == Ease::Linear || whole.ease == Ease::In) &&
+                            (!curve || curve->interpolation != Interpolation::Spline);
+    if (!keepsTimes || motion.end <= whole.start || motion.end >= whole.end) return false;
+    Handle<Dim> handle;
+    handle.motions = {whole};
+    endMotionsAt(handle, motion.end);
+    return handle.motions.size() == 1 && same(handle.motions[0], motion);
+}
+
 /// Compares a list of handles with another one whose clock goes otherwise.
 template <int Dim>
 class Comparison {
@@ -86,6 +108,8 @@ class Comparison {
         const std::size_t common = std::min(a.motions.size(), b.motions.size());
         std::size_t i = 0;
         while (i < common && sameMotion(a.motions[i], b.motions[i])) ++i;
+        if (i < common && m_scale == 1 && isCutOff(b.motions[i], a.motions[i]))
+            return std::min(first, b.motions[i].end);
         if (i < a.motions.size()) first = std::min(first, m_scale * a.motions[i].start);
         if (i < b.motions.size()) first = std::min(first, b.motions[i].start);
         return first;
@@ -121,6 +145,7 @@ double timeScale(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim
         was = &a[i].motions[0];
         is = &b[i].motions[0];
     }
+    if (was && isCutOff(*is, *was)) return 1;
     return was && was->end > 0 && is->end > 0 ? is->end / was->end : 1;
 }
 

@@ -1,6 +1,7 @@
 #include "app/document/handle_edits.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "app/document/film_time.h"
 #include "app/document/free_name.h"
@@ -96,6 +97,11 @@ bool movesAfter(const Design<Dim>& design, double time) {
 
 double motionEnd(const Project& project) {
     return project.dimension() == 2 ? endOf<2>(project) : endOf<3>(project);
+}
+
+bool takesTheEnd(const Project& project, double from) {
+    const double end = motionEnd(project);
+    return from >= end || sameTime(from, end);
 }
 
 template <int Dim>
@@ -201,9 +207,9 @@ struct Room {
     std::vector<double> times;
 };
 
-/// By way: what lies before leaves as much time as is due to it.
+/// By way, at the end: what lies before leaves as much time as is due to it.
 template <int Dim>
-Room roomFor(const Project& project, const Gesture& gesture) {
+Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     const auto timed = [&](Project before, double begin) -> Room {
         return {std::move(before), timesByLength<3>(gesture.path, begin, project.end)};
     };
@@ -215,15 +221,27 @@ Room roomFor(const Project& project, const Gesture& gesture) {
     return timed(withTimesMoved(std::move(before), gesture.from, breakpoint), breakpoint);
 }
 
-/// By its own clock: what others do stays. The first motion of all makes the film as long as itself.
+/// Beside what others do, which stays. Its own handles hold as long as they move.
 template <int Dim>
-Room roomForRecording(const Project& project, const Gesture& gesture) {
-    Room room{project, gesture.times};
-    for (double& time : room.times) time += gesture.from;
-    for (const int h : gesture.handles) endMotionsAt(design<Dim>(room.project).handles.at(h), gesture.from);
+Room roomBeside(const Project& project, const Gesture& gesture, std::vector<double> times) {
+    Room room{project, std::move(times)};
     const double end = room.times.back();
     room.project.end = hasMotion(design<Dim>(project)) ? std::max(project.end, end) : end;
+    for (const int h : gesture.handles) {
+        Handle<Dim>& handle = design<Dim>(room.project).handles.at(h);
+        endMotionsAt(handle, gesture.from);
+        if (handle.activeTo < end) handle.activeTo = std::numeric_limits<double>::infinity();
+    }
     return room;
+}
+
+template <int Dim>
+Room roomFor(const Project& project, const Gesture& gesture) {
+    std::vector<double> times = gesture.times;
+    for (double& time : times) time += gesture.from;
+    if (!times.empty()) return roomBeside<Dim>(project, gesture, std::move(times));
+    if (gesture.endsAll || takesTheEnd(project, gesture.from)) return roomAtTheEnd<Dim>(project, gesture);
+    return roomBeside<Dim>(project, gesture, timesByLength<3>(gesture.path, gesture.from, project.end));
 }
 
 }  // namespace
@@ -244,7 +262,7 @@ Project withStroke(const Project& project, const std::vector<int>& handles,
 
 template <int Dim>
 Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec<Dim>& step,
-                         double arm) {
+                         double arm, bool atTheEnd) {
     Project before = project;
     std::vector<Vec<Dim>> starts, offsets;
     double start = project.end;
@@ -259,14 +277,14 @@ Project withLongerStroke(const Project& project, const std::vector<int>& handles
     }
     offsets.push_back(offsets.back() + step);
     Gesture gesture{handles, {}, {}, start, arm};
+    gesture.endsAll = atTheEnd;
     for (const Vec<Dim>& offset : simplified<Dim>(offsets, 0)) gesture.path.push_back(amountOf<Dim>(offset));
     return withGesture<Dim>(before, gesture, starts);
 }
 
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts) {
-    auto [next, times] =
-        gesture.times.empty() ? roomFor<Dim>(project, gesture) : roomForRecording<Dim>(project, gesture);
+    auto [next, times] = roomFor<Dim>(project, gesture);
     for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
         auto& own = design<Dim>(next).handles.at(gesture.handles[i]).motions;
         if (gesture.grip.kind == Grip::Kind::Move) {
@@ -295,18 +313,18 @@ std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double toler
     return result;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                               \
-    template bool hasMotion(const Design<Dim>&);                                                            \
-    template bool movesAfter(const Design<Dim>&, double);                                                   \
-    template bool isActive(const Handle<Dim>&, double);                                                     \
-    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double);   \
-    template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                     \
-    template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                     \
-    template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&, \
-                                     const std::vector<Vec<Dim>>&);                                         \
-    template Project withLongerStroke<Dim>(const Project&, const std::vector<int>&, const Vec<Dim>&,        \
-                                           double);                                                         \
-    template Project withGesture<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&);        \
+#define WEND_INSTANTIATE(Dim)                                                                                \
+    template bool hasMotion(const Design<Dim>&);                                                             \
+    template bool movesAfter(const Design<Dim>&, double);                                                    \
+    template bool isActive(const Handle<Dim>&, double);                                                      \
+    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double);    \
+    template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                      \
+    template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                      \
+    template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&,  \
+                                     const std::vector<Vec<Dim>>&);                                          \
+    template Project withLongerStroke<Dim>(const Project&, const std::vector<int>&, const Vec<Dim>&, double, \
+                                           bool);                                                            \
+    template Project withGesture<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&);         \
     template std::vector<Vec<Dim>> simplified<Dim>(const std::vector<Vec<Dim>>&, double)
 
 template std::vector<Vec<4>> simplified<4>(const std::vector<Vec<4>>&, double);

@@ -19,6 +19,8 @@ template <int Dim>
 bool movesAfter(const Design<Dim>& design, double time);
 /// When the motion is over: the length of the film once something moves, 0 before.
 double motionEnd(const Project& project);
+/// True if a gesture from there comes after all that moves.
+bool takesTheEnd(const Project& project, double from);
 /// True if the handle holds the shape at time t; one that ends at t is gone.
 template <int Dim>
 bool isActive(const Handle<Dim>& handle, double t);
@@ -49,24 +51,27 @@ struct Gesture {
     double arm = 1;                  // in the domain's units: where turning and growing count as a way
     std::vector<double> times = {};  // of a recording: when it is at each point of the path, the first zero
     std::vector<Amount> curve =
-        {};  // of a move that was drawn: the Bézier chain of which the path has points
+        {};                // of a move that was drawn: the Bézier chain of which the path has points
+    bool endsAll = false;  // it comes after all that moves, and what was later goes
 };
-/// A gesture goes on from a time of the motion and replaces what came after. The film keeps its length: the
-/// gesture takes its place at the end, and what lies before moves together, each in proportion to its way.
-/// No pose on the way changes. It becomes a Recorded motion if it moves, the curve if it was drawn, and one
-/// motion per piece of the way if it turns or grows. `starts` is where each handle is at its beginning. A
-/// recording has its own clock: it replaces only what its own handles did from then on, and lasts as long as
-/// it took; the film becomes longer where it must.
+/// A gesture goes on from a time of the motion; the film keeps its length. Where all motion is over (or ends
+/// with it) the gesture takes its place at the end, and what lies before moves together, each in proportion
+/// to its way: no pose on the way changes. Earlier it lasts until the end of the film and replaces what its
+/// own handles did from then on; what others do stays. It becomes a Recorded motion if it moves, the curve if
+/// it was drawn, and one motion per piece of the way if it turns or grows. `starts` is where each handle is
+/// at its beginning. A recording stands beside the others, too, and lasts as long as it took; the film
+/// becomes longer where it must. The first motion of all makes the film as long as a recording.
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts);
 /// A move at the end of the motion, by offsets of which the first is zero.
 template <int Dim = 2>
 Project withStroke(const Project& project, const std::vector<int>& handles,
                    const std::vector<Vec<Dim>>& starts, const std::vector<Vec<Dim>>& offsets);
-/// Puts another offset at the end of the last motion of the handles, which was a move.
+/// Puts another offset at the end of the last motion of the handles, which was a move, at the end of the film
+/// or since an earlier time.
 template <int Dim = 2>
 Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec<Dim>& step,
-                         double arm = 1);
+                         double arm = 1, bool atTheEnd = true);
 
 /// The points that are needed for a polyline within `tolerance` of the given one (Douglas and Peucker); ends
 /// are kept, neighbours that coincide are merged.

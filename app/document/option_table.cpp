@@ -177,14 +177,14 @@ constexpr std::array kOptions{
                .step = 0.005}},
     Option{"material.smoothing.lambda", "", Number, "", kNotNegative, "", "", "", "λ of the paper's kind",
            Field{IN_MATERIAL(smoothing.lambda), &kPaper, Makes::Material, Always}},
-    Option{"material.memory", "--memory", Number, "", kNotNegative, "", "", "run",
-           "how strongly the shape is drawn back to its rest while handles move; 0: not at all, 10: much",
-           Field{IN_MATERIAL(memory), nullptr, Makes::Material},
-           Row{.label = Options::tr("Remembers its shape"),
-               .help = Options::tr("How strongly the shape is drawn back to its rest while a pin moves. Not "
-                                   "at all: where it ends depends on the way that the pin has gone. Fully: a "
-                                   "pin that comes back brings the shape back."),
-               .undo = Options::tr("Change memory")}},
+    Option{
+        "material.memory", "--memory", Number, "", kNotNegative, "", "", "run",
+        "how strongly the shape is drawn back to its rest while handles move; 0: not at all, 10: much",
+        Field{IN_MATERIAL(memory), nullptr, Makes::Material},
+        Row{.label = Options::tr("Springs back"),
+            .help = Options::tr("Lead a pin around and back: how far does the shape come back, too? Not at "
+                                "all: what it ends in depends on the way. Fully: it is as it was."),
+            .undo = Options::tr("Change springing back")}},
     Option{"material.regions[].feather", "", Number, "0", kNotNegative, "units", "", "",
            "width of a region's smooth edge"},
     Option{"material.regions[].stiffness.ratio", "", Number, "1", kRatio, "", "", "",

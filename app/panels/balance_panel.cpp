@@ -28,10 +28,8 @@ void BalancePanel::showProject() {
     m_settings.show();
     const bool paper = settingOf(*m_session.document().project(), "material.smoothing.kind") ==
                        static_cast<int>(SmoothingKind::Paper);
-    OptionField& smoothing = m_settings.field("material.smoothing.length");
-    smoothing.setEnabled(!paper);
-    smoothing.setToolTip(paper ? tr("This project smooths as in the paper, with λ; its file says how much.")
-                               : smoothing.focusProxy()->toolTip());
+    m_settings.field("material.smoothing.length")
+        .allow(!paper, tr("This project smooths as in the paper, with λ; its file says how much."));
 }
 
 }  // namespace wend

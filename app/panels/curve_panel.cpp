@@ -11,6 +11,7 @@
 #include "app/panels/ease_names.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 #include "app/session/curve_making.h"
 
 namespace wend {
@@ -106,10 +107,8 @@ void CurvePanel::allowTurning(bool allow) {
     const QString why = dimension() == 2 ? tr("A point cannot rotate or grow – Alt-drag the pin to widen it.")
                                          : tr("A point cannot rotate or grow: hold more vertices.");
     for (QWidget* control :
-         {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_twist), static_cast<QWidget*>(m_scale)}) {
-        control->setEnabled(allow);
-        control->setToolTip(allow ? control->statusTip() : why + '\n' + control->statusTip());
-    }
+         {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_twist), static_cast<QWidget*>(m_scale)})
+        wend::allow(control, allow, why);
 }
 
 /// The last one that has begun, or the first.

@@ -6,8 +6,12 @@
 
 namespace wend {
 
+QString CutOutPanel::notACutOut() {
+    return tr("Only a cut-out has this. An outline that you have drawn stays as you drew it.");
+}
+
 CutOutPanel::CutOutPanel(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_settings(session.document(), this) {
+    : QWidget(parent), m_settings(session.document(), this, notACutOut()) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 4, 16, 4);
     layout->setSpacing(8);

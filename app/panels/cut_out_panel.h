@@ -14,6 +14,8 @@ class CutOutPanel : public QWidget {
 
   public:
     explicit CutOutPanel(ShapeSession& session, QWidget* parent = nullptr);
+    /// Why the settings of a cut-out cannot be changed elsewhere.
+    static QString notACutOut();
 
   private:
     SettingRows m_settings;

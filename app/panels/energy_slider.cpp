@@ -16,6 +16,7 @@
 #include "app/panels/panel_parts.h"
 #include "app/panels/picture_tip.h"
 #include "app/panels/theme.h"
+#include "app/session/energy_stops.h"
 
 namespace wend {
 
@@ -24,7 +25,9 @@ namespace {
 constexpr int kStepsPerStop = 1000;
 constexpr int kSnap = 45;
 constexpr int kHandle = 16;
-constexpr int kLabelGap = 3;
+constexpr int kLabelGap = 3, kBelow = 5;
+constexpr QSize kSwatch(26, 8);  // pixels
+constexpr int kColours = 8;      // pixels: how high the band of them is
 constexpr int kTileHeight = 76, kTileGap = 4;
 constexpr int kTileText = 54, kTileFont = 12;  // pixels: of the narrowest tile, and as in window.qss
 constexpr QSize kTilePicture(46, 48);
@@ -54,12 +57,17 @@ bool isLong(const QString& text) {
 }  // namespace
 
 EnergySlider::EnergySlider(QWidget* parent, Stops stops)
-    : QWidget(parent), m_stops(stops), m_slider(new QSlider(Qt::Horizontal, this)), m_phi(0) {
+    : QWidget(parent),
+      m_stops(stops),
+      m_name(tr("What is kept")),
+      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_phi(0) {
     m_slider->setObjectName(QStringLiteral("energySlider"));
+    m_slider->setProperty("bare", stops == Stops::Words);  // the colours are its groove
     m_slider->setRange(0, (EnergyScale::kStops - 1) * kStepsPerStop);
     m_slider->setSingleStep(50);
     m_slider->setPageStep(kStepsPerStop);
-    describe(m_slider, tr("What is kept"), helpText());
+    describe(m_slider, m_name, helpText());
     showInTip(m_slider, [this] { return energyPictures(m_dimension); });
     setFocusProxy(m_slider);
     for (int i = 0; i < EnergyScale::kStops; ++i) makeStop(i);
@@ -79,9 +87,10 @@ void EnergySlider::makeStop(int stop) {
     label->setCheckable(true);
     label->setFocusPolicy(Qt::TabFocus);
     label->setProperty("role", m_stops == Stops::Tiles ? QStringLiteral("tile") : QStringLiteral("stop"));
+    label->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    label->setIconSize(m_stops == Stops::Tiles ? kTilePicture : kSwatch);
+    if (m_stops == Stops::Words) label->setIcon(swatch(stop));
     if (m_stops == Stops::Tiles) {
-        label->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        label->setIconSize(kTilePicture);
         label->installEventFilter(this);
         label->setProperty("long", isLong(label->text()));
     }
@@ -95,6 +104,24 @@ void EnergySlider::makeStop(int stop) {
     m_labels[stop] = label;
     if (m_stops == Stops::Tiles)  // read once
         m_samples[stop] = QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures[stop])));
+}
+
+/// The colour that it is painted with.
+QIcon EnergySlider::swatch(int stop) const {
+    QPixmap pixmap(2 * kSwatch);
+    pixmap.setDevicePixelRatio(2);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(energyColour(stop)));
+    painter.drawRoundedRect(QRect(QPoint(), kSwatch), 3, 3);
+    return pixmap;
+}
+
+void EnergySlider::setName(const QString& name) {
+    m_name = name;
+    describe(m_slider, m_name, helpText());
 }
 
 QSize EnergySlider::pictureSize() {
@@ -194,7 +221,7 @@ void EnergySlider::setDimension(int dimension) {
         m_labels[i]->setText(m_scale.stops()[i].name);
         describe(m_labels[i], m_scale.stops()[i].name, m_scale.stops()[i].shortHelp);
     }
-    describe(m_slider, tr("What is kept"), helpText());
+    describe(m_slider, m_name, helpText());
     m_stops == Stops::Tiles ? placeTiles() : placeLabels();
     setPhi(m_phi);
 }
@@ -257,7 +284,7 @@ void EnergySlider::placeLabels() {
     int from = 0;
     for (int i = 0; i < EnergyScale::kStops; ++i) {
         const QSize size = m_labels[i]->sizeHint();
-        m_labels[i]->setGeometry(std::max(stopX(i) - size.width() / 2, from), kHandle + 8, size.width(),
+        m_labels[i]->setGeometry(std::max(stopX(i) - size.width() / 2, from), kHandle + kBelow, size.width(),
                                  size.height());
         from = m_labels[i]->geometry().right() + 1 + kLabelGap;
     }
@@ -272,17 +299,30 @@ void EnergySlider::placeLabels() {
 QSize EnergySlider::sizeHint() const {
     m_labels[0]->ensurePolished();
     if (m_stops == Stops::Tiles) return {220, kTileHeight + kTileGap + kHandle + 4};
-    return {220, kHandle + 8 + m_labels[0]->sizeHint().height()};
+    return {220, kHandle + kBelow + m_labels[0]->sizeHint().height()};
 }
 
 void EnergySlider::resizeEvent(QResizeEvent*) {
     m_stops == Stops::Tiles ? placeTiles() : placeLabels();
 }
 
+/// Below the slider, which has no groove of its own.
+void EnergySlider::paintColours(QPainter& painter) const {
+    QLinearGradient colours(stopX(0), 0, stopX(EnergyScale::kStops - 1), 0);
+    for (int i = 0; i < EnergyScale::kStops; ++i)
+        colours.setColorAt(i / (EnergyScale::kStops - 1.0), QColor(energyColour(i)));
+    if (!isEnabled()) painter.setOpacity(kFaint);
+    painter.setBrush(colours);
+    const double top = m_slider->geometry().center().y() + 0.5 - kColours / 2.0;
+    painter.drawRoundedRect(QRectF(stopX(0) - kHandle / 2.0, top, width(), kColours), kColours / 2.0,
+                            kColours / 2.0);
+}
+
 void EnergySlider::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
+    if (m_stops == Stops::Words) return paintColours(painter);
     painter.setBrush(palette().color(QPalette::Mid));
     for (int i = 0; i < EnergyScale::kStops; ++i)
         painter.drawRoundedRect(QRectF(stopX(i) - 1, m_slider->y() + kHandle / 2.0 - 5, 2, 14), 1, 1);

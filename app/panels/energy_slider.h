@@ -12,12 +12,14 @@
 #include "app/panels/energy_scale.h"
 
 class QMimeData;
+class QPainter;
 class QToolButton;
 
 namespace wend {
 
-/// The slider between the four named stops. Near a stop the handle snaps to it. The stops stand below it as
-/// words, or above it as tiles with a picture of what each does.
+/// The slider between the four named stops. Near a stop the handle snaps to it. The stops stand above it as
+/// tiles with a picture of what each does; or below it as words, with the colours that a part of the shape is
+/// painted with.
 class EnergySlider : public QWidget {
     Q_OBJECT
 
@@ -27,6 +29,8 @@ class EnergySlider : public QWidget {
 
     double phi() const { return m_phi; }
     void setPhi(double phi);
+    /// What it is called, in place of "What is kept".
+    void setName(const QString& name);
     const EnergyScale& scale() const { return m_scale; }
     /// The names and the range of φ depend on it.
     void setDimension(int dimension);
@@ -64,8 +68,11 @@ class EnergySlider : public QWidget {
     int stopX(int stop) const;
     int tileWidth() const;
     QString helpText() const;
+    QIcon swatch(int stop) const;
+    void paintColours(QPainter& painter) const;
 
     Stops m_stops;
+    QString m_name;
     int m_dimension = 2;
     EnergyScale m_scale;
     QSlider* m_slider;

@@ -11,6 +11,7 @@
 #include "app/document/named_files.h"
 #include "app/document/said.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 #include "app/session/inspection.h"
 #include "app/session/shape.h"
 #include "app/session/told_units.h"
@@ -186,9 +187,7 @@ void FactsPanel::showCage(const Shape<3>& shape) {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_cage, m_gap, m_open})
         widget->setVisible(gaps > 0);
     if (gaps == 0) return;
-    m_open->setEnabled(shape.cage->opener.helps());
-    m_open->setStatusTip(shape.cage->opener.helps() ? m_open->accessibleDescription()
-                                                    : tr("That would take more than a million vertices."));
+    allow(m_open, shape.cage->opener.helps(), tr("That would take more than a million vertices."));
     m_cage->setText(
         asTable(tr("Cage"), tableLine(tr("closed gaps"), QLocale().toString(gaps)) +
                                 tableLine(tr("narrowest"), number(shape.cage->gaps.front().width))));

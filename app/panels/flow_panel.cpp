@@ -6,6 +6,8 @@
 #include "app/document/settings.h"
 #include "app/panels/memory_slider.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/picture_tip.h"
+#include "app/panels/reasons.h"
 #include "app/session/settle_step.h"
 
 namespace wend {
@@ -14,17 +16,19 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_memory(new MemorySlider(this)),
-      m_settle(new QPushButton(tr("Settle"), this)) {
+      m_settle(new QPushButton(tr("Relax"), this)) {
     m_settle->setObjectName(QStringLiteral("settle"));
-    describe(
-        m_settle, tr("Settle"),
-        tr("Let the shape relax with the pins where they are, until it is as near to its rest as it can be. "
-           "This takes a moment at the end of the motion."));
+    describe(m_settle, tr("Relax"),
+             tr("The pins stay where they are, and what lies between them lets go of its tension. It takes a "
+                "second "
+                "at the end of the film."));
+    showInTip(m_settle, relaxPictures);
+    showInTip(m_memory->slider(), memoryPictures);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
     layout->setSpacing(8);
     auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(tr("Remembers its shape"), this));
+    head->addWidget(panelTitle(tr("Springs back"), this));
     head->addStretch(1);
     head->addWidget(m_settle);
     layout->addLayout(head);
@@ -40,7 +44,7 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
 void FlowPanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;
-    m_settle->setEnabled(canSettle(m_session.document()));
+    allow(m_settle, canSettle(m_session.document()), tr("Nothing has moved yet."));
     m_memory->setMemory(settingOf(*m_session.document().project(), "material.memory"));
 }
 

@@ -11,6 +11,7 @@
 #include "app/panels/curve_panel.h"
 #include "app/panels/number_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 #include "app/panels/theme.h"
 
 namespace wend {
@@ -150,8 +151,9 @@ void HandlePanel::showHandle() {
     if (!any) return;
     const double minimum = 1e-9 * (m_session.frame() ? m_session.frame()->diagonal : 1);
     const auto centre = isSolid() ? middle<3>() : middle<2>();
-    m_apply->setEnabled(centre.has_value());
-    if (!centre) return m_place->setText(tr("does not hold now"));
+    const QString none = tr("does not hold now");
+    allow(m_apply, centre.has_value(), none);
+    if (!centre) return m_place->setText(none);
     const Vec<3> at = (centre->array().abs() < minimum).select(0, *centre);
     const QLocale locale;
     const auto number = [&locale](double value) { return locale.toString(value, 'g', 5); };

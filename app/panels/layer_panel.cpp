@@ -11,6 +11,7 @@
 #include "app/panels/layer_items.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 #include "app/panels/stiffness_fields.h"
 
 namespace wend {
@@ -288,7 +289,7 @@ void LayerPanel::showValues() {
     m_list->setVisible(m_list->count() > 0);
     for (QToolButton* button : {m_up, m_down, m_remove}) {
         button->setVisible(m_list->count() > 0);
-        button->setEnabled(has);
+        allow(button, has, chooseFirst());
     }
     if (has && m_session.document().dimension() == 2) showGroup<2>();
     if (has && m_session.document().dimension() == 3) showGroup<3>();

@@ -19,6 +19,7 @@ constexpr int kHead = 24;
 MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
+      m_title(panelTitle({}, this)),
       m_slider(new EnergySlider(this, EnergySlider::Stops::Tiles)),
       m_help(secondLabel({}, this)),
       m_grown(new QPushButton(this)) {
@@ -30,9 +31,8 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     layout->setContentsMargins(16, 6, 16, 6);
     layout->setSpacing(6);
     auto* head = new QHBoxLayout;
-    QLabel* title = panelTitle(tr("Keep"), this);
-    title->setMinimumHeight(kHead);
-    head->addWidget(title);
+    m_title->setMinimumHeight(kHead);
+    head->addWidget(m_title);
     head->addStretch(1);
     head->addWidget(m_grown);
     layout->addLayout(head);
@@ -44,6 +44,12 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     connect(&m_session, &ShapeSession::frameChanged, this, &MaterialPanel::showGrowth);
     connect(&m_session.document(), &Document::projectChanged, this, &MaterialPanel::showProject);
     showProject();
+    showGrowth();
+}
+
+void MaterialPanel::setBesideBrush(bool beside) {
+    m_besideBrush = beside;
+    showGrowth();
 }
 
 void MaterialPanel::showProject() {
@@ -71,6 +77,7 @@ void MaterialPanel::showGrowth() {
     const FramePtr& frame = m_session.frame();
     const bool much = frame && frame->growth > kMuch && calmerStop() >= 0;
     m_grown->setVisible(much);
+    m_title->setText(!m_besideBrush ? tr("Keep") : much ? tr("Whole shape") : tr("Whole shape keeps"));
     if (!much) return;
     const QString factor = QLocale().toString(frame->growth, 'f', frame->growth < 10 ? 1 : 0);
     m_grown->setText(tr("⚠ Grown ×%1 – try %2").arg(factor, m_slider->scale().stops().at(calmerStop()).name));

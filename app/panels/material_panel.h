@@ -18,6 +18,8 @@ class MaterialPanel : public QWidget {
   public:
     explicit MaterialPanel(ShapeSession& session, QWidget* parent = nullptr);
     EnergySlider* energySlider() const { return m_slider; }
+    /// While a brush has stops of its own, the title says that these are not the brush's.
+    void setBesideBrush(bool beside);
 
   private:
     void showProject();
@@ -26,9 +28,11 @@ class MaterialPanel : public QWidget {
     void choosePhi(double phi, int gesture);
 
     ShapeSession& m_session;
+    QLabel* m_title;
     EnergySlider* m_slider;
     QLabel* m_help;
     QPushButton* m_grown;
+    bool m_besideBrush = false;
 };
 
 }  // namespace wend

@@ -7,6 +7,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/setting_edits.h"
+#include "app/panels/cut_out_panel.h"
 #include "app/panels/detail_row.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/option_field.h"
@@ -46,7 +47,7 @@ double largestCell(const PosedFrame<3>& frame) {
 MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_settings(session.document(), this),
+      m_settings(session.document(), this, CutOutPanel::notACutOut()),
       m_density(new JumpSlider(this)),
       m_aim(new QComboBox(this)),
       m_sizes(new QToolButton(this)),

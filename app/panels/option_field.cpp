@@ -12,6 +12,7 @@
 
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 
 namespace wend {
 
@@ -139,6 +140,12 @@ void OptionField::allow(int place, bool allowed, const QString& why) {
     QStandardItem* item = qobject_cast<QStandardItemModel*>(m_choice->model())->item(place);
     item->setEnabled(allowed);
     item->setToolTip(allowed ? QString() : why);
+}
+
+void OptionField::allow(bool allowed, const QString& why) {
+    setEnabled(allowed);
+    wend::allow(focusProxy(), allowed, why);
+    setToolTip(focusProxy()->toolTip());
 }
 
 void OptionField::setRange(const Range& range) {

@@ -38,6 +38,8 @@ class OptionField : public QWidget {
     void setWords(const QString& choice, const QString& words);
     /// Whether the choice at that place can be taken, and why not.
     void allow(int place, bool allowed, const QString& why);
+    /// Whether it can be changed at all, and why not.
+    void allow(bool allowed, const QString& why);
     /// A value of any kind as in a project, see Accessor; setting it tells nobody.
     double number() const;
     void setNumber(double number);

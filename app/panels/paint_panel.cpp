@@ -42,6 +42,7 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
       m_amount(new NumberBox(this)),
       m_size(new NumberBox(this)),
       m_hardness(new NumberBox(this)) {
+    m_phi->setName(tr("What the brush paints"));
     makeControls();
     makeTip();
     arrange();
@@ -116,7 +117,7 @@ void PaintPanel::arrange() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
-    layout->addWidget(panelTitle(tr("Paint"), this));
+    layout->addWidget(panelTitle(tr("The brush paints"), this));
     auto* targets = new QHBoxLayout;
     targets->setSpacing(2);
     for (QAbstractButton* button : m_targets->buttons()) targets->addWidget(button);

@@ -5,15 +5,18 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSlider>
+#include <QSpinBox>
 
 namespace wend {
 
 namespace {
 
+int pressedKey(const QEvent& event) {
+    return event.type() == QEvent::KeyPress ? static_cast<const QKeyEvent&>(event).key() : 0;
+}
+
 bool isEnter(const QEvent& event) {
-    if (event.type() != QEvent::KeyPress) return false;
-    const int key = static_cast<const QKeyEvent&>(event).key();
-    return key == Qt::Key_Return || key == Qt::Key_Enter;
+    return pressedKey(event) == Qt::Key_Return || pressedKey(event) == Qt::Key_Enter;
 }
 
 bool isTyped(const QObject& widget) {
@@ -50,6 +53,10 @@ bool PanelFields::eventFilter(QObject* watched, QEvent* event) {
         takeEnter(*watched, static_cast<QKeyEvent&>(*event));
         return true;
     }
+    if (isTyped(*watched) && pressedKey(*event) == Qt::Key_Escape) {
+        giveUp(*watched);
+        return true;
+    }
     if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
         event->ignore();  // the panels get it then
         return true;
@@ -61,6 +68,13 @@ bool PanelFields::eventFilter(QObject* watched, QEvent* event) {
 void PanelFields::takeEnter(QObject& field, QKeyEvent& key) {
     field.event(&key);
     key.accept();
+    emit done();
+}
+
+/// What is being typed is not taken.
+void PanelFields::giveUp(QObject& field) {
+    if (auto* whole = qobject_cast<QSpinBox*>(&field)) whole->setValue(whole->value());
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) number->setValue(number->value());
     emit done();
 }
 

@@ -9,8 +9,8 @@ class QWidget;
 namespace wend {
 
 /// How the fields of the panels take keys and the wheel, all alike: a number that is typed counts when it is
-/// complete, and Enter then gives the keyboard back; the wheel changes what was clicked before and scrolls
-/// the panels elsewhere.
+/// complete, and Enter then gives the keyboard back; so does Escape, without it; the wheel changes what was
+/// clicked before and scrolls the panels elsewhere.
 class PanelFields : public QObject {
     Q_OBJECT
 
@@ -28,6 +28,7 @@ class PanelFields : public QObject {
   private:
     void selectOnlyWithKeyboard(QLineEdit& text);
     void takeEnter(QObject& field, QKeyEvent& key);
+    void giveUp(QObject& field);
 };
 
 }  // namespace wend

@@ -113,4 +113,14 @@ QList<TipPicture> stiffnessPictures() {
         {QStringLiteral("stiffness-part"), said(QT_TRANSLATE_NOOP("PictureTip", "×50 along the left half"))}};
 }
 
+QList<TipPicture> memoryPictures() {
+    return {{QStringLiteral("memory-none"), said(QT_TRANSLATE_NOOP("PictureTip", "not at all"))},
+            {QStringLiteral("memory-full"), said(QT_TRANSLATE_NOOP("PictureTip", "fully"))}};
+}
+
+QList<TipPicture> relaxPictures() {
+    return {{QStringLiteral("relax-before"), said(QT_TRANSLATE_NOOP("PictureTip", "as it was pulled"))},
+            {QStringLiteral("relax-after"), said(QT_TRANSLATE_NOOP("PictureTip", "relaxed"))}};
+}
+
 }  // namespace wend

@@ -27,5 +27,9 @@ TipPicture energyPicture(int stop);
 QList<TipPicture> reachPictures();
 /// A bar that is pulled, soft all over, and with a part that is stiff.
 QList<TipPicture> stiffnessPictures();
+/// A strip whose end was led around in a circle.
+QList<TipPicture> memoryPictures();
+/// A shape after its pins were moved, and after it has relaxed.
+QList<TipPicture> relaxPictures();
 
 }  // namespace wend

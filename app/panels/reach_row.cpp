@@ -11,6 +11,7 @@
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/picture_tip.h"
+#include "app/panels/reasons.h"
 #include "core/energy/material.h"
 
 namespace wend {
@@ -73,8 +74,7 @@ void ReachRow::showProject() {
     const bool paper =
         settingOf(project, "material.smoothing.kind") == static_cast<int>(SmoothingKind::Paper);
     setEnabled(!paper);
-    setToolTip(paper ? tr("This project smooths as in the paper, with λ; its file says how much.")
-                     : QString());
+    allow(m_slider, !paper, tr("This project smooths as in the paper, with λ; its file says how much."));
     const QSignalBlocker quiet(m_slider);
     if (!m_slider->isSliderDown()) m_slider->setValue(valueOf(settingOf(project, kKey)));
 }

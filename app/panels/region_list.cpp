@@ -11,6 +11,7 @@
 #include "app/document/project.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 
 namespace wend {
 
@@ -172,7 +173,7 @@ void RegionList::showRegions() {
 void RegionList::showChosen() {
     const bool has = group() >= 0;
     m_row->setEnabled(has);
-    m_remove->setEnabled(has);
+    allow(m_remove, has, chooseFirst());
     if (has)
         m_value->put((isDetail() ? kPercent : 1) * groups()[group()].value);
     else

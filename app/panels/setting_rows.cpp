@@ -16,8 +16,8 @@ constexpr int kNumber = 116, kNarrowNumber = 96, kWords = 150;  // pixels
 
 }  // namespace
 
-SettingRows::SettingRows(Document& document, QWidget* panel)
-    : QObject(panel), m_document(document), m_panel(panel) {}
+SettingRows::SettingRows(Document& document, QWidget* panel, QString whyNot)
+    : QObject(panel), m_document(document), m_panel(panel), m_whyNot(std::move(whyNot)) {}
 
 QWidget* SettingRows::row(std::string_view key) {
     auto* field = new OptionField(key, m_panel);
@@ -39,7 +39,7 @@ void SettingRows::show() {
     if (m_document.isEmpty()) return;
     const Project& project = *m_document.project();
     for (const auto& [key, field] : m_fields) {
-        field->setEnabled(isFor(field->option(), project));
+        field->allow(isFor(field->option(), project), m_whyNot);
         field->setRange(rangeOf(field->option(), m_document.dimension()));
         field->setNumber(field->option().field.at.get(project));
     }

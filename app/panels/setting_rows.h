@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <map>
 #include <string_view>
 
@@ -17,7 +18,8 @@ class SettingRows : public QObject {
     Q_OBJECT
 
   public:
-    SettingRows(Document& document, QWidget* panel);
+    /// `whyNot`: why what a project does not have cannot be changed.
+    SettingRows(Document& document, QWidget* panel, QString whyNot = {});
 
     /// Label and field, side by side in a widget.
     QWidget* row(std::string_view key);
@@ -28,6 +30,7 @@ class SettingRows : public QObject {
   private:
     Document& m_document;
     QWidget* m_panel;
+    QString m_whyNot;
     std::map<std::string_view, OptionField*> m_fields;
 };
 

@@ -12,6 +12,7 @@
 #include "app/document/size_edits.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 #include "app/panels/region_numbers.h"
 
 namespace wend {
@@ -215,7 +216,7 @@ void SizePanel::showGroup() {
     const bool has = group() >= 0 && group() < static_cast<int>(groups.size());
     const QSignalBlocker a(m_factor), b(m_feather);
     m_factor->setValue(has ? groups[group()].first.factor : m_brush);
-    m_remove->setEnabled(has);
+    allow(m_remove, has, chooseFirst());
     const bool one =
         has && groups[group()].entries.size() == 1 && RegionNumbers::canShow(groups[group()].first.shape);
     m_shape->setVisible(one);

@@ -7,6 +7,7 @@
 
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 
 namespace wend {
 
@@ -156,12 +157,8 @@ void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {
     const QString verdict =
         helps ? tr("“Repair” helps.") : tr("“Repair” does not help: a cage around it can carry it.");
     m_text->setText((m_contents.more + QStringList{verdict, repair}).join('\n').trimmed());
-    m_preview->setEnabled(!repair.isEmpty());
-    m_preview->setStatusTip(repair.isEmpty() ? tr("There is nothing that the simple repairs would change.")
-                                             : m_preview->accessibleDescription());
-    m_repair->setEnabled(helps);
-    m_repair->setStatusTip(helps ? m_repair->accessibleDescription()
-                                 : tr("The simple repairs do not help: fit a cage."));
+    allow(m_preview, !repair.isEmpty(), tr("There is nothing that the simple repairs would change."));
+    allow(m_repair, helps, tr("The simple repairs do not help: fit a cage."));
     if (!m_preview->isChecked()) return;
     m_preview->setChecked(!repair.isEmpty());
     emit repairShown(m_preview->isChecked());

@@ -14,7 +14,7 @@ void settleAtEnd(ShapeSession& session) {
     if (!canSettle(document)) return;
     Project next = *document.project();
     appendSettling(next, motionEnd(next));
-    document.change(ShapeSession::tr("Settle"), std::move(next));
+    document.change(ShapeSession::tr("Relax"), std::move(next));
     session.playback().setTime(session.playback().end());
 }
 

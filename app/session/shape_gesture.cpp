@@ -229,11 +229,15 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
     takeHold<Dim>(handles);
     const DragGesture drag(handles, {});
     const double time = m_motion.gestureTime();
-    if (time >= m_playback.end() && m_document.merges(key))
-        m_document.change(ShapeSession::tr("Move %1").arg(m_pins.nameOf(handles)),
-                          withLongerStroke<Dim>(*m_document.project(), handles, by, armOf<Dim>(drag)), key);
-    else
-        push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, key);
+    const bool atTheEnd = takesTheEnd(*m_document.project(), time);
+    const QString earlier = QStringLiteral("earlier ") + key;  // the playhead goes to the end with the first
+    for (const QString& last : {key, earlier})
+        if (atTheEnd && m_document.merges(last))
+            return m_document.change(
+                ShapeSession::tr("Move %1").arg(m_pins.nameOf(handles)),
+                withLongerStroke<Dim>(*m_document.project(), handles, by, armOf<Dim>(drag), last == key),
+                last);
+    push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, atTheEnd ? key : earlier);
 }
 
 template <int Dim>
@@ -255,7 +259,7 @@ void ShapeGesture::followCurve(const std::vector<Vec<Dim>>& points) {
     const Project& project = *m_document.project();
     const double from = m_motion.gestureTime(), room = project.end - from;
     const auto pieces = static_cast<double>(path.points.size() - 1);
-    if (motionEnd(project) == 0 || (from < project.end && !sameTime(from, project.end)))
+    if (motionEnd(project) == 0 || !takesTheEnd(project, from))
         for (std::size_t i = 0; i < path.points.size(); ++i)
             path.seconds.push_back(room * static_cast<double>(i) / pieces);
     std::vector<Amount> curve;
@@ -283,46 +287,54 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
     const bool records = !path.seconds.empty();
     const QString what = !curve.empty()                         ? ShapeSession::tr("Draw the path of %1")
                          : records                              ? ShapeSession::tr("Record %1")
-                         : drag.grip().kind == Grip::Kind::Turn ? ShapeSession::tr("Turn %1")
+                         : drag.grip().kind == Grip::Kind::Turn ? ShapeSession::tr("Rotate %1")
                          : drag.grip().kind == Grip::Kind::Grow ? ShapeSession::tr("Scale %1")
                                                                 : ShapeSession::tr("Move %1");
     std::vector<Vec<Dim>> starts(drag.handles().size(), Vec<Dim>::Zero());
     for (const auto& view : std::get<std::vector<PinView<Dim>>>(m_grabbed))
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (drag.handles()[i] == view.handle) starts[i] = view.centre;
+    const Project& project = *m_document.project();
+    // Where the motion ended early, what could not be reached would stop this, too.
+    const bool endsAll = !records && !m_motion.isBusy() && !m_motion.track().isEmpty() &&
+                         m_motion.track().lastTime() <= from && !takesTheEnd(project, from);
     const Gesture gesture{drag.handles(),   drag.grip(),  path.points, from,
-                          armOf<Dim>(drag), path.seconds, curve};
+                          armOf<Dim>(drag), path.seconds, curve,       endsAll};
     const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
-    const bool quickens = !records && from >= motionEnd(*m_document.project()) &&
-                          hasOwnTiming(*m_document.project(), gesture.arm);
-    m_document.change(what.arg(m_pins.nameOf(drag.handles())),
-                      withGesture<Dim>(*m_document.project(), gesture, starts), key);
+    const bool quickens = !records && takesTheEnd(project, from) && hasOwnTiming(project);
+    m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture<Dim>(project, gesture, starts),
+                      key);
     // What was recorded is seen by playing it, and others may be recorded to it.
     m_playback.setTime(records ? from : m_playback.end());
-    tellReplaced<Dim>(before, records ? drag.handles() : std::vector<int>(), from,
-                      curve.empty()
-                          ? ShapeSession::tr("Recorded. K plays it; record other pins from the same "
-                                             "time, and they move together.")
-                          : ShapeSession::tr("K plays it; draw the paths of other pins from the same "
-                                             "time, and they move together."));
+    const QString next = !records        ? QString()
+                         : curve.empty() ? ShapeSession::tr(
+                                               "Recorded. K plays it; record other pins from the same "
+                                               "time, and they move together.")
+                                         : ShapeSession::tr(
+                                               "K plays it; draw the paths of other pins from the same "
+                                               "time, and they move together.");
+    tellReplaced<Dim>(before, endsAll ? std::vector<int>() : drag.handles(), from, next);
     if (quickens)
         emit notice(
             ShapeSession::tr("The film keeps its length: what you had timed goes faster now. Undo, or "
                              "make the film longer below."));
 }
 
-/// A recording replaces what its own handles did, any other gesture (of none) what all did.
+/// A gesture replaces what its own handles did, or (of none) what all did.
 template <int Dim>
-void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded,
+void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& own,
                                 double from, const QString& otherwise) {
     Design<Dim> replaced;
     for (int h = 0; h < static_cast<int>(before.size()); ++h)
-        if (recorded.empty() || std::count(recorded.begin(), recorded.end(), h))
-            replaced.handles.push_back(before[h]);
-    if (movesAfter<Dim>(replaced, from))
+        if (own.empty() || std::count(own.begin(), own.end(), h)) replaced.handles.push_back(before[h]);
+    if (!movesAfter<Dim>(replaced, from)) {
+        if (!otherwise.isEmpty()) emit notice(otherwise);
+    } else if (own.empty()) {
         emit notice(ShapeSession::tr("What came after is replaced by this; Undo brings it back."));
-    else if (!recorded.empty())
-        emit notice(otherwise);
+    } else {
+        emit notice(ShapeSession::tr("What %1 did later is replaced by this; Undo brings it back.")
+                        .arg(m_pins.nameOf(own)));
+    }
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                            \

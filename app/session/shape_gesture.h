@@ -76,7 +76,7 @@ class ShapeGesture : public QObject {
     void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
               const std::vector<Amount>& curve = {});
     template <int Dim>
-    void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded, double from,
+    void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& own, double from,
                       const QString& otherwise);
 
     Document& m_document;

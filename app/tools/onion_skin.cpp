@@ -2,9 +2,14 @@
 
 #include <QPainterPath>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
 
 #include "app/session/shape.h"
+#include "core/mesh/error.h"
+#include "core/meshing/outline_combination.h"
+#include "warp/outline.h"
 
 namespace wend {
 
@@ -17,6 +22,8 @@ constexpr double kTints[kEachWay] = {0.18, 0.12, 0.06};
 constexpr double kLine = 1.5;                  // pixels
 constexpr double kLineStrength = 3.5;          // of an outline, against the tint
 constexpr std::size_t kMostTriangles = 60000;  // of an embedded surface; of a finer one the solid is shown
+
+constexpr double kSeen = 0.5;  // of the alpha of what is drawn
 
 /// Closed lines along the edges of a boundary, each edge once.
 std::vector<std::vector<int>> loopsOf(const std::vector<Facet<2>>& edges) {
@@ -32,6 +39,37 @@ std::vector<std::vector<int>> loopsOf(const std::vector<Facet<2>>& edges) {
         loops.push_back(std::move(loop));
     }
     return loops;
+}
+
+/// Without the margin that has been given to it; empty where all of the picture is opaque.
+Outline drawingOf(const Image& picture) {
+    Outline drawing;
+    if (!picture.alpha) return drawing;
+    AlphaOutlineOptions options;
+    options.margin = options.gap = 0;
+    for (const double threshold : {kSeen, options.threshold}) {
+        options.threshold = threshold;
+        try {
+            return outlineFromAlpha(picture, options);
+        } catch (const InputError&) {  // it is fainter, or there is nothing
+        }
+    }
+    return drawing;
+}
+
+double lengthOf(const std::vector<Vec<2>>& loop) {
+    double length = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    return length;
+}
+
+/// With points so close that it can bend as the shape does.
+void appendDense(std::vector<Vec<2>>& points, const std::vector<Vec<2>>& loop, double step) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec<2> way = loop[(i + 1) % loop.size()] - loop[i];
+        const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / step)));
+        for (int k = 0; k < parts; ++k) points.emplace_back(loop[i] + way * k / parts);
+    }
 }
 
 }  // namespace
@@ -62,6 +100,7 @@ void OnionSkin<Dim>::takeBoundary(const PosedFrame<Dim>& frame) {
     std::erase_if(facets, [](const Facet<Dim>& facet) { return facet.interior(); });
     if constexpr (Dim == 2) {
         m_loops = loopsOf(facets);
+        takeDrawing(*frame.built);
     } else {
         const auto& skin = frame.built->skin;
         m_isEmbedded = skin && frame.built->embedding && skin->triangles.size() <= kMostTriangles;
@@ -81,10 +120,46 @@ void OnionSkin<Dim>::takeBoundary(const PosedFrame<Dim>& frame) {
     }
 }
 
-/// In the plane the boundary; of a solid the edges between what faces the viewer and what does not.
+/// What of the picture is opaque within the boundary takes its place.
+template <int Dim>
+void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
+    m_drawn.reset();
+    if constexpr (Dim == 2) {
+        Outline drawing = shape.picture ? drawingOf(*shape.picture) : Outline();
+        if (drawing.loops.empty()) return;
+        const SimplicialMesh<2>& rest = restInPixels(shape);
+        Outline boundary;
+        double length = 0;
+        std::size_t edges = 0;
+        for (const Loop& loop : m_loops) {
+            auto& line = boundary.loops.emplace_back();
+            for (const int v : loop) line.emplace_back(rest.points.col(v));
+            length += lengthOf(line);
+            edges += line.size();
+        }
+        drawing = combined(drawing, boundary, OutlineOperation::Keep);
+        std::vector<Vec<2>> points;
+        m_loops.clear();
+        for (const auto& line : drawing.loops) {
+            const auto first = static_cast<int>(points.size());
+            appendDense(points, line, length / static_cast<double>(edges));
+            m_loops.emplace_back(points.size() - static_cast<std::size_t>(first));
+            std::iota(m_loops.back().begin(), m_loops.back().end(), first);
+        }
+        Points<2> columns(2, static_cast<Eigen::Index>(points.size()));
+        for (Eigen::Index i = 0; i < columns.cols(); ++i)
+            columns.col(i) = points[static_cast<std::size_t>(i)];
+        m_drawn = std::make_shared<const Embedding<2>>(rest, columns);
+    }
+}
+
+/// In the plane the boundary or what is drawn; of a solid the edges between what faces the viewer and what
+/// does not.
 template <int Dim>
 std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const {
     Points<Dim> points = frame.pose;
+    if constexpr (Dim == 2)
+        if (m_drawn) points = m_drawn->interpolate(restInPixels(*frame.built), frame.pose);
     if constexpr (Dim == 3)
         if (m_isEmbedded) points = frame.built->embedding->carry(*frame.rest, frame.pose);
     std::vector<QPointF> at;

@@ -9,8 +9,12 @@
 
 namespace wend {
 
+template <int Dim>
+class Embedding;
+
 /// What the shape was a little before and will be a little after what is shown: three each way, a tenth of
-/// the film apart, in two colours, fainter the farther. Nothing while it plays.
+/// the film apart, in two colours, fainter the farther. Of a picture what is drawn: not the transparent
+/// margin that bends with it. Nothing while it plays.
 template <int Dim>
 class OnionSkin {
   public:
@@ -32,14 +36,16 @@ class OnionSkin {
     };
     std::vector<Layer> layers(ShapeSession& session) const;
     void takeBoundary(const PosedFrame<Dim>& frame);
+    void takeDrawing(const Shape<Dim>& shape);
     std::vector<QPolygonF> outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const;
 
     bool m_shown = false;
     std::shared_ptr<const SimplicialMesh<Dim>> m_rest;  // whose boundary it is:
     std::vector<Loop> m_loops;                          // in the plane closed lines,
+    std::shared_ptr<const Embedding<Dim>> m_drawn;      // of the points of these, if they are no vertices;
     std::vector<std::array<int, 3>> m_triangles;        // of a solid what is seen of it
     std::vector<Edge> m_edges;
-    bool m_isEmbedded = false;  // the triangles are those of the surface embedded in the solid
+    bool m_isEmbedded = false;  // those of the surface embedded in it
 };
 
 }  // namespace wend

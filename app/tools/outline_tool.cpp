@@ -321,6 +321,11 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
+    if (edit.pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
+        emit session().notice(
+            said(QT_TRANSLATE_NOOP("OutlineTool",
+                                   "The outline is as you draw it from now on, and has no margin to change. "
+                                   "“Cut-out” as outline brings the found one back.")));
     document.change(said(name), std::move(edit.project), key);
 }
 

@@ -116,12 +116,13 @@ void FileWorkflow::tellOf(const Reading& reading) {
         return say(Topic::Opening, tr("%1 has moved.").arg(QFileInfo(missing).fileName()),
                    {{tr("Find It…"), [this, path, missing] { openFound(path, missing); }}});
     }
-    if (!reading.isBlank) return say(Topic::Opening, tr("This file cannot be opened. %1").arg(reading.error));
+    const InfoBanner::Remedy another{tr("Open Another…"), [this] { askOpen(); }};
+    if (!reading.isBlank)
+        return say(Topic::Opening, tr("This file cannot be opened. %1").arg(reading.error), {another});
     const auto whole = [this, path] {
         if (mayLeave()) read(path, [path] { return openFile(path, true); });
     };
-    say(Topic::Opening, tr("Nothing to see in this picture."),
-        {{tr("Use Whole Frame"), whole}, {tr("Open Another…"), [this] { askOpen(); }}});
+    say(Topic::Opening, tr("Nothing to see in this picture."), {{tr("Use Whole Frame"), whole}, another});
 }
 
 void FileWorkflow::openFound(const QString& project, const QString& missing) {
@@ -140,7 +141,8 @@ void FileWorkflow::guardWork(const QString& folder) {
     m_recovery->setParent(this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
         say(Topic::Copy,
-            tr("There is no copy of your changes if the program crashes: please save. %1").arg(why));
+            tr("There is no copy of your changes if the program crashes: please save. %1").arg(why),
+            {{tr("Save"), [this] { save(); }}});
     });
     connect(m_recovery, &Recovery::written, this, [this] { say(Topic::Copy, {}); });
     // The copy that was recovered goes when there is a new one, or when the work is saved.
@@ -251,9 +253,13 @@ bool FileWorkflow::mayOverwrite() {
 bool FileWorkflow::mayTakePlace(const QString& path) {
     const auto own = ownFileAt(m_document, path);
     if (!own || *own == OwnFile::Project) return true;
-    say(Topic::Saving, tr("The project was not saved: it needs the file “%1” itself. Choose another name.")
-                           .arg(QFileInfo(path).fileName()));
+    tellNotSaved(tr("The project was not saved: it needs the file “%1” itself. Choose another name.")
+                     .arg(QFileInfo(path).fileName()));
     return false;
+}
+
+void FileWorkflow::tellNotSaved(const QString& text) {
+    say(Topic::Saving, text, {{tr("Save As…"), [this] { saveAs(); }}});
 }
 
 bool FileWorkflow::save() {
@@ -287,7 +293,7 @@ bool FileWorkflow::write(const QString& path) {
     try {
         m_document.save(path);
     } catch (const InputError& error) {
-        say(Topic::Saving, tr("The project was not saved. %1").arg(words(error)));
+        tellNotSaved(tr("The project was not saved. %1").arg(words(error)));
         return false;
     }
     addRecent(path);
@@ -312,12 +318,17 @@ void FileWorkflow::takeTyped() {
 
 bool FileWorkflow::mayLeave() {
     takeTyped();
-    if (m_document.isEmpty() || !m_document.isModified()) return true;
+    if (m_document.isEmpty() || !m_document.isModified() || (m_isPractice && m_isPractice())) return true;
+    const bool isNew = m_document.path().isEmpty();
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
-                    tr("Save the changes to “%1”?").arg(m_document.displayName()),
+                    (isNew ? tr("Save what you made of “%1”?") : tr("Save the changes to “%1”?"))
+                        .arg(m_document.displayName()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("If you do not save, they are lost."));
+    box.setInformativeText(isNew
+                               ? tr("It becomes a project of its own; the file stays as it is. If you do not "
+                                    "save, what you made is lost.")
+                               : tr("If you do not save, they are lost."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     if (answer == QMessageBox::Save) return save();
@@ -333,10 +344,13 @@ QStringList FileWorkflow::recent() const {
     return existing;
 }
 
+/// Not the samples, nor their pictures.
 void FileWorkflow::addRecent(const QString& path) {
+    const QString folder = QFileInfo(path).absolutePath();
+    const QStringList samples = samplePaths();
+    if (!samples.isEmpty() && folder == QFileInfo(samples.first()).absolutePath()) return;
     QSettings settings;
-    settings.setValue("folder", QFileInfo(path).absolutePath());
-    if (samplePaths().contains(path)) return;
+    settings.setValue("folder", folder);
     QStringList paths = recent();
     paths.removeAll(path);
     paths.prepend(path);

@@ -31,6 +31,8 @@ class FileWorkflow : public QObject {
     /// lost().
     void guardWork(const QString& folder);
     QList<LostWork> lost() const;
+    /// What may be left without a question: nobody made it to keep it.
+    void setPractice(std::function<bool()> isPractice) { m_isPractice = std::move(isPractice); }
     /// Says so beside the next file that is opened, where nobody sees the start page.
     void tellLostWhenOpened();
 
@@ -65,6 +67,7 @@ class FileWorkflow : public QObject {
     void say(InfoBanner::Topic topic, const QString& text, const QList<InfoBanner::Remedy>& remedies = {}) {
         emit said(topic, text, remedies);
     }
+    void tellNotSaved(const QString& text);
     void takeBackSaved();
     void tellOf(const Reading& reading);
     void openFound(const QString& project, const QString& missing);
@@ -79,7 +82,8 @@ class FileWorkflow : public QObject {
     Recovery* m_recovery = nullptr;
     QString m_copies;         // the folder of unsaved changes
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
-    int m_ticket = 0;         // of the newest opening; older ones come too late
+    std::function<bool()> m_isPractice;
+    int m_ticket = 0;  // of the newest opening; older ones come too late
 };
 
 }  // namespace wend

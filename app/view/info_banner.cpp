@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 
 #include "core/mesh/printable.h"
@@ -10,6 +11,13 @@
 namespace wend {
 
 namespace {
+
+constexpr int kHeight = 44;  // pixels
+
+/// What nothing has gone wrong with.
+bool isOffer(InfoBanner::Topic topic) {
+    return topic == InfoBanner::Topic::Border;
+}
 
 QString readable(const QString& text) {
     QStringList lines = text.split('\n');
@@ -20,9 +28,11 @@ QString readable(const QString& text) {
 }  // namespace
 
 InfoBanner::InfoBanner(QWidget* parent)
-    : QWidget(parent), m_text(new QLabel(this)), m_buttons(new QHBoxLayout) {
+    : QWidget(parent), m_sign(new QLabel(this)), m_text(new QLabel(this)), m_buttons(new QHBoxLayout) {
     setObjectName(QStringLiteral("infoBanner"));
     setAttribute(Qt::WA_StyledBackground);
+    setMinimumHeight(kHeight);
+    m_sign->setObjectName(QStringLiteral("bannerSign"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);  // names from files are no HTML
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -35,10 +45,12 @@ InfoBanner::InfoBanner(QWidget* parent)
         showNewest();
     });
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(16, 8, 8, 8);
+    row->setContentsMargins(12, 4, 8, 4);
+    row->setSpacing(8);
+    row->addWidget(m_sign);
     row->addWidget(m_text, 1);
     row->addLayout(m_buttons);
-    row->addWidget(close, 0, Qt::AlignTop);
+    row->addWidget(close);
     hide();
 }
 
@@ -60,6 +72,12 @@ void InfoBanner::showNewest() {
         delete item;
     }
     const Line newest = m_lines.isEmpty() ? Line{} : m_lines.last();
+    m_sign->setText(isOffer(newest.topic) ? QStringLiteral("ⓘ") : QStringLiteral("⚠"));
+    if (const bool offers = isOffer(newest.topic); property("offers").toBool() != offers) {
+        setProperty("offers", offers);
+        for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_sign)})
+            style()->unpolish(widget), style()->polish(widget);
+    }
     m_text->setText(newest.text);
     m_text->setAccessibleName(newest.text);
     for (const Remedy& remedy : newest.remedies) {

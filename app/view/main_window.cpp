@@ -6,7 +6,6 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QStatusTipEvent>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,6 +21,7 @@
 #include "app/panels/region_list.h"
 #include "app/view/actions.h"
 #include "app/view/appearance_choice.h"
+#include "app/view/border_offer.h"
 #include "app/view/brush_actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
@@ -225,6 +225,7 @@ void MainWindow::connectFiles() {
     connect(m_material, &MaterialActions::done, m_fields, &StatusFields::tell);
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
+    new BorderOffer(m_session.document(), *m_banner, this);
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
         m_opening = name;
         showWork();
@@ -236,7 +237,12 @@ void MainWindow::connectFiles() {
     m_files->fillSamples(*a.samples);
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(&m_session, &ShapeSession::problem, this, tellIn(Topic::Shape));
+    connect(&m_session, &ShapeSession::problem, this, [this](const QString& text) {
+        QUndoStack* steps = m_session.document().undoStack();
+        m_banner->tell(Topic::Shape, text,
+                       steps->canUndo() ? QList<InfoBanner::Remedy>{{tr("Undo"), [steps] { steps->undo(); }}}
+                                        : QList<InfoBanner::Remedy>());
+    });
     connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::tell);
 }
 
@@ -316,6 +322,7 @@ void MainWindow::connectHelp() {
             [this](const QString& text, const QString& again) {
                 m_banner->tell(Topic::Language, text, {{again, [this] { startAgain(); }}});
             });
+    m_files->setPractice([this] { return m_tutorial->isPractice(); });
     connect(m_actions->tutorial, &QAction::triggered, this, [this] {
         m_tutorial->begin();
         m_files->open(Tutorial::picture());
@@ -361,19 +368,6 @@ void MainWindow::showWork() {
 void MainWindow::tellDone(const QString& text) {
     m_banner->clear(Topic::Export);
     m_fields->tell(text);
-}
-
-bool MainWindow::event(QEvent* event) {
-    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
-    m_fields->showTip(static_cast<QStatusTipEvent*>(event)->tip());
-    return true;
-}
-
-void MainWindow::showTitle() {
-    const Document& document = m_session.document();
-    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend[*]")
-                                      : tr("%1[*] – Wend").arg(document.displayName()));
-    setWindowModified(document.isModified());
 }
 
 void MainWindow::showSelection() {

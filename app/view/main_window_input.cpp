@@ -1,7 +1,10 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMimeData>
+#include <QStackedWidget>
+#include <QStatusTipEvent>
 
 #include "app/panels/energy_slider.h"
 #include "app/session/opening.h"
@@ -15,6 +18,12 @@
 
 namespace wend {
 
+bool MainWindow::event(QEvent* event) {
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    m_fields->showTip(static_cast<QStatusTipEvent*>(event)->tip());
+    return true;
+}
+
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     m_rail->fitTo(width());
@@ -23,6 +32,12 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::WindowStateChange) m_actions->fullScreen->setChecked(isFullScreen());
     QMainWindow::changeEvent(event);
+}
+
+/// Escape, where nothing else has a use for it, gives the keyboard back to the view.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
+    m_pages->currentWidget()->setFocus();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -61,6 +76,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
     m_fields->showTip({});
     openPath(event->mimeData()->urls().first().toLocalFile());
     event->acceptProposedAction();
+}
+
+void MainWindow::showTitle() {
+    const Document& document = m_session.document();
+    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend[*]")
+                                      : tr("%1[*] – Wend").arg(document.displayName()));
+    setWindowModified(document.isModified());
 }
 
 }  // namespace wend

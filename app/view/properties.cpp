@@ -169,6 +169,7 @@ bool Properties::isDue(const When& when) const {
 void Properties::arrange() {
     for (const Place& one : m_places) one.holder->setVisible(isDue(one.when));
     m_material->setVisible(m_tools.mode() != Mode::Export);  // its room is the preview's
+    m_material->setBesideBrush(m_tools.mode() == Mode::Paint);
     m_reach->setVisible((Mode::Pins | Mode::Paint).has(m_tools.mode()));
     m_cutOut->setVisible(m_tools.dimension() == 2 && m_tools.mode() == Mode::Mesh);
     emit sectionsChanged();

@@ -59,6 +59,8 @@ Tutorial::Tutorial(const Parts& parts, QWidget& over)
     connect(&m_session.document(), &Document::opened, this, [this] {
         const bool begins = m_wanted && m_session.document().source() == picture();
         m_wanted = false;
+        m_page = -1;
+        m_made.reset();
         turnTo(begins ? 0 : -1);
     });
     connect(&m_session.document(), &Document::projectChanged, this, &Tutorial::follow);
@@ -112,7 +114,12 @@ QString Tutorial::text() const {
     return m_page < 0 ? QString() : m_pages[static_cast<std::size_t>(m_page)].text;
 }
 
+bool Tutorial::isPractice() const {
+    return m_session.document().path().isEmpty() && (m_page >= 0 || m_session.document().project() == m_made);
+}
+
 void Tutorial::turnTo(int page) {
+    if (m_page >= 0) m_made = m_session.document().project();
     m_page = page < pageCount() ? page : -1;
     setVisible(m_page >= 0);
     if (m_page < 0) return;

@@ -2,7 +2,10 @@
 
 #include <QFrame>
 #include <functional>
+#include <memory>
 #include <vector>
+
+#include "app/document/project_fwd.h"
 
 class QLabel;
 class QPushButton;
@@ -31,6 +34,8 @@ class Tutorial : public QFrame {
     /// As soon as its picture is opened, which is for others to do.
     void begin() { m_wanted = true; }
     int page() const { return m_page; }
+    /// What is open was made for the tutorial, and nothing since: it may be left without a question.
+    bool isPractice() const;
     int pageCount() const { return static_cast<int>(m_pages.size()); }
     QString text() const;
 
@@ -56,8 +61,9 @@ class Tutorial : public QFrame {
     QPushButton *m_next, *m_end;
     std::vector<Page> m_pages;
     bool m_wanted = false;
-    int m_page = -1;      // none: it does not run
-    double m_before = 0;  // the measure of the page when it was turned up
+    int m_page = -1;                        // none: it does not run
+    std::shared_ptr<const Project> m_made;  // by its end
+    double m_before = 0;                    // the measure of the page when it was turned up
 };
 
 }  // namespace wend

@@ -8,6 +8,7 @@
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_file.h"
+#include "app/document/timing_edits.h"
 #include "core/motion/trajectory.h"
 
 using namespace wend;
@@ -24,7 +25,9 @@ class TestCommands : public QObject {
     void laterPinsBeginAtTheEnd();
     void removedPinsThatActedAreLetGo();
     void filmsKeepTheirLength();
-    void laterStrokesReplaceWhatCame();
+    void earlierStrokesReplaceTheirOwn();
+    void strokesThatEndAllReplaceAll();
+    void posesAreNoFilm();
     void cutMotionsGoTheSameWay_data();
     void cutMotionsGoTheSameWay();
     void cutSplinesRunAlongTheWholeOnes();
@@ -190,13 +193,43 @@ void TestCommands::filmsKeepTheirLength() {
     QVERIFY(std::abs(handlesOf(turned)[0].motions.at(0).end - 0.5) < 1e-12);
 }
 
-/// What lies before the time that is shown keeps its way, what came after it goes; pins are not lost.
-void TestCommands::laterStrokesReplaceWhatCame() {
+/// What the dragged pin did later goes, the rest of the film is the drag's; others do what they did, when
+/// they did it.
+void TestCommands::earlierStrokesReplaceTheirOwn() {
+    Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
+    project = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 10}});
+    project = withPin(project, {3, 5}, "Pin 3");  // from the end on
+    project = without(project, {1}, 1);
+    appendSettling(project, 0.75);
+    const std::string others = toJson(without(project, {0}, 0));
+    Gesture gesture{{0}, {}, {Amount(0, 0, 0), Amount(0, 5, 0), Amount(10, 5, 0)}, 0.25};
+    const Project next = withGesture<2>(project, gesture, {{5, 5}});
+    QCOMPARE(toJson(without(next, {0}, 0)), others);
+    const auto& motions = handlesOf(next)[0].motions;
+    QCOMPARE(motions.size(), std::size_t(2));
+    QCOMPARE(motions[0].start, 0.0);
+    QCOMPARE(motions[0].end, 0.25);
+    QCOMPARE(std::get<Recorded<2>>(motions[0].kind).points.back(), Vec<2>(5, 5));
+    QCOMPARE(motions[1].start, 0.25);
+    QCOMPARE(motions[1].end, project.end);
+    QCOMPARE(std::get<Recorded<2>>(motions[1].kind).times.at(1), 1.0 / 3);
+    // A pin that is let go of later holds on; from the beginning nothing of its own is left.
+    gesture.handles = {1};
+    const Project held = withGesture<2>(project, gesture, {{10, 5}});
+    QVERIFY(isActive(handlesOf(held)[1], project.end) && handlesOf(held)[1].motions.size() == 1);
+    gesture.handles = {0};
+    gesture.from = 0;
+    QCOMPARE(handlesOf(withGesture<2>(project, gesture, {{0, 5}}))[0].motions.size(), std::size_t(1));
+}
+
+/// Where a handle cannot go further, what it should have done goes, too, whoever is dragged.
+void TestCommands::strokesThatEndAllReplaceAll() {
     Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
     project = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 10}});
     project = withPin(project, {3, 5}, "Pin 3");  // from the end on
     project = without(project, {1}, 1);
     Gesture gesture{{0}, {}, {Amount(0, 0, 0), Amount(0, 5, 0)}, 0.25};
+    gesture.endsAll = true;
     const Project next = withGesture<2>(project, gesture, {{5, 5}});
     const auto& handles = handlesOf(next);
     QCOMPARE(next.end, 1.0);
@@ -209,6 +242,37 @@ void TestCommands::laterStrokesReplaceWhatCame() {
     QCOMPARE(handles[2].activeFrom, 1.0);
     QVERIFY(movesAfter(std::get<Design<2>>(project.design), 0.25));
     QVERIFY(!movesAfter(std::get<Design<2>>(next.design), 1.0));
+}
+
+/// What follows one another in proportion to its way is only posed, whatever it turns; with a rest, an
+/// overlap, another pace, a soft beginning or the rhythm of a hand it is timed.
+void TestCommands::posesAreNoFilm() {
+    Project posed = withStroke(withPins(3), {0, 1}, {{0, 5}, {10, 5}}, {{0, 0}, {30, 0}, {30, 5}});
+    QVERIFY(!hasOwnTiming(withPins(2)) && !hasOwnTiming(posed));
+    posed =
+        withGesture<2>(posed, {{0, 1, 2}, {Grip::Kind::Turn}, {Amount(0, 0, 0), Amount(1.2, 0, 0)}, 1, 60},
+                       {{30, 10}, {40, 10}, {20, 5}});
+    posed = withStroke(posed, {2}, {{20, 5}}, {{0, 0}, {0, 0.01}});  // hardly a way
+    QVERIFY(!hasOwnTiming(posed));
+    posed = withStroke(posed, {1}, {{40, 10}}, {{0, 0}, {0, 25}});
+    QVERIFY(!hasOwnTiming(posed) && !hasOwnTiming(withLength(posed, 3)));
+    const Project two = withStroke(withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {5, 0}}), {1}, {{10, 5}},
+                                   {{0, 0}, {0, 5}});
+    QVERIFY(!hasOwnTiming(two));
+    const auto timed = [&two](const MotionTime& first, const MotionTime& second) {
+        return hasOwnTiming(withMotionSpan(withMotionSpan(two, {{0, 0}}, first), {{1, 0}}, second));
+    };
+    QVERIFY(!timed({0, 0.5}, {0.5, 1}));
+    QVERIFY(timed({0, 0.4}, {0.5, 1}) && timed({0, 0.6}, {0.5, 1}) && timed({0.1, 0.5}, {0.5, 1}));
+    QVERIFY(timed({0, 0.5}, {0.5, 0.9}) && timed({0, 0.2}, {0.2, 1}) && timed({0, 1}, {0.5, 1}));
+    Project relaxed = two;
+    appendSettling(relaxed, 1);
+    QVERIFY(!hasOwnTiming(relaxed));
+    Project soft = two;
+    soft.design = withMotionEase(soft.design, {{0, 0}}, Ease::In);
+    QVERIFY(hasOwnTiming(soft));
+    const Gesture byHand{{0}, {}, {Amount(0, 0, 0), Amount(5, 0, 0), Amount(10, 0, 0)}, 0, 1, {0, 0.8, 1}};
+    QVERIFY(hasOwnTiming(withGesture<2>(withPins(1), byHand, {{0, 5}})));
 }
 
 void TestCommands::cutMotionsGoTheSameWay_data() {
@@ -310,6 +374,13 @@ void TestCommands::longerStrokesKeepOneMotion() {
     QCOMPARE(handlesOf(project)[0].motions[1].start, 0.5);
     project = withLongerStroke(project, {0}, {0, 4});
     QCOMPARE(handlesOf(project)[0].motions[1].start, 1.0 / 3);
+    // Since an earlier time it stays there, and others where they are.
+    Project beside = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
+    beside = withGesture<2>(beside, {{1}, {}, {Amount(0, 0, 0), Amount(1, 0, 0)}, 0.25}, {{10, 5}});
+    beside = withLongerStroke<2>(beside, {1}, {1, 0}, 1, false);
+    QCOMPARE(timeOf(beside.design, 0, 0), (MotionTime{0, 1}));
+    QCOMPARE(timeOf(beside.design, 1, 0), (MotionTime{0.25, 1}));
+    QCOMPARE(std::get<Recorded<2>>(handlesOf(beside)[1].motions.at(0).kind).points.back(), Vec<2>(12, 5));
 }
 
 void TestCommands::simplifiedStaysWithinTolerance() {
@@ -339,19 +410,25 @@ void TestCommands::firstDifference_data() {
     QTest::newRow("a later motion") << 2 << 0.5;
     QTest::newRow("let go of") << 3 << 1.0;
     QTest::newRow("the first motion") << 4 << 0.0;
+    QTest::newRow("a drag from the middle of a motion") << 5 << 0.25;
+    QTest::newRow("from the middle of what slows down") << 6 << 0.0;
 }
 
 void TestCommands::firstDifference() {
     QFETCH(int, change);
     QFETCH(double, expected);
-    const Project before = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {1, 0}});
+    Project before = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {1, 0}});
+    if (change == 6) before.design = withMotionEase(before.design, {{0, 0}}, Ease::Out);
     Project after = before;
+    if (change > 4)
+        after = withGesture<2>(before, {{0}, {}, {Amount(0, 0, 0), Amount(0, 3, 0)}, 0.25}, {{0.25, 5}});
     if (change == 1) std::get<Design<2>>(after.design).handles.push_back(handlesOf(withPins(3)).back());
     if (change == 2) after = withStroke(before, {1}, {{10, 5}}, {{0, 0}, {0, 1}});
     if (change == 3) after = without(before, {1}, 1);
     if (change == 4) after = withLongerStroke(before, {0}, {0, 2});
     const double scale = timeScale(handlesOf(before), handlesOf(after));
     QCOMPARE(wend::firstDifference(handlesOf(before), handlesOf(after), scale), expected);
+    if (change == 5) return;  // back, nothing is kept: the integrator stopped where the motion was cut
     QCOMPARE(wend::firstDifference(handlesOf(after), handlesOf(before), 1 / scale), expected / scale);
 }
 

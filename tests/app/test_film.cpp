@@ -30,6 +30,8 @@ class TestFilm : public QObject {
     void recordsWithTheSwitch();
     void othersGoOnWhileOneIsRecorded();
     void recordsByTheClockOfTheFilm();
+    void dragsLeaveOthersAlone_data() { dimensions(); }
+    void dragsLeaveOthersAlone();
     void othersAreSeenGoingOn_data() { dimensions(); }
     void othersAreSeenGoingOn();
     void playsAtItsSpeed();
@@ -55,6 +57,7 @@ class TestFilm : public QObject {
     void filmsBeginWithWhatMoves();
     void manyPinsScroll();
     void onionSkinShowsWhatWasAndComes();
+    void onionSkinIsOfWhatIsDrawn();
     void onionSkinOfASolid();
     void influenceOfPins_data() { dimensions(); }
     void influenceOfPins();
@@ -193,6 +196,59 @@ void TestFilm::othersGoOnWhileOneIsRecorded() {
     QCOMPARE(project().end, 4.0);
     QCOMPARE(motions(1), std::size_t(1));  // its own, which was later, is replaced
     QCOMPARE(timeOf(project().design, 1, 0).start, 0.0);
+}
+
+/// A plain drag at an earlier time: only what the dragged handle did later is replaced, and that is told. The
+/// poses before it are the same, the others keep their times, the film its length.
+void TestFilm::dragsLeaveOthersAlone() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    const auto poseAt = [&](double time) -> Eigen::MatrixXd {
+        session().playback().setTime(time);
+        if (!settle(session())) return {};
+        if (dimension == 2) return session().frame<2>()->pose;
+        return session().frame<3>()->pose;
+    };
+    const Eigen::MatrixXd early = poseAt(0.25), shown = poseAt(0.5), later = poseAt(3);
+    QStringList told;
+    connect(&session(), &ShapeSession::notice, this, [&told](const QString& text) { told << text; });
+    const auto before = session().document().project();
+    const auto dragAt = [&](double time, int handle) {
+        session().playback().setTime(time);
+        QVERIFY(settle(session()));
+        record(handle, Qt::NoModifier);
+    };
+    dragAt(0.5, 0);
+    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 0.5}));
+    QCOMPARE(timeOf(project().design, 0, 1), (MotionTime{0.5, 4}));
+    QCOMPARE(timeOf(project().design, 1, 0), (MotionTime{1, 2}));
+    QCOMPARE(motions(1), std::size_t(1));
+    QCOMPARE(project().end, 4.0);
+    QCOMPARE(session().playback().time(), 4.0);
+    QVERIFY(told.size() == 1 && told[0].contains("did later is replaced"));
+    // The integrator begins anew where the drag begins: they are the same but for its error.
+    const double error = dimension == 2 ? 0.05 : 1e-3;
+    QVERIFY((poseAt(0.25) - early).cwiseAbs().maxCoeff() < error);
+    QVERIFY((poseAt(0.5) - shown).cwiseAbs().maxCoeff() < error);
+    QVERIFY((poseAt(3) - later).cwiseAbs().maxCoeff() > 0.01);
+    session().document().undoStack()->undo();
+    QVERIFY(session().document().project() == before && settle(session()));
+    // What did nothing later replaces nothing, and arrow keys go on with their step.
+    told.clear();
+    dragAt(3, 1);
+    QCOMPARE(timeOf(project().design, 1, 1), (MotionTime{3, 4}));
+    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));
+    QVERIFY(told.isEmpty());
+    session().document().undoStack()->undo();
+    session().playback().setTime(3);
+    QVERIFY(settle(session()));
+    for (int i = 0; i < 3; ++i) {
+        QTest::keyClick(&canvas(), Qt::Key_Down);
+        QVERIFY(settle(session()));
+    }
+    QCOMPARE(motions(1), std::size_t(2));
+    QCOMPARE(timeOf(project().design, 1, 1), (MotionTime{3, 4}));
+    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));
 }
 
 /// At half the speed the same deed takes half as much of the film.
@@ -670,6 +726,37 @@ void TestFilm::onionSkinShowsWhatWasAndComes() {
     const QColor before = at(50);
     m_window->window().actions().onionSkin->trigger();
     QCOMPARE(at(50), before);  // nothing was before the beginning
+}
+
+/// Not of the transparent margin that bends with it.
+void TestFilm::onionSkinIsOfWhatIsDrawn() {
+    openFilm(2);
+    Project next = project();
+    next.domain.alpha.margin = 16;
+    for (auto& handle : std::get<Design<2>>(next.design).handles) {
+        std::get<Translate<2>>(handle.motions[0].kind).by = {0, 60};
+        handle.motions[0].start = 0, handle.motions[0].end = 4;
+    }
+    session().document().change(QStringLiteral("Down"), next);
+    QVERIFY(settle(session()));
+    session().playback().setTime(2);
+    session().selection().clear();
+    ShapeCanvas& canvas = m_window->window().canvas();
+    QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
+    const auto grabbed = [&] { return canvas.grab().toImage(); };
+    const QImage without = grabbed();
+    m_window->window().actions().onionSkin->trigger();
+    const QImage with = grabbed();
+    const auto isTinted = [&](double x, double y) {
+        const QPoint p = canvas.toWidget({x, y}).toPoint();
+        return without.pixel(p) != with.pixel(p);
+    };
+    // The bar lies from 90 to 130 now, 18 higher at the farthest; the mesh begins 16 above that.
+    for (const double x : {60.0, 120.0, 180.0}) {
+        QVERIFY(isTinted(x, 87) && isTinted(x, 75) && isTinted(x, 145));
+        for (const double y : {58.0, 62.0, 66.0, 154.0, 160.0}) QVERIFY(!isTinted(x, y));
+    }
+    m_window->window().actions().onionSkin->trigger();
 }
 
 void TestFilm::onionSkinOfASolid() {

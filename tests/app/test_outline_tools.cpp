@@ -10,6 +10,8 @@
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
 #include "app/document/project_file.h"
+#include "app/panels/mesh_panel.h"
+#include "app/panels/option_field.h"
 #include "app/session/opening.h"
 #include "app/tools/outline_tool.h"
 #include "app/tools/size_tool.h"
@@ -61,6 +63,7 @@ class TestOutlineTools : public QObject {
     void wandTakesAColour();
     void toleranceChangesTheLastClick();
     void whatIsAtRestStays();
+    void theFirstStrokeSaysWhatItTakesAway();
     void pinsBesideItGo();
     void pinsOnTheLineStay();
     void noiseIsLeftOut();
@@ -298,6 +301,30 @@ void TestOutlineTools::whatIsAtRestStays() {
     QVERIFY((pins[pin].centre - Vec<2>(220, 110)).norm() < 0.5);
     m_session->document().undoStack()->undo();
     QCOMPARE(m_session->document().project(), before);
+}
+
+/// A cut-out has a margin, an outline of one's own has none: that is told, and stands first in the tooltip.
+void TestOutlineTools::theFirstStrokeSaysWhatItTakesAway() {
+    m_session->document().open(openFile(writeCutOut(m_folder)));
+    QVERIFY(settle(*m_session));
+    m_canvas->zoomTo(2);
+    MeshPanel panel(*m_session);
+    const auto* margin = panel.findChild<OptionField*>(QStringLiteral("domain.outline.margin"));
+    const QString usual = margin->focusProxy()->toolTip();
+    QVERIFY(margin->isEnabled() && usual.startsWith("<p><b>Margin"));
+    QStringList told;
+    connect(m_session.get(), &ShapeSession::notice, this, [&told](const QString& text) { told << text; });
+    use(OutlineTool::Shape::Lasso, true);
+    for (const double x : {60.0, 120.0}) draw({{x, 50}, {x + 20, 50}, {x + 20, 70}, {x, 70}});
+    QCOMPARE(domain().outline, OutlineKind::Polygons);
+    QCOMPARE(told.size(), 1);
+    QVERIFY(told[0].contains("no margin"));
+    QVERIFY(!margin->isEnabled());
+    QVERIFY(margin->focusProxy()->toolTip().startsWith("<p><i>Only a cut-out has this."));
+    QVERIFY(margin->toolTip() == margin->focusProxy()->toolTip() && margin->toolTip().endsWith(usual));
+    QVERIFY(margin->focusProxy()->statusTip().startsWith("Only a cut-out has this."));
+    m_session->document().undoStack()->setIndex(0);
+    QVERIFY(margin->isEnabled() && margin->focusProxy()->toolTip() == usual);
 }
 
 void TestOutlineTools::pinsBesideItGo() {

@@ -55,6 +55,8 @@ class TestPanelFields : public QObject {
     void framesLeaveTheCutsNumbers();
     void enterGivesTheKeyboardBack_data();
     void enterGivesTheKeyboardBack();
+    void escapeGivesTheKeyboardBack_data();
+    void escapeGivesTheKeyboardBack();
     void stepsKeepTheKeyboard_data();
     void stepsKeepTheKeyboard();
     void nothingStaysSelected_data();
@@ -301,6 +303,43 @@ void TestPanelFields::enterGivesTheKeyboardBack() {
     const int steps = m_f->session().document().undoStack()->index();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(m_f->session().document().undoStack()->index(), steps - 1);
+}
+
+void TestPanelFields::escapeGivesTheKeyboardBack_data() {
+    pictureAndSolid();
+}
+
+/// Wherever Tab leads to, not in the fields alone; a number that was being typed is as it was.
+void TestPanelFields::escapeGivesTheKeyboardBack() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    int seen = 0;
+    inEveryStep([&] {
+        for (auto* widget : m_f->window().findChildren<QWidget*>()) {
+            const bool reached = widget->isVisible() && widget->isEnabled() && !widget->focusProxy() &&
+                                 (widget->focusPolicy() & Qt::TabFocus) && widget->window() == &m_f->window();
+            if (!reached) continue;
+            widget->setFocus();
+            QTest::keyClick(widget, Qt::Key_Escape);
+            QVERIFY2(view().hasFocus(), qPrintable(QStringLiteral("%1 %2").arg(
+                                            widget->metaObject()->className(), widget->accessibleName())));
+            ++seen;
+        }
+    });
+    QVERIFY2(seen > 50, qPrintable(QString::number(seen)));
+    m_f->window().tools().setMode(Mode::Mesh);
+    const auto before = m_f->session().document().project();
+    for (const char* name : {"Exact balance", "Vertices"}) {
+        QAbstractSpinBox* field = box(QString::fromUtf8(name));
+        const QString shown = field->text();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("1"));
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(view().hasFocus());
+        QCOMPARE(field->text(), shown);
+    }
+    QVERIFY(m_f->session().document().project() == before);
 }
 
 void TestPanelFields::stepsKeepTheKeyboard_data() {
@@ -677,6 +716,8 @@ void TestPanelFields::tipsShowPictures() {
     QVERIFY(showsTip(*field("material.smoothing.length"), 2));
     QVERIFY(showsTip(*field("brushRatio"), 2));
     QVERIFY(showsTip(*field("layerRatio"), 2));
+    QVERIFY(showsTip(*field("memorySlider"), 2));
+    QVERIFY(showsTip(*field("settle"), 2));
     int tiles = 0;
     for (auto* tile : m_f->window().findChildren<QToolButton*>())
         if (tile->property("role") == QStringLiteral("tile")) tiles += showsTip(*tile, 1);

@@ -1,4 +1,5 @@
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QToolButton>
 #include <QUndoStack>
@@ -9,10 +10,12 @@
 #include "app/session/opening.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
+#include "app/view/file_workflow.h"
 #include "app/view/first_tips.h"
 #include "app/view/main_window.h"
 #include "app/view/toolbox.h"
 #include "app/view/tutorial.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -25,6 +28,7 @@ class TestTutorial : public QObject {
     void init();
     void isTakenByHand();
     void endsWithItsButtonAndWithAnotherFile();
+    void practiceIsLeftUnasked();
     void picturesOfSamplesAreNotSavedAmongThem();
     void tipsGoWhenTheyAreFollowed();
     void tipsKnowADragOfWhatHasMoved();
@@ -146,6 +150,36 @@ void TestTutorial::endsWithItsButtonAndWithAnotherFile() {
     m_window->openPath(writeCutOut(*m_folder));
     QTRY_COMPARE(m_window->session().document().displayName(), QStringLiteral("bar.png"));
     QVERIFY(!card().isVisible());
+}
+
+/// What the tutorial had one do is nobody's work; what is done with it later is, and then the question says
+/// that the picture stays as it is.
+void TestTutorial::practiceIsLeftUnasked() {
+    QStringList asked;
+    whileAsked(m_window.get(), [&asked](QWidget& dialog) {
+        auto* box = qobject_cast<QMessageBox*>(&dialog);
+        asked << (box ? box->text() + ' ' + box->informativeText() : QString());
+        static_cast<QDialog&>(dialog).reject();
+    });
+    begin();
+    click(517, 2242);
+    QVERIFY(m_window->session().document().isModified());
+    const int generation = m_window->session().document().generation();
+    m_window->actions().tutorial->trigger();  // from the beginning
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->session().document().generation() > generation, 30000);
+    QVERIFY(asked.isEmpty());
+    QCOMPARE(card().page(), 0);
+    QVERIFY(m_window->files().recent().isEmpty());
+    QVERIFY(settle(m_window->session()));
+    click(517, 2242);
+    QTest::mouseClick(&button("End"), Qt::LeftButton);
+    QVERIFY(m_window->files().mayLeave() && asked.isEmpty());
+    click(708, 2211);
+    QVERIFY(!m_window->files().mayLeave());
+    QCOMPARE(asked.size(), 1);
+    QVERIFY2(asked[0].contains("what you made of “giraffe.png”") && asked[0].contains("stays as it is"),
+             qPrintable(asked[0]));
+    m_window->session().document().undoStack()->setClean();
 }
 
 void TestTutorial::picturesOfSamplesAreNotSavedAmongThem() {

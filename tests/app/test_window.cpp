@@ -10,11 +10,14 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/document/domain.h"
 #include "app/document/project.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/material_panel.h"
+#include "app/panels/paint_panel.h"
+#include "app/session/energy_stops.h"
 #include "app/session/opening.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
@@ -23,6 +26,8 @@
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
+#include "app/view/properties.h"
+#include "app/view/toolbox.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/window_test.h"
@@ -45,10 +50,12 @@ class TestWindow : public WindowTest {
     void stopLabelsChooseTheNamedEnergies();
     void stopLabelsStayApart_data();
     void stopLabelsStayApart();
+    void brushAndWholeShapeReadDifferently();
     void whatIsToldOutlastsTheHintOfItsButton();
     void moreToolsAreToBeSeen();
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
+    void bordersOfPhotographsAreOffered();
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
@@ -200,6 +207,49 @@ void TestWindow::stopLabelsStayApart() {
     }
 }
 
+/// In the step Paint both have the four stops: the titles say whose they are, and the brush's have its
+/// colours.
+void TestWindow::brushAndWholeShapeReadDifferently() {
+    m_window->openPath(writeCutOut(*m_folder));
+    QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(m_window->session()));
+    const auto titles = [this] {
+        QStringList all;
+        for (const auto* label : m_window->properties().findChildren<QLabel*>())
+            if (label->isVisible() && label->property("role") == "title") all << label->text();
+        return all;
+    };
+    QVERIFY(titles().contains("Keep") && !titles().contains("The brush paints"));
+    m_window->tools().setMode(Mode::Paint);
+    QVERIFY(!titles().contains("Keep"));
+    QVERIFY(titles().contains("Whole shape keeps") && titles().contains("The brush paints"));
+    auto* brush = m_window->properties().findChild<PaintPanel*>()->findChild<EnergySlider*>();
+    QVERIFY(brush->slider()->accessibleName().contains("brush"));
+    brush->setPhi(brush->scale().phiAt(1.5));  // the handle stands beside all of them
+    QTRY_VERIFY(brush->height() >= brush->sizeHint().height());
+    const QImage seen = brush->grab().toImage();
+    const auto isNear = [](QColor a, QColor b) {
+        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) <
+               24;
+    };
+    const auto labels = brush->findChildren<QToolButton*>();
+    QCOMPARE(labels.size(), 4);
+    const QSlider* slider = brush->slider();
+    for (int stop = 0; stop < 4; ++stop) {
+        const QColor colour(energyColour(stop));
+        QVERIFY(isNear(labels[stop]->icon().pixmap(26, 8).toImage().pixelColor(13, 4), colour));
+        const int x = slider->x() + 8 + (slider->width() - 16) * stop / 3;
+        QVERIFY2(isNear(seen.pixelColor(x, slider->geometry().center().y()), colour),
+                 qPrintable(QStringLiteral("%1 at %2: %3")
+                                .arg(stop)
+                                .arg(x)
+                                .arg(seen.pixelColor(x, slider->geometry().center().y()).name())));
+    }
+    QVERIFY(m_window->materialPanel().energySlider()->slider()->accessibleName() != slider->accessibleName());
+    m_window->tools().setMode(Mode::Pins);
+    QVERIFY(titles().contains("Keep"));
+}
+
 void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
     open();
     const auto hint = [this](const QString& text) {
@@ -268,6 +318,44 @@ void TestWindow::closingAsks() {
     withNext<QMessageBox>(m_window.get(),
                           [](QMessageBox& box) { box.button(QMessageBox::Discard)->click(); });
     QVERIFY(m_window->close());
+}
+
+/// A photograph may have its border held by a click, which is one step; a cut-out has none. The offer goes
+/// when it is done or declined, and does not come back with a project.
+void TestWindow::bordersOfPhotographsAreOffered() {
+    const QString path = m_folder->filePath(QStringLiteral("photograph.png"));
+    QImage photograph(120, 80, QImage::Format_RGB888);
+    photograph.fill(QColor(40, 90, 60));
+    QVERIFY(photograph.save(path));
+    InfoBanner& banner = m_window->banner();
+    const Document& document = m_window->session().document();
+    const auto opened = [&](const QString& file) {
+        const int before = document.generation();
+        m_window->openPath(file);
+        return QTest::qWaitFor([&] { return document.generation() > before; }, 20000) &&
+               settle(m_window->session());
+    };
+    QVERIFY(opened(path));
+    QVERIFY(banner.isVisible() && banner.property("offers").toBool());
+    auto* hold = banner.findChild<QPushButton*>();
+    QCOMPARE(hold->text(), QStringLiteral("Hold the Border"));
+    QTest::mouseClick(hold, Qt::LeftButton);
+    QVERIFY(document.domain().border == Border::Fixed && !banner.isVisible());
+    m_window->session().document().undoStack()->undo();
+    QVERIFY(document.domain().border == Border::Free && !banner.isVisible());
+    const QString project = m_folder->filePath(QStringLiteral("photograph.wend"));
+    m_window->session().document().save(project);
+    QVERIFY(opened(project) && !banner.isVisible());
+    QVERIFY(opened(path) && banner.isVisible());
+    QTest::mouseClick(banner.findChild<QToolButton*>(), Qt::LeftButton);
+    QVERIFY(!banner.isVisible());
+    QVERIFY(opened(path) && banner.isVisible());
+    Domain other = document.domain();
+    other.border = Border::Slide;
+    m_window->session().document().changeDomain(QStringLiteral("Slide"), other);
+    QVERIFY(!banner.isVisible());
+    m_window->session().document().undoStack()->setClean();
+    QVERIFY(opened(writeCutOut(*m_folder)) && !banner.isVisible());
 }
 
 void TestWindow::unreadableFilesLeaveALine() {

@@ -323,7 +323,8 @@ void TestWindowPins::curvesAreEdited() {
         if (one->isVisible()) panel = one;
     QVERIFY(panel);
     auto* frame = panel->findChild<QComboBox*>(QStringLiteral("curveFrame"));
-    QVERIFY(!frame->isEnabled() && frame->toolTip().startsWith(QStringLiteral("A point cannot rotate")));
+    QVERIFY(!frame->isEnabled() &&
+            frame->toolTip().startsWith(QStringLiteral("<p><i>A point cannot rotate")));
     QTest::mousePress(&m_window->canvas(), Qt::LeftButton, Qt::AltModifier, at(190, 40));
     for (int i = 1; i <= 5; ++i) QTest::mouseMove(&m_window->canvas(), at(190 - 4 * i, 40));
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, Qt::AltModifier, at(170, 40));
