@@ -1,5 +1,6 @@
 // The map of a solid, and what is marked beside its surface.
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/smooth_map.h"
 #include "app/view/volume/fault_marks.h"
@@ -14,21 +15,35 @@ namespace {
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
 
+QRgb between(QRgb from, QRgb to, double part) {
+    const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
+    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
+}
+
 }  // namespace
 
+/// What is painted has its colour, the rest of the solid its own.
 void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
-    const auto own = [this](QRgb colour) { return m_viewport.isDimmed() ? dimmed(colour) : colour; };
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
+    const auto plain = plainValue(m_session, measure);
+    const double plainPlace = plain ? positionIn(range, measure, *plain) : 0;
+    const auto own = [&, plainPlace](QRgb map, double place) {
+        const QRgb colour = m_viewport.isDimmed() ? dimmed(map) : map;
+        return plain ? between(plainColour(), colour, paintedPart(place, plainPlace)) : colour;
+    };
     const auto values = cellValues<3>(frame, measure, fieldOf<3>(m_session, measure));
     picture.section.reset();
     picture.materials = picture.materials && !picture.skin->materials.empty();
     picture.cellColours.clear();
-    for (const double value : values)
-        picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
+    for (const double value : values) {
+        const double place = positionIn(range, measure, value);
+        picture.cellColours.push_back(own(colourAt(measure, place), place));
+    }
     if (!smooth) return;
     picture.places = smoothPlaces<3>(*frame.rest, values, measure, range);
     picture.ramp = colourRamp(measure);
-    std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
+    for (std::size_t i = 0; i < picture.ramp.size(); ++i)
+        picture.ramp[i] = own(picture.ramp[i], double(i) / double(picture.ramp.size() - 1));
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
