@@ -54,10 +54,9 @@ bool isSame(const Material<Dim>& a, const Material<Dim>& b) {
 template <int Dim>
 QString PaintTool<Dim>::strokeHint() const {
     if (m_deed == Deed::Erase)
-        return said(
-            QT_TRANSLATE_NOOP("PaintTool",
-                              "Brush over what shall be as everywhere again: paint comes off all layers "
-                              "that are seen; Shift-click draws a line, Esc gives up the stroke"));
+        return said(QT_TRANSLATE_NOOP("PaintTool",
+                                      "Takes paint off all layers that are seen: brush over what shall be as "
+                                      "everywhere again; Shift-click draws a line, Esc gives up the stroke"));
     if (paintsNothing(brush().now())) return nothingToPaint();
     return brush().now().target == BrushTarget::Direction
                ? said(QT_TRANSLATE_NOOP(

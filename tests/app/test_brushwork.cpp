@@ -327,7 +327,7 @@ void TestBrushwork::mapComesBack() {
     shown->trigger();
     m_f->session().document().undoStack()->setClean();  // nothing is asked
     QVERIFY(m_f->openProject(3, 300));
-    QVERIFY(map.measure() != Measure::Phi && !shown->isChecked());
+    QVERIFY(map.measure() == Measure::Length && !shown->isChecked());
 }
 
 QTEST_MAIN(TestBrushwork)
