@@ -914,20 +914,12 @@
         <translation>Klicken, um aufzunehmen, was dort gemalt ist</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
-        <translation>Klicken füllt, was dort zusammenhängt; Umschalt füllt alles, Strg leert, Alt nimmt auf</translation>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <translation>Klicken füllt, was dort zusammenhängt; Umschalt füllt alles, Strg nimmt Farbe weg, Alt nimmt auf</translation>
     </message>
     <message>
-        <source>Emptied</source>
-        <translation>Geleert</translation>
-    </message>
-    <message>
-        <source>Empty %1</source>
-        <translation>%1 leeren</translation>
-    </message>
-    <message>
-        <source>Fill %1 with %2</source>
-        <translation>%1 mit %2 füllen</translation>
+        <source>Fill with %1</source>
+        <translation>Mit %1 füllen</translation>
     </message>
 </context>
 <context>
@@ -945,8 +937,8 @@
         <translation>Zu %1</translation>
     </message>
     <message>
-        <source>Blend %1 to %2</source>
-        <translation>%1 in %2 übergehen lassen</translation>
+        <source>Blend to %1</source>
+        <translation>In %1 übergehen lassen</translation>
     </message>
 </context>
 <context>
@@ -1605,10 +1597,6 @@
         <translation>Gekämmt</translation>
     </message>
     <message>
-        <source>Erased</source>
-        <translation>Radiert</translation>
-    </message>
-    <message>
         <source>Smoothed</source>
         <translation>Geglättet</translation>
     </message>
@@ -1637,8 +1625,32 @@
         <translation>Malen, was rechts gewählt ist; Strg nimmt weg, Umschalt glättet, Klick mit Umschalt zieht eine Linie, Alt-Klick nimmt auf, Esc gibt den Strich auf</translation>
     </message>
     <message>
-        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
-        <translation>Überstreichen, was wieder wie überall sein soll; Klick mit Umschalt zieht eine Linie, rechts mit Alt ziehen ändert den Pinsel, Esc gibt den Strich auf</translation>
+        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <translation>Steifigkeit ×1 ist wie überall und ändert hier nichts: rechts wählen, wievielmal steifer es sein soll</translation>
+    </message>
+    <message>
+        <source>Take paint off</source>
+        <translation>Farbe wegnehmen</translation>
+    </message>
+    <message>
+        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <translation>Nimmt Farbe von allen sichtbaren Ebenen: überstreichen, was wieder wie überall sein soll; Klick mit Umschalt zieht eine Linie, Esc gibt den Strich auf</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Kämmen</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>%1 malen</translation>
+    </message>
+    <message>
+        <source>Nothing is painted there</source>
+        <translation>Dort ist nichts gemalt</translation>
     </message>
 </context>
 <context>
@@ -2636,6 +2648,70 @@
     <message>
         <source>Choose the step “Paint” first.</source>
         <translation>Zuerst den Schritt „Malen“ wählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Erhalt</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way</source>
+        <translation>Malen, was die Form erhält, wenn sie nachgeben muss</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness</source>
+        <translation>&amp;Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction</source>
+        <translation>Malen, wievielmal steifer die Form in einer Richtung ist</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Richtung</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff</source>
+        <translation>Die Richtung kämmen, in der die Form steif ist</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ], oder mit Alt und der rechten Taste nach rechts ziehen.</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ], oder mit Alt und der rechten Taste nach oben ziehen.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Menge</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>Wie weit ein Strich von dem, was da ist, zum Gemalten geht.</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Druck</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>Je fester ein Stift gedrückt wird, desto mehr von der Menge wird gemalt</translation>
     </message>
 </context>
 <context>
@@ -4161,6 +4237,26 @@
         <source>Values of cells</source>
         <translation>Werte der Zellen</translation>
     </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>Nach unten &amp;vereinen</translation>
+    </message>
+    <message>
+        <source>Makes one layer of the chosen one and the one below it</source>
+        <translation>Macht aus der gewählten Ebene und der darunter eine</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>Ebenen vereinen</translation>
+    </message>
+    <message>
+        <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
+        <translation>Steifigkeit ×1 hat keine Richtung: erst wählen, wievielmal steifer es ist.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4570,10 +4666,6 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
-    </message>
-    <message>
         <source>along X</source>
         <translation>entlang X</translation>
     </message>
@@ -4614,26 +4706,6 @@
         <translation>Richtung in Zahlen</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>Erhalt</translation>
-    </message>
-    <message>
-        <source>Paint what the shape keeps when it has to give way.</source>
-        <translation>Malen, was die Form erhält, wenn sie nachgeben muss.</translation>
-    </message>
-    <message>
-        <source>Paint how many times stiffer the shape is along a direction.</source>
-        <translation>Malen, wievielmal steifer die Form in einer Richtung ist.</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Comb the direction along which the shape is stiff.</source>
-        <translation>Die Richtung kämmen, in der die Form steif ist.</translation>
-    </message>
-    <message>
         <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
         <translation>Wievielmal steifer der gemalte Teil in seiner Richtung ist; ×1 ist wie überall.</translation>
     </message>
@@ -4646,56 +4718,12 @@
         <translation>In Ruhe; die Länge ist gleichgültig.</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Amount</source>
-        <translation>Menge</translation>
-    </message>
-    <message>
-        <source>How far a stroke goes from what is there to what is painted.</source>
-        <translation>Wie weit ein Strich von dem, was da ist, zum Gemalten geht.</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Hardness</source>
-        <translation>Härte</translation>
-    </message>
-    <message>
         <source>Di&amp;rection</source>
         <translation>Richt&amp;ung</translation>
     </message>
     <message>
-        <source>Am&amp;ount</source>
-        <translation>Men&amp;ge</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>Gr&amp;öße</translation>
-    </message>
-    <message>
-        <source>Hard&amp;ness</source>
-        <translation>Här&amp;te</translation>
-    </message>
-    <message>
         <source>as it is there</source>
         <translation>wie es dort ist</translation>
-    </message>
-    <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
-        <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ], oder mit Alt und der rechten Taste nach rechts ziehen.</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
-        <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ], oder mit Alt und der rechten Taste nach oben ziehen.</translation>
     </message>
     <message>
         <source>What the brush paints</source>
@@ -4767,14 +4795,6 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Druck</translation>
-    </message>
-    <message>
-        <source>The harder a pen is pressed, the more of the amount is painted</source>
-        <translation>Je fester ein Stift gedrückt wird, desto mehr von der Menge wird gemalt</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>

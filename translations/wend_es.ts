@@ -914,20 +914,12 @@
         <translation>Haga clic para tomar una muestra de lo pintado ahí</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
-        <translation>Haga clic para rellenar la zona contigua; Mayús rellena todo, Ctrl vacía, Alt toma una muestra</translation>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <translation>Haga clic para rellenar la zona contigua; Mayús rellena todo, Ctrl quita pintura, Alt toma una muestra</translation>
     </message>
     <message>
-        <source>Emptied</source>
-        <translation>Vaciado</translation>
-    </message>
-    <message>
-        <source>Empty %1</source>
-        <translation>Vaciar %1</translation>
-    </message>
-    <message>
-        <source>Fill %1 with %2</source>
-        <translation>Rellenar %1: %2</translation>
+        <source>Fill with %1</source>
+        <translation>Rellenar: %1</translation>
     </message>
 </context>
 <context>
@@ -945,8 +937,8 @@
         <translation>Hacia %1</translation>
     </message>
     <message>
-        <source>Blend %1 to %2</source>
-        <translation>Degradado en %1 hacia %2</translation>
+        <source>Blend to %1</source>
+        <translation>Degradado hacia %1</translation>
     </message>
 </context>
 <context>
@@ -1601,10 +1593,6 @@
         <translation>Peinado</translation>
     </message>
     <message>
-        <source>Erased</source>
-        <translation>Borrado</translation>
-    </message>
-    <message>
         <source>Smoothed</source>
         <translation>Suavizado</translation>
     </message>
@@ -1637,8 +1625,32 @@
         <translation>Pinte lo elegido a la derecha; Ctrl quita, Mayús suaviza, Mayús+clic traza una línea, Alt+clic toma una muestra, Esc cancela el trazo</translation>
     </message>
     <message>
-        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
-        <translation>Pase el pincel sobre lo que deba volver a ser como en todas partes; Mayús-clic traza una línea, Alt y arrastrar con el botón derecho cambia el pincel, Esc abandona el trazo</translation>
+        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <translation>La rigidez ×1 es como en todas partes y aquí no cambia nada: elija a la derecha cuántas veces más rígido debe ser</translation>
+    </message>
+    <message>
+        <source>Take paint off</source>
+        <translation>Quitar pintura</translation>
+    </message>
+    <message>
+        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <translation>Quita la pintura de todas las capas visibles: pase el pincel sobre lo que deba volver a ser como en todas partes; Mayús-clic traza una línea, Esc abandona el trazo</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Suavizar</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peinar</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>Pintar %1</translation>
+    </message>
+    <message>
+        <source>Nothing is painted there</source>
+        <translation>Allí no hay nada pintado</translation>
     </message>
 </context>
 <context>
@@ -2636,6 +2648,70 @@
     <message>
         <source>Choose the step “Paint” first.</source>
         <translation>Elija antes el paso «Pintar».</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Conservar</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way</source>
+        <translation>Pintar qué conserva la forma cuando tiene que ceder</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness</source>
+        <translation>&amp;Rigidez</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction</source>
+        <translation>Pintar cuántas veces es más rígida la forma en una dirección</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Dirección</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff</source>
+        <translation>Peinar la dirección en la que la forma es rígida</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ], o arrastrando a la derecha con Alt y el botón derecho.</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureza</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ], o arrastrando hacia arriba con Alt y el botón derecho.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Intensidad</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>Cuánto acerca un trazo lo que hay a lo que se pinta.</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Presión</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>Cuanto más se aprieta el lápiz, mayor es la intensidad con que se pinta</translation>
     </message>
 </context>
 <context>
@@ -4161,6 +4237,26 @@
         <source>Values of cells</source>
         <translation>Valores de celdas</translation>
     </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>&amp;Combinar hacia abajo</translation>
+    </message>
+    <message>
+        <source>Makes one layer of the chosen one and the one below it</source>
+        <translation>Une en una sola la capa elegida y la de debajo</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>Combinar capas</translation>
+    </message>
+    <message>
+        <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
+        <translation>La rigidez ×1 no tiene dirección: elija primero cuántas veces más rígido es.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4570,30 +4666,6 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>Keep</source>
-        <translation>Conservar</translation>
-    </message>
-    <message>
-        <source>Paint what the shape keeps when it has to give way.</source>
-        <translation>Pintar qué conserva la forma cuando tiene que ceder.</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Rigidez</translation>
-    </message>
-    <message>
-        <source>Paint how many times stiffer the shape is along a direction.</source>
-        <translation>Pintar cuántas veces es más rígida la forma en una dirección.</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Comb the direction along which the shape is stiff.</source>
-        <translation>Peinar la dirección en la que la forma es rígida.</translation>
-    </message>
-    <message>
         <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
         <translation>Cuántas veces es más rígida la parte pintada en su dirección; ×1 es como en todas partes.</translation>
     </message>
@@ -4614,48 +4686,12 @@
         <translation>En reposo; su longitud no importa.</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Amount</source>
-        <translation>Intensidad</translation>
-    </message>
-    <message>
-        <source>How far a stroke goes from what is there to what is painted.</source>
-        <translation>Cuánto acerca un trazo lo que hay a lo que se pinta.</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source>Hardness</source>
-        <translation>Dureza</translation>
-    </message>
-    <message>
         <source>St&amp;iffness</source>
         <translation>Ri&amp;gidez</translation>
     </message>
     <message>
         <source>Di&amp;rection</source>
         <translation>Di&amp;rección</translation>
-    </message>
-    <message>
-        <source>Am&amp;ount</source>
-        <translation>I&amp;ntensidad</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>&amp;Tamaño</translation>
-    </message>
-    <message>
-        <source>Hard&amp;ness</source>
-        <translation>D&amp;ureza</translation>
     </message>
     <message>
         <source>along the stroke</source>
@@ -4688,14 +4724,6 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>según el alfiler</translation>
-    </message>
-    <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
-        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ], o arrastrando a la derecha con Alt y el botón derecho.</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
-        <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ], o arrastrando hacia arriba con Alt y el botón derecho.</translation>
     </message>
     <message>
         <source>What the brush paints</source>
@@ -4767,14 +4795,6 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Presión</translation>
-    </message>
-    <message>
-        <source>The harder a pen is pressed, the more of the amount is painted</source>
-        <translation>Cuanto más se aprieta el lápiz, mayor es la intensidad con que se pinta</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>

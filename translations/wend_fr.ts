@@ -914,20 +914,12 @@
         <translation>Cliquez pour prélever ce qui est peint là</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
-        <translation>Cliquez pour remplir la zone contiguë&#x202f;; Maj remplit tout, Ctrl vide, Alt prélève</translation>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <translation>Cliquez pour remplir la zone contiguë&#x202f;; Maj remplit tout, Ctrl retire la peinture, Alt prélève</translation>
     </message>
     <message>
-        <source>Emptied</source>
-        <translation>Vidé</translation>
-    </message>
-    <message>
-        <source>Empty %1</source>
-        <translation>Vider %1</translation>
-    </message>
-    <message>
-        <source>Fill %1 with %2</source>
-        <translation>Remplir %1&#x202f;: %2</translation>
+        <source>Fill with %1</source>
+        <translation>Remplir&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -945,8 +937,8 @@
         <translation>Vers %1</translation>
     </message>
     <message>
-        <source>Blend %1 to %2</source>
-        <translation>Dégradé sur %1 vers %2</translation>
+        <source>Blend to %1</source>
+        <translation>Dégradé vers %1</translation>
     </message>
 </context>
 <context>
@@ -1601,10 +1593,6 @@
         <translation>Peigné</translation>
     </message>
     <message>
-        <source>Erased</source>
-        <translation>Effacé</translation>
-    </message>
-    <message>
         <source>Smoothed</source>
         <translation>Lissé</translation>
     </message>
@@ -1637,8 +1625,32 @@
         <translation>Appliquez au pinceau ce qui est choisi à droite&#x202f;; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
     </message>
     <message>
-        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
-        <translation>Passez le pinceau sur ce qui doit redevenir comme partout&#x202f;; Maj-clic trace une ligne, Alt-glisser droit change le pinceau, Échap abandonne le trait</translation>
+        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <translation>Une raideur de ×1 est comme partout et ne change rien ici&#x202f;: choisissez à droite combien de fois ce doit être plus raide</translation>
+    </message>
+    <message>
+        <source>Take paint off</source>
+        <translation>Retirer la peinture</translation>
+    </message>
+    <message>
+        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <translation>Retire la peinture de tous les calques visibles&#x202f;: passez le pinceau sur ce qui doit redevenir comme partout&#x202f;; Maj-clic trace une ligne, Échap abandonne le trait</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peigner</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>Peindre %1</translation>
+    </message>
+    <message>
+        <source>Nothing is painted there</source>
+        <translation>Rien n’est peint à cet endroit</translation>
     </message>
 </context>
 <context>
@@ -2636,6 +2648,70 @@
     <message>
         <source>Choose the step “Paint” first.</source>
         <translation>Choisissez d’abord l’étape «&#x202f;Peindre&#x202f;».</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Conserver</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way</source>
+        <translation>Peindre ce que la forme conserve quand elle doit céder</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness</source>
+        <translation>&amp;Raideur</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction</source>
+        <translation>Peindre combien de fois la forme est plus raide dans une direction</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Direction</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff</source>
+        <translation>Peigner la direction dans laquelle la forme est raide</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ], ou en glissant vers la droite avec Alt et le bouton droit.</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureté</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ], ou en glissant vers le haut avec Alt et le bouton droit.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Intensité</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>De combien un trait rapproche ce qui est là de ce qui est peint.</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Pression</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>Plus le stylet est appuyé, plus l’intensité peinte est forte</translation>
     </message>
 </context>
 <context>
@@ -4161,6 +4237,26 @@
         <source>Values of cells</source>
         <translation>Valeurs de cellules</translation>
     </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>&amp;Fusionner vers le bas</translation>
+    </message>
+    <message>
+        <source>Makes one layer of the chosen one and the one below it</source>
+        <translation>Réunit en un seul le calque choisi et celui du dessous</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>Fusionner des calques</translation>
+    </message>
+    <message>
+        <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
+        <translation>Une raideur de ×1 n’a pas de direction&#x202f;: choisissez d’abord combien de fois c’est plus raide.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4570,30 +4666,6 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>Keep</source>
-        <translation>Conserver</translation>
-    </message>
-    <message>
-        <source>Paint what the shape keeps when it has to give way.</source>
-        <translation>Peindre ce que la forme conserve quand elle doit céder.</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Raideur</translation>
-    </message>
-    <message>
-        <source>Paint how many times stiffer the shape is along a direction.</source>
-        <translation>Peindre combien de fois la forme est plus raide dans une direction.</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Direction</translation>
-    </message>
-    <message>
-        <source>Comb the direction along which the shape is stiff.</source>
-        <translation>Peigner la direction dans laquelle la forme est raide.</translation>
-    </message>
-    <message>
         <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
         <translation>Combien de fois la partie peinte est plus raide dans sa direction&#x202f;; ×1&#x202f;: comme partout.</translation>
     </message>
@@ -4614,48 +4686,12 @@
         <translation>Au repos&#x202f;; sa longueur n’importe pas.</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Amount</source>
-        <translation>Intensité</translation>
-    </message>
-    <message>
-        <source>How far a stroke goes from what is there to what is painted.</source>
-        <translation>De combien un trait rapproche ce qui est là de ce qui est peint.</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
-    </message>
-    <message>
-        <source>Hardness</source>
-        <translation>Dureté</translation>
-    </message>
-    <message>
         <source>St&amp;iffness</source>
         <translation>Ra&amp;ideur</translation>
     </message>
     <message>
         <source>Di&amp;rection</source>
         <translation>Dire&amp;ction</translation>
-    </message>
-    <message>
-        <source>Am&amp;ount</source>
-        <translation>I&amp;ntensité</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>Tai&amp;lle</translation>
-    </message>
-    <message>
-        <source>Hard&amp;ness</source>
-        <translation>D&amp;ureté</translation>
     </message>
     <message>
         <source>along the stroke</source>
@@ -4688,14 +4724,6 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>selon l’épingle</translation>
-    </message>
-    <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
-        <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ], ou en glissant vers la droite avec Alt et le bouton droit.</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
-        <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ], ou en glissant vers le haut avec Alt et le bouton droit.</translation>
     </message>
     <message>
         <source>What the brush paints</source>
@@ -4767,14 +4795,6 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>&amp;Pression</translation>
-    </message>
-    <message>
-        <source>The harder a pen is pressed, the more of the amount is painted</source>
-        <translation>Plus le stylet est appuyé, plus l’intensité peinte est forte</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>

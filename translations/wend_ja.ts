@@ -914,20 +914,12 @@
         <translation>クリックした場所のペイントを取得します</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
-        <translation>クリックでつながった部分を塗りつぶします。Shift で全体、Ctrl で消去、Alt で取得</translation>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <translation>クリックでつながった部分を塗りつぶします。Shift で全体、Ctrl でペイントを消去、Alt で取得</translation>
     </message>
     <message>
-        <source>Emptied</source>
-        <translation>消去</translation>
-    </message>
-    <message>
-        <source>Empty %1</source>
-        <translation>%1 を消去</translation>
-    </message>
-    <message>
-        <source>Fill %1 with %2</source>
-        <translation>%1 を「%2」で塗りつぶし</translation>
+        <source>Fill with %1</source>
+        <translation>「%1」で塗りつぶし</translation>
     </message>
 </context>
 <context>
@@ -945,8 +937,8 @@
         <translation>「%1」へ</translation>
     </message>
     <message>
-        <source>Blend %1 to %2</source>
-        <translation>%1 を「%2」へ変化</translation>
+        <source>Blend to %1</source>
+        <translation>「%1」へ変化</translation>
     </message>
 </context>
 <context>
@@ -1600,10 +1592,6 @@
         <translation>コーム</translation>
     </message>
     <message>
-        <source>Erased</source>
-        <translation>消去</translation>
-    </message>
-    <message>
         <source>Smoothed</source>
         <translation>平滑化</translation>
     </message>
@@ -1636,8 +1624,32 @@
         <translation>右側で選んだものをペイントします。Ctrl で消去、Shift で平滑化、Shift + クリックで直線、Alt + クリックで取得、Esc でストロークを中止</translation>
     </message>
     <message>
-        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
-        <translation>ほかと同じに戻す部分をブラシでなぞります。Shift+クリックで直線、Alt+右ドラッグでブラシを変更、Esc でストロークを中止</translation>
+        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <translation>剛性 ×1 はほかと同じで、ここでは何も変わりません。右で何倍の剛性にするかを選んでください</translation>
+    </message>
+    <message>
+        <source>Take paint off</source>
+        <translation>ペイントを消去</translation>
+    </message>
+    <message>
+        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <translation>表示中のすべてのレイヤーからペイントを消去します。ほかと同じに戻す部分をブラシでなぞります。Shift+クリックで直線、Esc でストロークを中止</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑化</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>コーム</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>「%1」をペイント</translation>
+    </message>
+    <message>
+        <source>Nothing is painted there</source>
+        <translation>そこには何もペイントされていません</translation>
     </message>
 </context>
 <context>
@@ -2635,6 +2647,70 @@
     <message>
         <source>Choose the step “Paint” first.</source>
         <translation>まず「ペイント」のステップを選んでください。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保持(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way</source>
+        <translation>変形するときに形状が保とうとするものをペイントします</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness</source>
+        <translation>剛性(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction</source>
+        <translation>ある方向に沿って何倍の剛性にするかをペイントします</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>方向(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff</source>
+        <translation>剛性の方向を、髪をとかすように描きます</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>画面上でのブラシの直径。[ と ] のキー、または Alt+右ボタンで右へドラッグしても変更できます。</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ]、または Alt+右ボタンで上へドラッグしても変更できます。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>強さ</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>1 回のストロークで、今の状態をペイントする値へどれだけ近づけるか。</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>筆圧(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>ペンを強く押すほど、強くペイントします</translation>
     </message>
 </context>
 <context>
@@ -4154,6 +4230,26 @@
         <source>Values of cells</source>
         <translation>セルの値</translation>
     </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>下のレイヤーと結合(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Makes one layer of the chosen one and the one below it</source>
+        <translation>選んだレイヤーとその下のレイヤーを 1 つにします</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>レイヤーを結合</translation>
+    </message>
+    <message>
+        <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
+        <translation>剛性 ×1 には方向がありません。まず何倍の剛性かを選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4562,30 +4658,6 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>Keep</source>
-        <translation>保持</translation>
-    </message>
-    <message>
-        <source>Paint what the shape keeps when it has to give way.</source>
-        <translation>変形するときに形状が保とうとするものをペイントします。</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>剛性</translation>
-    </message>
-    <message>
-        <source>Paint how many times stiffer the shape is along a direction.</source>
-        <translation>ある方向に沿って何倍の剛性にするかをペイントします。</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>方向</translation>
-    </message>
-    <message>
-        <source>Comb the direction along which the shape is stiff.</source>
-        <translation>剛性の方向を、髪をとかすように描きます。</translation>
-    </message>
-    <message>
         <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
         <translation>ペイントした部分を、その方向に沿って何倍の剛性にするか。×1 はほかと同じです。</translation>
     </message>
@@ -4606,48 +4678,12 @@
         <translation>変形前の方向です。長さは関係ありません。</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Amount</source>
-        <translation>強さ</translation>
-    </message>
-    <message>
-        <source>How far a stroke goes from what is there to what is painted.</source>
-        <translation>1 回のストロークで、今の状態をペイントする値へどれだけ近づけるか。</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>サイズ</translation>
-    </message>
-    <message>
-        <source>Hardness</source>
-        <translation>硬さ</translation>
-    </message>
-    <message>
         <source>St&amp;iffness</source>
         <translation>剛性(&amp;I)</translation>
     </message>
     <message>
         <source>Di&amp;rection</source>
         <translation>方向(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Am&amp;ount</source>
-        <translation>強さ(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>サイズ(&amp;Z)</translation>
-    </message>
-    <message>
-        <source>Hard&amp;ness</source>
-        <translation>硬さ(&amp;N)</translation>
     </message>
     <message>
         <source>along the stroke</source>
@@ -4680,14 +4716,6 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>ピンのパスに沿う</translation>
-    </message>
-    <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
-        <translation>画面上でのブラシの直径。[ と ] のキー、または Alt+右ボタンで右へドラッグしても変更できます。</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
-        <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ]、または Alt+右ボタンで上へドラッグしても変更できます。</translation>
     </message>
     <message>
         <source>What the brush paints</source>
@@ -4759,14 +4787,6 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>筆圧(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The harder a pen is pressed, the more of the amount is painted</source>
-        <translation>ペンを強く押すほど、強くペイントします</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>

@@ -914,20 +914,12 @@
         <translation>单击以吸取该处绘制的内容</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
-        <translation>单击以填充相连的部分；按住 Shift 全部填充，按住 Ctrl 清空，按住 Alt 吸取</translation>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <translation>单击以填充相连的部分；按住 Shift 全部填充，按住 Ctrl 擦除绘制，按住 Alt 吸取</translation>
     </message>
     <message>
-        <source>Emptied</source>
-        <translation>已清空</translation>
-    </message>
-    <message>
-        <source>Empty %1</source>
-        <translation>清空 %1</translation>
-    </message>
-    <message>
-        <source>Fill %1 with %2</source>
-        <translation>用“%2”填充 %1</translation>
+        <source>Fill with %1</source>
+        <translation>用“%1”填充</translation>
     </message>
 </context>
 <context>
@@ -945,8 +937,8 @@
         <translation>渐变到%1</translation>
     </message>
     <message>
-        <source>Blend %1 to %2</source>
-        <translation>将 %1 渐变到“%2”</translation>
+        <source>Blend to %1</source>
+        <translation>渐变到“%1”</translation>
     </message>
 </context>
 <context>
@@ -1600,10 +1592,6 @@
         <translation>梳理</translation>
     </message>
     <message>
-        <source>Erased</source>
-        <translation>已擦除</translation>
-    </message>
-    <message>
         <source>Smoothed</source>
         <translation>已平滑</translation>
     </message>
@@ -1636,8 +1624,32 @@
         <translation>绘制右侧所选内容；按住 Ctrl 去除，按住 Shift 平滑，按住 Shift 单击画直线，按住 Alt 单击吸取，按 Esc 放弃笔画</translation>
     </message>
     <message>
-        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
-        <translation>用画笔刷过要恢复为与别处相同的部分；Shift+单击画直线，Alt+右键拖动更改画笔，按 Esc 放弃这一笔</translation>
+        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <translation>刚度 ×1 与别处相同，在此不会改变任何内容：请在右侧选择刚度的倍数</translation>
+    </message>
+    <message>
+        <source>Take paint off</source>
+        <translation>擦除绘制</translation>
+    </message>
+    <message>
+        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <translation>擦除所有可见图层上的绘制：用画笔刷过要恢复为与别处相同的部分；Shift+单击画直线，按 Esc 放弃这一笔</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>梳理</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>绘制“%1”</translation>
+    </message>
+    <message>
+        <source>Nothing is painted there</source>
+        <translation>那里没有绘制任何内容</translation>
     </message>
 </context>
 <context>
@@ -2635,6 +2647,70 @@
     <message>
         <source>Choose the step “Paint” first.</source>
         <translation>请先选择“绘制”步骤。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保持(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way</source>
+        <translation>绘制形状在变形时尽量保持的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness</source>
+        <translation>刚度(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction</source>
+        <translation>绘制形状沿某一方向的刚度倍数</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>方向(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff</source>
+        <translation>梳理刚度的方向</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键，或用 Alt+右键向右拖动来更改。</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>硬度</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ]，或用 Alt+右键向上拖动来更改。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>每一笔使原有内容向所绘内容靠近多少。</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>压感(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>笔压得越重，绘制的强度越大</translation>
     </message>
 </context>
 <context>
@@ -4154,6 +4230,26 @@
         <source>Values of cells</source>
         <translation>单元数值</translation>
     </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>向下合并(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Makes one layer of the chosen one and the one below it</source>
+        <translation>将所选图层与其下方的图层合为一个</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>合并图层</translation>
+    </message>
+    <message>
+        <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
+        <translation>刚度 ×1 没有方向：请先选择刚度的倍数。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4562,30 +4658,6 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>Keep</source>
-        <translation>保持</translation>
-    </message>
-    <message>
-        <source>Paint what the shape keeps when it has to give way.</source>
-        <translation>绘制形状在变形时尽量保持的内容。</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>刚度</translation>
-    </message>
-    <message>
-        <source>Paint how many times stiffer the shape is along a direction.</source>
-        <translation>绘制形状沿某一方向的刚度倍数。</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>方向</translation>
-    </message>
-    <message>
-        <source>Comb the direction along which the shape is stiff.</source>
-        <translation>梳理刚度的方向。</translation>
-    </message>
-    <message>
         <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
         <translation>绘制部分沿其方向的刚度是几倍；×1 与别处相同。</translation>
     </message>
@@ -4606,48 +4678,12 @@
         <translation>变形前的方向；其长度无关紧要。</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Amount</source>
-        <translation>强度</translation>
-    </message>
-    <message>
-        <source>How far a stroke goes from what is there to what is painted.</source>
-        <translation>每一笔使原有内容向所绘内容靠近多少。</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>Hardness</source>
-        <translation>硬度</translation>
-    </message>
-    <message>
         <source>St&amp;iffness</source>
         <translation>刚度(&amp;I)</translation>
     </message>
     <message>
         <source>Di&amp;rection</source>
         <translation>方向(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Am&amp;ount</source>
-        <translation>强度(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>大小(&amp;Z)</translation>
-    </message>
-    <message>
-        <source>Hard&amp;ness</source>
-        <translation>硬度(&amp;N)</translation>
     </message>
     <message>
         <source>along the stroke</source>
@@ -4680,14 +4716,6 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>沿图钉路径</translation>
-    </message>
-    <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
-        <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键，或用 Alt+右键向右拖动来更改。</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
-        <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ]，或用 Alt+右键向上拖动来更改。</translation>
     </message>
     <message>
         <source>What the brush paints</source>
@@ -4759,14 +4787,6 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>将新图钉放在网格顶点上，而不是单击处</translation>
-    </message>
-    <message>
-        <source>&amp;Pressure</source>
-        <translation>压感(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The harder a pen is pressed, the more of the amount is painted</source>
-        <translation>笔压得越重，绘制的强度越大</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>

@@ -36,7 +36,10 @@ struct MaterialRegion {
     std::optional<Stiffness<Dim>> stiffness;
     MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
     bool hidden = false;             // changes nothing, as if it were not there
+    double leaves = 1;  // less: an eraser, which leaves so much of what its layer has painted there
     Extras extras = {};
+
+    bool erases() const { return leaves < 1; }
 };
 
 template <int Dim>

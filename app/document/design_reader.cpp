@@ -144,7 +144,10 @@ MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
             if (region.phi || region.stiffness) pictures->fail("stand in the place of phi and stiffness");
         }
     if (auto hidden = object.find("hidden")) region.hidden = hidden->boolean();
-    if (!region.phi && !region.stiffness && !region.pictures.any())
+    if (auto leaves = object.find("leaves")) region.leaves = leaves->number("material.regions[].leaves");
+    if (region.erases()) region.phi.reset(), region.stiffness.reset();  // see materialRegionJson()
+    if (region.erases() && region.pictures.any()) value.fail("erases, and has pictures");
+    if (!region.phi && !region.stiffness && !region.pictures.any() && !region.erases())
         value.warn("has neither phi nor stiffness and changes nothing");
     object.finish();
     return region;

@@ -36,14 +36,14 @@ std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design) {
     for (const auto& region : design.material.regions) {
         auto it =
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == region.name; });
-        if (it == groups.end())
-            it = groups.insert(it, {.name = region.name,
-                                    .feather = region.feather,
-                                    .paint = {region.phi, region.stiffness},
-                                    .pictures = region.pictures,
-                                    .hidden = region.hidden});
-        ++it->count;
+        if (it == groups.end()) it = groups.insert(it, {.name = region.name});
         it->hidden = it->hidden || region.hidden;
+        if (region.erases()) continue;
+        if (it->count++ == 0) {
+            it->feather = region.feather;
+            it->paint = {region.phi, region.stiffness};
+            it->pictures = region.pictures;
+        }
         if (!region.stiffness) continue;
         if (!it->axis) it->axis = region.stiffness->axis;
         if (*it->axis != region.stiffness->axis) it->oneAxis = false;
@@ -52,14 +52,32 @@ std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design) {
 }
 
 template <int Dim>
-Design<Dim> withRegions(const Design<Dim>& design, const std::string& kind,
-                        std::vector<MaterialRegion<Dim>> regions) {
+std::size_t layerEnd(std::span<const MaterialRegion<Dim>> regions) {
+    const auto other = std::ranges::find_if(
+        regions, [&](const auto& region) { return region.name != regions.front().name; });
+    return static_cast<std::size_t>(other - regions.begin());
+}
+
+template <int Dim>
+std::size_t layerBegin(const Design<Dim>& design, const std::string& name) {
+    const auto& all = design.material.regions;
+    std::size_t at = all.size();
+    while (at > 0 && all[at - 1].name != name) --at;
+    if (at == 0) return all.size();
+    while (at > 0 && all[at - 1].name == name) --at;
+    return at;
+}
+
+template <int Dim>
+Design<Dim> withStroke(const Design<Dim>& design, const std::string& layer,
+                       std::vector<MaterialRegion<Dim>> regions) {
     auto next = design;
-    const std::string name = freeName(groupNames(design), kind);
     auto& all = next.material.regions;
+    const std::span<const MaterialRegion<Dim>> upper = std::span(all).subspan(layerBegin(design, layer));
+    auto at = all.end() - std::ssize(upper) + (upper.empty() ? 0 : std::ptrdiff_t(layerEnd<Dim>(upper)));
     for (auto& region : regions) {
-        region.name = name;
-        all.push_back(std::move(region));
+        region.name = layer;
+        at = std::next(all.insert(at, std::move(region)));
     }
     return next;
 }
@@ -69,7 +87,7 @@ Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
                            const MaterialPaint<Dim>& paint, bool keepAxes) {
     auto next = design;
     for (auto& region : next.material.regions) {
-        if (region.name != name) continue;
+        if (region.name != name || region.erases()) continue;
         const auto before = region.stiffness;
         region.phi = paint.phi;
         region.stiffness = paint.stiffness;
@@ -81,7 +99,7 @@ Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
 AnyDesign withGroupFeather(const AnyDesign& design, const std::string& name, double feather) {
     return changed(design, [&](auto& regions) {
         for (auto& region : regions)
-            if (region.name == name) region.feather = feather;
+            if (region.name == name && !region.erases()) region.feather = feather;
     });
 }
 
@@ -152,6 +170,22 @@ AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int b
     });
 }
 
+std::optional<AnyDesign> withGroupMergedDown(const AnyDesign& design, const std::string& name) {
+    const std::vector<std::string> order = groupNames(design);
+    const auto upper = std::ranges::find(order, name);
+    if (upper == order.end() || upper == order.begin()) return {};
+    const std::string lower = *std::prev(upper);
+    bool differs = isGroupHidden(design, name) || isGroupHidden(design, lower);
+    auto next = changed(withGroupMoved(design, name, 0), [&](auto& regions) {
+        for (auto& region : regions) {
+            if (region.name != name && region.name != lower) continue;
+            differs = differs || region.pictures.any() || (region.name == name && region.erases());
+            region.name = lower;
+        }
+    });
+    return differs ? std::nullopt : std::optional(std::move(next));
+}
+
 AnyDesign withoutGroup(const AnyDesign& design, const std::string& name) {
     return changed(design, [&](auto& regions) {
         std::erase_if(regions, [&](const auto& region) { return region.name == name; });
@@ -191,9 +225,11 @@ bool isPainted(const AnyDesign& design) {
 }
 
 #define WEND_INSTANTIATE(Dim)                                                        \
+    template std::size_t layerEnd<Dim>(std::span<const MaterialRegion<Dim>>);        \
+    template std::size_t layerBegin<Dim>(const Design<Dim>&, const std::string&);    \
+    template Design<Dim> withStroke<Dim>(const Design<Dim>&, const std::string&,     \
+                                         std::vector<MaterialRegion<Dim>>);          \
     template std::vector<RegionGroup<Dim>> regionGroups<Dim>(const Design<Dim>&);    \
-    template Design<Dim> withRegions<Dim>(const Design<Dim>&, const std::string&,    \
-                                          std::vector<MaterialRegion<Dim>>);         \
     template Design<Dim> withGroupPaint<Dim>(const Design<Dim>&, const std::string&, \
                                              const MaterialPaint<Dim>&, bool)
 WEND_INSTANTIATE(2);

@@ -91,7 +91,7 @@ constexpr Scope kPaper{smooths<SmoothingKind::Paper>, "smoothing as in the paper
 // --- What they may be ---
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kAny{}, kOrder{-1000, 1000}, kLink{1, 1e6}, kPositive{0, kInfinity, true, true},
+constexpr Range kAny{}, kPart{0, 1}, kOrder{-1000, 1000}, kLink{1, 1e6}, kPositive{0, kInfinity, true, true},
     kNotNegative{0, kInfinity, false, true}, kVertices{3, 1e7}, kHundred{0, 100}, kQuality{1.2, 10},
     kRatio{1, 1e6}, kTolerance{1e-12, 0.1}, kSteps{0, 1e6}, kSmallestStep{0, 0.1, true, false},
     kFrames{2, 1e6}, kThreads{0, 1024}, kRepeats{1, 1000}, kHole{0, 1e6}, kFactor{0.01, 100},

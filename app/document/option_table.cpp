@@ -199,6 +199,9 @@ constexpr std::array kOptions{
            "the pictures' first row lies where y is largest"},
     Option{"material.regions[].hidden", "", Flag, "", kAny, "", "", "",
            "the region changes nothing, as if it were not there"},
+    Option{"material.regions[].leaves", "", Number, "1", kPart, "", "", "",
+           "less than 1: the region erases what the regions of its name before it paint there, but for that "
+           "part"},
     Option{"depth[].order", "", Number, "0", kOrder, "", "", "",
            "where the shape covers itself: parts of greater order lie in front of those of less"},
     Option{"handles[].locked", "", Flag, "", kAny, "", "", "",

@@ -143,8 +143,13 @@ Json picturesJson(const MaterialPictures& pictures) {
     return json;
 }
 
+/// Readers that know of no erasers lay what is everywhere.
 template <int Dim>
-Json materialRegionJson(const MaterialRegion<Dim>& region) {
+Json materialRegionJson(MaterialRegion<Dim> region, double everywhere) {
+    if (region.erases()) {
+        region.phi = everywhere;
+        region.stiffness = Stiffness<Dim>{Vec<Dim>::UnitX(), 1};
+    }
     Json json = Json::object();
     if (!region.name.empty()) json["name"] = region.name;
     json["shape"] = regionJson<Dim>(region.shape);
@@ -155,6 +160,7 @@ Json materialRegionJson(const MaterialRegion<Dim>& region) {
                              {"ratio", numberJson(region.stiffness->ratio)}};
     if (region.pictures.any()) json["pictures"] = picturesJson(region.pictures);
     if (region.hidden) json["hidden"] = true;
+    if (region.erases()) json["leaves"] = numberJson(region.leaves);
     return withExtras(std::move(json), region.extras);
 }
 
@@ -174,7 +180,8 @@ Json materialJson(const Project& project) {
     const MaterialSpec<Dim>& spec = std::get<Design<Dim>>(project.design).material;
     Json json = groupJson("material", project);
     json["smoothing"] = groupJson("material.smoothing", project);
-    for (const auto& region : spec.regions) json["regions"].push_back(materialRegionJson(region));
+    for (const auto& region : spec.regions)
+        json["regions"].push_back(materialRegionJson<Dim>(region, spec.phi));
     if (!spec.cellsFile.empty())
         json["cells"] = spec.cellsFile;
     else if (!spec.cellPhi.empty() || !spec.cellB.empty())

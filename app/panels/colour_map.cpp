@@ -175,6 +175,11 @@ std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
     return std::visit([](const auto& design) { return design.material.phi; }, session.document().design());
 }
 
+double paintedPart(double place, double plainPlace) {
+    constexpr double kFullPaint = 0.1;
+    return std::min(1.0, std::abs(place - plainPlace) / kFullPaint);
+}
+
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension) {
     const MeasureRow& row = rowOf(measure);
     if (row.scale == Scale::Energies) return {phi::kEquia, phi::conformal(dimension), dimension};

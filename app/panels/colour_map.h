@@ -46,6 +46,8 @@ std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure,
 std::vector<double> shownValues(const ShapeSession& session, Measure measure);
 /// The value of the material where nothing is painted; nothing for other measures.
 std::optional<double> plainValue(const ShapeSession& session, Measure measure);
+/// How wholly what is painted is seen at a place of the range, from 0 at that of the plain value to 1.
+double paintedPart(double place, double plainPlace);
 /// From the values that occur, the largest hundredth left out; never empty. φ has the same range always.
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension = 2);
 /// Where a value stands in the range, in [0, 1]; area, stiffness and the size of cells on a logarithmic

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QSettings>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
@@ -144,9 +145,11 @@ void DistortionPanel::setDimension(int dimension) {
     if (dimension == m_dimension) return;
     m_dimension = dimension;
     const QSignalBlocker quiet(m_measure);
+    const QVariant before = m_measure->currentData();
     m_measure->clear();
     for (const Measure measure : measuresOf(dimension))
         m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
+    m_measure->setCurrentIndex(std::max(0, m_measure->findData(before)));  // as far as both have it
     const bool solid = dimension == 3;
     m_areaName->setText(solid ? tr("Volume error") : tr("Area error"));
     const QString help = solid

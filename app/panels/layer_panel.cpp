@@ -1,10 +1,9 @@
 #include "app/panels/layer_panel.h"
 
 #include <QCheckBox>
-#include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <QToolButton>
-#include <cmath>
 
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
@@ -28,14 +27,16 @@ bool hasCells(const MaterialSpec<Dim>& material) {
 
 }  // namespace
 
-LayerPanel::LayerPanel(ShapeSession& session, QWidget* parent)
+LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* parent)
     : QWidget(parent),
       m_session(session),
+      m_chosen(chosen),
       m_list(new QListWidget(this)),
       m_up(new QToolButton(this)),
       m_down(new QToolButton(this)),
       m_remove(new QToolButton(this)),
       m_pictureMenu(new QToolButton(this)),
+      m_merge(new QAction(tr("&Merge Down"), this)),
       m_none(secondLabel(tr("It is the same everywhere: brush over the shape to change a part."), this)),
       m_values(new QWidget(this)),
       m_paint(new QWidget(m_values)),
@@ -63,6 +64,10 @@ void LayerPanel::makeList() {
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setItemDelegate(new EyeDelegate(m_list));
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_list->addAction(m_merge);
+    m_merge->setObjectName(QStringLiteral("layerMerge"));
+    m_merge->setStatusTip(tr("Makes one layer of the chosen one and the one below it"));
     describe(m_list, tr("Layers"),
              tr("Where the material is another. The topmost wins: drag a layer to its place. A click shows "
                 "its values, a double click changes its name, its eye or the space bar switches it off."));
@@ -85,12 +90,15 @@ void LayerPanel::makeList() {
 void LayerPanel::makeControls() {
     describe(m_hasPhi, tr("Keep here"), tr("Whether the layer changes what is kept, and to what."));
     m_ratio->setObjectName(QStringLiteral("layerRatio"));
-    m_axis = directionFields(
-        tr("Stiff direction"),
-        tr("At rest; it turns with the shape. Another one is for all regions of the layer."), m_paint);
+    m_axis = directionFields(tr("Stiff direction"), {}, m_paint);
+    for (ExactBox* box : m_axis) {
+        box->setFixedWidth(56);
+        box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    }
     m_feather->setObjectName(QStringLiteral("layerFeather"));
     m_feather->setRange(0, 1e9);
     m_feather->setFixedWidth(116);
+    m_feather->setDigits(4);
     describe(m_feather, tr("Soft edge"), tr("How wide the edge fades, in the shape's own units."));
 }
 
@@ -121,6 +129,11 @@ void LayerPanel::arrange() {
     paint->addWidget(m_phi);
     paint->addLayout(panelRow(tr("Stiffness"), m_ratio, m_paint));
     auto* axis = new QHBoxLayout;
+    axis->setSpacing(4);
+    auto* label = new QLabel(tr("Direction"), m_paint);
+    label->setBuddy(m_axis[0]);
+    axis->addWidget(label);
+    axis->addStretch(1);
     for (ExactBox* box : m_axis) axis->addWidget(box);
     paint->addLayout(axis);
     paint->addWidget(m_axisNote);
@@ -136,7 +149,14 @@ void LayerPanel::arrange() {
 
 void LayerPanel::connectControls() {
     connect(&m_session.document(), &Document::projectChanged, this, &LayerPanel::showLayers);
-    connect(m_list, &QListWidget::currentRowChanged, this, &LayerPanel::showValues);
+    connect(&m_chosen, &LayerChoice::changed, this, [this] { select(isNameless(), isCells()); });
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        m_chosen.set({});
+        showUnit();
+    });
+    connect(m_list, &QListWidget::currentRowChanged, this, &LayerPanel::choose);
+    connect(m_list, &QListWidget::itemClicked, this,
+            &LayerPanel::choose);  // also of what a stroke has chosen
     connect(m_list, &QListWidget::itemChanged, this, &LayerPanel::takeItem);
     // The list is in the middle of the drop.
     connect(
@@ -154,6 +174,10 @@ void LayerPanel::connectControls() {
     connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
     connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
     connect(m_remove, &QToolButton::clicked, this, &LayerPanel::remove);
+    connect(m_merge, &QAction::triggered, this, [this] {
+        if (auto next = withGroupMergedDown(m_session.document().design(), selected()))
+            changeBy(tr("Merge layers"), *std::move(next));
+    });
     const auto changeMaterial = [this] {
         m_session.document().dimension() == 2 ? changePaint<2>() : changePaint<3>();
     };
@@ -188,6 +212,8 @@ void LayerPanel::takeItem(QListWidgetItem* item) {
     const std::string name = freeGroupName(design, before, wish);
     const QSignalBlocker quiet(m_list);
     item->setData(kGroup, QString::fromStdString(name));  // it stays the chosen one
+    if (m_chosen.now().name == before) m_chosen.set({name, m_chosen.now().aim});
+    if (m_pointed == before) m_pointed = name;
     changeBy(tr("Rename layer"), withGroupName(design, before, name));
 }
 
@@ -220,68 +246,6 @@ void LayerPanel::changeBy(const QString& step, AnyDesign next, const QString& ke
     m_session.document().changeDesign(step, std::move(next), key);
 }
 
-/// A layer that would be nothing stays as it is.
-template <int Dim>
-void LayerPanel::changePaint() {
-    MaterialPaint<Dim> paint;
-    if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
-    Vec<Dim> axis;
-    for (int k = 0; k < Dim; ++k) axis[k] = m_axis[k]->exact();
-    if (axis.isZero(0)) axis = Vec<Dim>::UnitX();
-    if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // what has that already keeps its bits
-    if (m_ratio->exact() != 1) paint.stiffness = Stiffness<Dim>{axis, m_ratio->exact()};
-    if (!paint.phi && !paint.stiffness) return showValues();
-    m_phi->setEnabled(paint.phi.has_value());
-    changeBy(tr("Change layer"),
-             withGroupPaint<Dim>(m_session.document().design<Dim>(), selected(), paint, m_ownAxes),
-             QStringLiteral("layer ") + QString::fromStdString(selected()));
-}
-
-template <int Dim>
-void LayerPanel::showGroup() {
-    for (const RegionGroup<Dim>& group : regionGroups(m_session.document().design<Dim>())) {
-        if (group.name != selected()) continue;
-        m_phi->setDimension(Dim);
-        m_hasPhi->setChecked(group.paint.phi.has_value());
-        m_phi->setEnabled(group.paint.phi.has_value());
-        if (group.paint.phi) m_phi->setPhi(*group.paint.phi);
-        m_ratio->put(group.paint.stiffness ? group.paint.stiffness->ratio : 1);
-        m_ownAxes = !group.oneAxis;
-        m_axisNote->setVisible(m_ownAxes);
-        const Vec<Dim> axis = group.axis.value_or(Vec<Dim>::UnitX());
-        for (int k = 0; k < 3; ++k) m_axis[k]->setVisible(k < Dim);
-        for (int k = 0; k < Dim; ++k) m_axis[k]->put(axis[k]);
-        const QSignalBlocker quiet(m_feather);
-        if (m_feather->value() != group.feather) m_feather->setValue(group.feather);
-        showPictures(group.pictures);
-    }
-}
-
-void LayerPanel::showPictures(const MaterialPictures& pictures) {
-    QStringList lines;
-    for (const auto& [text, file] : {std::pair{tr("Keep: %1"), pictures.phi},
-                                     {tr("Stiffness: %1"), pictures.stiffness},
-                                     {tr("Direction: %1"), pictures.direction}})
-        if (!file.empty()) lines << text.arg(QFileInfo(QString::fromStdString(file)).fileName());
-    m_files->setText(lines.join('\n'));
-    m_paint->setVisible(lines.isEmpty());
-    m_pictures->setVisible(!lines.isEmpty());
-    m_readAgain->show();
-    m_featherRow->show();
-}
-
-void LayerPanel::showCells() {
-    const std::string file = std::visit([](const auto& design) { return design.material.cellsFile; },
-                                        m_session.document().design());
-    m_files->setText(file.empty()
-                         ? tr("As the project's file says, cell by cell.")
-                         : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));
-    m_paint->hide();
-    m_pictures->show();
-    m_readAgain->hide();
-    m_featherRow->hide();
-}
-
 void LayerPanel::showValues() {
     const bool has = m_list->currentItem() && !m_session.document().isEmpty();
     m_values->setVisible(has);
@@ -294,6 +258,8 @@ void LayerPanel::showValues() {
     if (has && m_session.document().dimension() == 2) showGroup<2>();
     if (has && m_session.document().dimension() == 3) showGroup<3>();
     if (isCells()) showCells();
+    m_merge->setEnabled(has && !isCells() &&
+                        withGroupMergedDown(m_session.document().design(), selected()).has_value());
     if (has) {
         const QListWidgetItem* below = m_list->item(m_list->currentRow() + 1);
         m_up->setEnabled(m_list->currentRow() > 0 && !isCells());
@@ -303,7 +269,7 @@ void LayerPanel::showValues() {
 }
 
 void LayerPanel::tellChosen() {
-    const bool has = m_list->currentItem() && isVisible();
+    const bool has = m_list->currentItem() && isVisible() && m_pointed == selected();
     emit chosen(has ? m_list->currentItem()->data(kGroup).toString() : QString());
 }
 
@@ -352,21 +318,46 @@ QListWidgetItem* LayerPanel::itemAt(int row) {
 }
 
 void LayerPanel::showLayers() {
-    const QString before = QString::fromStdString(selected());
-    const bool had = m_list->currentItem(), cells = isCells();
+    const bool nameless = isNameless(), cells = isCells();
     {
         const QSignalBlocker quiet(m_list);
         if (m_session.document().isEmpty()) m_list->clear();
         if (m_session.document().dimension() == 2) fill<2>();
         if (m_session.document().dimension() == 3) fill<3>();
-        m_list->setCurrentRow(-1);
-        for (int i = 0; had && i < m_list->count(); ++i) {
-            const QListWidgetItem* item = m_list->item(i);
-            if (item->data(kGroup).toString() == before && item->data(kCells).toBool() == cells)
-                m_list->setCurrentRow(i);
-        }
+    }
+    select(nameless, cells);
+}
+
+/// What has no name, which are also the values of cells, is chosen only here.
+bool LayerPanel::isNameless() const {
+    return m_list->currentItem() && selected().empty();
+}
+
+/// What has been chosen elsewhere, or what has no name; what is gone is chosen no more.
+void LayerPanel::select(bool nameless, bool cells) {
+    const std::string name = m_chosen.now().name;
+    int row = -1;
+    for (int i = 0; i < m_list->count(); ++i) {
+        const QListWidgetItem* item = m_list->item(i);
+        const bool isOne = item->data(kGroup).toString().toStdString() == name;
+        if (isOne && (name.empty() ? nameless && item->data(kCells).toBool() == cells : true)) row = i;
+    }
+    if (row < 0 && !name.empty()) return m_chosen.set({});
+    {
+        const QSignalBlocker quiet(m_list);
+        m_list->setCurrentRow(row);
     }
     showValues();
+}
+
+/// By hand: its borders are shown, which would be in the way of a stroke.
+void LayerPanel::choose() {
+    m_pointed = m_list->currentItem() ? std::optional(selected()) : std::nullopt;
+    const bool nameless = isNameless(), cells = isCells();
+    if (m_chosen.now().name == selected()) return select(nameless, cells);
+    const QSignalBlocker quiet(m_chosen);
+    m_chosen.set({selected()});
+    select(nameless, cells);
 }
 
 }  // namespace wend

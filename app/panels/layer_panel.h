@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/document/material_edits.h"
+#include "app/session/brush.h"
 #include "app/session/shape_session.h"
 
 class QCheckBox;
@@ -26,13 +27,13 @@ class LayerPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit LayerPanel(ShapeSession& session, QWidget* parent = nullptr);
+    LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
     /// What brings pictures in and out.
     void setPictureMenu(QMenu* menu);
 
   signals:
-    /// Another layer, by its name; null if there is none, or nobody sees the panel.
+    /// Another layer was chosen by hand, by its name; null if there is none, or nobody sees the panel.
     void chosen(QString name);
 
   protected:
@@ -45,9 +46,14 @@ class LayerPanel : public QWidget {
     void arrange();
     void connectControls();
     void showLayers();
+    bool isNameless() const;
+    void select(bool nameless, bool cells);
+    void choose();
     void showValues();
     void showPictures(const MaterialPictures& pictures);
     void showCells();
+    void showUnit();
+    void allowDirection(bool isStiff);
     void takeItem(QListWidgetItem* item);
     void takeOrder(int from, int to);
     void remove();
@@ -64,8 +70,11 @@ class LayerPanel : public QWidget {
     void tellChosen();
 
     ShapeSession& m_session;
+    LayerChoice& m_chosen;
+    std::optional<std::string> m_pointed;  // the layer that was chosen by hand: its borders are shown
     QListWidget* m_list;
     QToolButton *m_up, *m_down, *m_remove, *m_pictureMenu;
+    QAction* m_merge;
     QLabel* m_none;
     QWidget* m_values;
     QWidget* m_paint;     // of a layer with values of its own,

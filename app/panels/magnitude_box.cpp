@@ -6,7 +6,6 @@ namespace wend {
 
 namespace {
 
-constexpr int kDigits = 6;
 constexpr int kPlaces = 40;  // behind the point, so that nothing small is rounded away
 
 }  // namespace
@@ -17,7 +16,8 @@ MagnitudeBox::MagnitudeBox(QWidget* parent) : ExactBox(parent) {
 }
 
 QString MagnitudeBox::textFromValue(double value) const {
-    return locale().toString(value, 'g', kDigits);
+    const bool isWhole = value >= std::pow(10, m_digits) && value < 1e6;  // rather than with an exponent
+    return isWhole ? locale().toString(value, 'f', 0) : locale().toString(value, 'g', m_digits);
 }
 
 double MagnitudeBox::valueFromText(const QString& text) const {

@@ -1,9 +1,7 @@
 #include "app/panels/paint_panel.h"
 
-#include <QButtonGroup>
 #include <QComboBox>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -32,19 +30,14 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_brush(brush),
-      m_targets(new QButtonGroup(this)),
       m_pages(new QStackedWidget(this)),
       m_phi(new EnergySlider(this)),
       m_ratio(stiffnessField(
           tr("How many times stiffer the painted part is along its direction; ×1 is as everywhere."), this)),
       m_direction(new QComboBox(this)),
-      m_numbersRow(new QWidget(this)),
-      m_amount(new NumberBox(this)),
-      m_size(new NumberBox(this)),
-      m_hardness(new NumberBox(this)) {
+      m_numbersRow(new QWidget(this)) {
     m_phi->setName(tr("What the brush paints"));
     makeControls();
-    makeTip();
     arrange();
     setDimension(2);
     connectControls();
@@ -52,19 +45,6 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
 }
 
 void PaintPanel::makeControls() {
-    const std::array<std::pair<QString, QString>, 3> targets = {
-        {{tr("Keep"), tr("Paint what the shape keeps when it has to give way.")},
-         {tr("Stiffness"), tr("Paint how many times stiffer the shape is along a direction.")},
-         {tr("Direction"), tr("Comb the direction along which the shape is stiff.")}}};
-    for (int i = 0; i < 3; ++i) {
-        auto* button = new QToolButton(this);
-        button->setText(targets[i].first);
-        button->setCheckable(true);
-        button->setProperty("role", "segment");
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        describe(button, targets[i].first, targets[i].second);
-        m_targets->addButton(button, i);
-    }
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
     m_direction->setObjectName(QStringLiteral("brushDirection"));
     fitToEntries(m_direction, 150);
@@ -76,29 +56,6 @@ void PaintPanel::makeControls() {
     m_numbers =
         directionFields(tr("Direction in numbers"), tr("At rest; its length does not matter."), m_numbersRow);
     for (ExactBox* box : m_numbers) row->addWidget(box);
-}
-
-void PaintPanel::makeTip() {
-    const auto make = [](NumberBox* box, const char* id, double low, double high, const QString& unit) {
-        box->setObjectName(QLatin1String(id));
-        box->setRange(low, high);
-        box->setDecimals(0);
-        box->setSuffix(unit);
-        box->setFixedWidth(116);
-    };
-    make(m_amount, "brushAmount", 1, 100, tr(" %"));
-    make(m_size, "brushSize", 2 * Brush::kSmallest, 2 * Brush::kLargest, tr(" px"));
-    make(m_hardness, "brushHardness", 0, 100, tr(" %"));
-    m_amount->setSingleStep(10);
-    m_hardness->setSingleStep(10);
-    describe(m_amount, tr("Amount"), tr("How far a stroke goes from what is there to what is painted."));
-    describe(m_size, tr("Size"),
-             tr("The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the "
-                "right button to the right."));
-    describe(
-        m_hardness, tr("Hardness"),
-        tr("How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a "
-           "drag with Alt and the right button upwards."));
 }
 
 QWidget* PaintPanel::stiffPage() {
@@ -118,16 +75,9 @@ void PaintPanel::arrange() {
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
     layout->addWidget(panelTitle(tr("The brush paints"), this));
-    auto* targets = new QHBoxLayout;
-    targets->setSpacing(2);
-    for (QAbstractButton* button : m_targets->buttons()) targets->addWidget(button);
-    layout->addLayout(targets);
     m_pages->addWidget(m_phi);
     m_pages->addWidget(stiffPage());
     layout->addWidget(m_pages);
-    layout->addLayout(panelRow(tr("Am&ount"), m_amount, this));
-    layout->addLayout(panelRow(tr("Si&ze"), m_size, this));
-    layout->addLayout(panelRow(tr("Hard&ness"), m_hardness, this));
 }
 
 template <class Change>
@@ -142,20 +92,10 @@ void PaintPanel::connectControls() {
     connect(&m_session.document(), &Document::opened, this, [this] {
         if (!m_session.document().isEmpty()) setDimension(m_session.document().dimension());
     });
-    connect(m_targets, &QButtonGroup::idClicked, this, [this](int target) {
-        change([&](BrushSettings& brush) { brush.target = static_cast<BrushTarget>(target); });
-    });
     connect(m_phi, &EnergySlider::phiChosen, this,
             [this](double phi) { change([&](BrushSettings& brush) { brush.phi = phi; }); });
     connect(m_ratio, &QDoubleSpinBox::valueChanged, this,
             [this] { change([&](BrushSettings& brush) { brush.ratio = m_ratio->exact(); }); });
-    connect(m_amount, &QDoubleSpinBox::valueChanged, this,
-            [this](double percent) { change([&](BrushSettings& brush) { brush.amount = percent / 100; }); });
-    connect(m_size, &QDoubleSpinBox::valueChanged, this,
-            [this](double across) { change([&](BrushSettings& brush) { brush.radius = across / 2; }); });
-    connect(m_hardness, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
-        change([&](BrushSettings& brush) { brush.hardness = percent / 100; });
-    });
     connect(m_direction, &QComboBox::activated, this, &PaintPanel::chooseDirection);
     for (ExactBox* box : m_numbers)
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
@@ -209,7 +149,6 @@ void PaintPanel::chooseDirection(int index) {
 
 void PaintPanel::showBrush() {
     const BrushSettings& brush = m_brush.now();
-    m_targets->button(static_cast<int>(brush.target))->setChecked(true);
     m_pages->setCurrentIndex(brush.target == BrushTarget::Keep ? 0 : 1);
     m_phi->setPhi(brush.phi);
     m_ratio->put(brush.ratio);
@@ -217,13 +156,6 @@ void PaintPanel::showBrush() {
         m_direction->setCurrentIndex(m_direction->findData(keyOf(brush)));
     for (int k = 0; k < 3; ++k) m_numbers[k]->put(brush.axis[k]);
     m_numbersRow->setVisible(brush.along == StiffAlong::Axis);
-    const auto show = [](NumberBox* box, double value) {
-        const QSignalBlocker quiet(box);
-        box->setValue(value);
-    };
-    show(m_amount, 100 * brush.amount);
-    show(m_size, 2 * brush.radius);
-    show(m_hardness, 100 * brush.hardness);
 }
 
 }  // namespace wend

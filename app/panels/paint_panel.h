@@ -6,7 +6,6 @@
 #include "app/session/brush.h"
 #include "app/session/shape_session.h"
 
-class QButtonGroup;
 class QComboBox;
 class QStackedWidget;
 
@@ -14,9 +13,9 @@ namespace wend {
 
 class EnergySlider;
 class ExactBox;
-class NumberBox;
 
-/// What the brush does to a picture or a solid: what it changes, to what, and its tip.
+/// What the brush paints on a picture or a solid. What that changes, and the brush's tip, stand beside its
+/// name: see BrushActions.
 class PaintPanel : public QWidget {
     Q_OBJECT
 
@@ -25,7 +24,6 @@ class PaintPanel : public QWidget {
 
   private:
     void makeControls();
-    void makeTip();
     void arrange();
     QWidget* stiffPage();
     void connectControls();
@@ -39,14 +37,12 @@ class PaintPanel : public QWidget {
     ShapeSession& m_session;
     Brush& m_brush;
     int m_dimension = 0;
-    QButtonGroup* m_targets;
     QStackedWidget* m_pages;
     EnergySlider* m_phi;
     ExactBox* m_ratio;
     QComboBox* m_direction;
     QWidget* m_numbersRow;
     std::array<ExactBox*, 3> m_numbers;
-    NumberBox *m_amount, *m_size, *m_hardness;
 };
 
 }  // namespace wend

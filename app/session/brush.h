@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/session/shared_value.h"
 #include "core/energy/material.h"
 
@@ -26,11 +28,30 @@ struct BrushSettings {
 
 BrushSettings bounded(BrushSettings brush);
 
+/// The layer that is chosen, in the list or because it was painted last; none without a name.
+struct ChosenLayer {
+    std::string name;
+    std::string aim = {};  // what the brush was to paint, if it was the last to paint there
+    bool operator==(const ChosenLayer&) const = default;
+};
+inline ChosenLayer bounded(ChosenLayer layer) {
+    return layer;
+}
+class LayerChoice : public SharedValue<ChosenLayer> {
+  public:
+    using SharedValue::SharedValue;
+};
+
 /// The brush in the user's hand: one for all tools that paint, on pictures and on solids.
 class Brush : public SharedValue<BrushSettings> {
   public:
     static constexpr double kSmallest = 4, kLargest = 300;  // pixels
     using SharedValue::SharedValue;
+
+    LayerChoice& layer() { return m_layer; }
+
+  private:
+    LayerChoice m_layer;
 };
 
 }  // namespace wend

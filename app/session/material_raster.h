@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "app/document/design.h"
@@ -10,16 +11,23 @@ namespace wend {
 
 /// φ and B of every cell, taken at its centroid. On the cells' own values, if the spec has them, each region
 /// in turn lays its φ and B with its membership m: φ + m (φ_region − φ) and (1 − m) B + m B_region, which
-/// stays symmetric positive definite. A file with the cells' values is read from `folder`. Throws InputError
-/// that names the key.
+/// stays symmetric positive definite. An eraser takes back what its layer (the regions of its name, up to it)
+/// has done: the layer's cover c, which a region brings to c + m (1 − c), becomes
+/// c' = (1 − m) c + m min(c, leaves), and φ and B go to what lies below the layer, by c'/c. A file with the
+/// cells' values is read from `folder`. Throws InputError that names the key.
 template <int Dim>
 std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& spec,
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder = {});
 
-/// One region more upon a material, at the cells' centroids, as rasterizeMaterial() lays each in turn.
+/// Whole layers more upon a material, as rasterizeMaterial() lays each in turn.
 template <int Dim>
-void layRegion(const MaterialRegion<Dim>& region, const SimplicialMesh<Dim>& rest, Material<Dim>& material);
+void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
+                const std::string& folder, Material<Dim>& material);
+/// The cover c of a layer, per cell.
+template <int Dim>
+std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
+                            const std::string& folder);
 
 /// B₀ of a stiffness, and the stiffness that comes nearest to a B₀: along its largest eigenvalue, by how
 /// much that is more than the least.

@@ -42,9 +42,11 @@ bool sameStiffness(const std::optional<Stiffness<Dim>>& a, const std::optional<S
 
 template <int Dim>
 bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
-    const auto same = [](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
+    const bool erases = std::ranges::any_of(a.regions, &MaterialRegion<Dim>::erases);  // within names
+    const auto same = [erases](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
-               p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden;
+               p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden &&
+               p.leaves == q.leaves && (!erases || p.name == q.name);
     };
     return a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
            std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);

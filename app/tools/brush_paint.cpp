@@ -1,9 +1,11 @@
 #include "app/tools/brush_paint.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <array>
 #include <cmath>
 
+#include "app/document/free_name.h"
 #include "app/session/accent.h"
 #include "app/session/energy_stops.h"
 #include "app/session/material_raster.h"
@@ -11,6 +13,9 @@
 namespace wend {
 
 namespace {
+
+constexpr double kSame = 1e-9;
+constexpr double kNear = 0.25;  // of the shape's extent
 
 QString said(const char* text) {
     return QCoreApplication::translate("PaintTool", text);
@@ -67,13 +72,88 @@ QRgb brushColour(const BrushSettings& brush, int dimension) {
     return brush.target == BrushTarget::Keep ? energyColour(stopOfPhi(brush.phi, dimension)) : kStiffColour;
 }
 
-QString shortName(const QString& fileName) {
-    return fileName.section('.', 0, 0);
+std::string brushAim(const BrushSettings& brush) {
+    if (brush.target == BrushTarget::Keep) return "keep " + std::to_string(brush.phi);
+    return (brush.target == BrushTarget::Stiffness ? "stiff " : "comb ") + std::to_string(brush.ratio);
+}
+
+namespace {
+
+template <int Dim>
+bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
+    if (region.pictures.any() || std::holds_alternative<Blend<Dim>>(region.shape)) return false;
+    if (brush.target == BrushTarget::Keep)
+        return region.phi && !region.stiffness && std::abs(*region.phi - brush.phi) < kSame;
+    return region.stiffness && !region.phi && std::abs(region.stiffness->ratio / brush.ratio - 1) < kSame;
+}
+
+/// What is hidden takes nothing: nobody would see it.
+template <int Dim>
+bool takes(const Design<Dim>& design, const std::string& layer, const BrushSettings& brush,
+           const ChosenLayer& chosen, const std::string& aim) {
+    if (layer.empty() || isGroupHidden(design, layer)) return false;
+    if (layer == chosen.name && !chosen.aim.empty()) return chosen.aim == aim;
+    bool any = false, all = aim == brushAim(brush);
+    for (const auto& region : design.material.regions) {
+        if (region.name != layer || region.erases()) continue;
+        any = true;
+        all = all && hasPaintOf(region, brush);
+    }
+    return any && all;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, const ChosenLayer& chosen,
+                     const std::string& aim, const std::string& kind) {
+    const auto& regions = design.material.regions;
+    const auto isFit = [&](const std::string& layer) {
+        return layerBegin(design, layer) < regions.size() && takes<Dim>(design, layer, brush, chosen, aim);
+    };
+    if (isFit(chosen.name)) return chosen.name;
+    if (!regions.empty() && isFit(regions.back().name)) return regions.back().name;
+    return freeName(namesOf(regions), kind);
+}
+
+template <int Dim>
+QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer) {
+    static const QRegularExpression numbered(QStringLiteral(" \\d+$"));
+    const QString own = QString::fromStdString(layer);
+    if (!own.isEmpty() && !own.contains(numbered)) return own;
+    const auto frame = session.frame<Dim>();
+    if (!frame) return {};
+    const auto& handles = session.document().template design<Dim>().handles;
+    QString nearest;
+    double reach = kNear * boundingBoxDiagonal<Dim>(frame->rest->points);
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        const auto starts = session.pathStarts<Dim>(static_cast<int>(i));
+        if (starts.empty()) continue;
+        const double far = (meanOf<Dim>(starts) - place).norm();
+        if (far < reach) reach = far, nearest = QString::fromStdString(handles[i].name);
+    }
+    return nearest;
+}
+
+bool paintsNothing(const BrushSettings& brush) {
+    return brush.target != BrushTarget::Keep && brush.ratio == 1;
+}
+
+QString nothingToPaint() {
+    return said(QT_TRANSLATE_NOOP("PaintTool",
+                                  "Stiffness ×1 is as everywhere and changes nothing here: choose on the "
+                                  "right how many times stiffer it is to be"));
 }
 
 template MaterialPaint<2> paintOf<2>(const BrushSettings&, const Vec<2>&);
 template MaterialPaint<3> paintOf<3>(const BrushSettings&, const Vec<3>&);
 template void pickMaterial<2>(const PosedFrame<2>&, int, Brush&);
 template void pickMaterial<3>(const PosedFrame<3>&, int, Brush&);
+template std::string layerFor<2>(const Design<2>&, const BrushSettings&, const ChosenLayer&,
+                                 const std::string&, const std::string&);
+template std::string layerFor<3>(const Design<3>&, const BrushSettings&, const ChosenLayer&,
+                                 const std::string&, const std::string&);
+template QString placeName<2>(const ShapeSession&, const Vec<2>&, const std::string&);
+template QString placeName<3>(const ShapeSession&, const Vec<3>&, const std::string&);
 
 }  // namespace wend

@@ -5,7 +5,7 @@
 
 #include "app/document/material_edits.h"
 #include "app/session/brush.h"
-#include "app/session/frame.h"
+#include "app/session/shape_session.h"
 
 namespace wend {
 
@@ -19,7 +19,19 @@ void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush);
 QString brushKind(const BrushSettings& brush, int dimension);
 /// The colour of what it paints.
 QRgb brushColour(const BrushSettings& brush, int dimension);
-/// How the user knows the document: "giraffe".
-QString shortName(const QString& fileName);
+/// What the brush is about to paint, as it is compared with what it painted last.
+std::string brushAim(const BrushSettings& brush);
+/// The layer that takes what is painted: the chosen one if it has what the brush paints, else the topmost if
+/// it has, else a new one, named after its kind.
+template <int Dim>
+std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, const ChosenLayer& chosen,
+                     const std::string& aim, const std::string& kind);
+/// How the user knows a place at rest: by the name that the layer was given, or by that of the nearest pin;
+/// empty far from all of them.
+template <int Dim>
+QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer);
+/// The brush would make something as stiff as it is everywhere: what the user can do about it.
+bool paintsNothing(const BrushSettings& brush);
+QString nothingToPaint();
 
 }  // namespace wend

@@ -4,10 +4,12 @@
 
 #include "app/document/design.h"
 #include "app/session/brush.h"
+#include "app/session/erasing.h"
 #include "app/session/mark_size.h"
 #include "app/session/material_raster.h"
 #include "app/session/mesh_parts.h"
 #include "app/tools/brush_paint.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
@@ -15,9 +17,9 @@ template <int Dim>
 QString FillTool<Dim>::hint() const {
     return m_deed == Deed::Pick
                ? QCoreApplication::translate("FillTool", "Click to take up what is painted there")
-               : QCoreApplication::translate(
-                     "FillTool",
-                     "Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up");
+               : QCoreApplication::translate("FillTool",
+                                             "Click to fill what hangs together there; Shift fills all, Ctrl "
+                                             "takes paint off, Alt picks up");
 }
 
 template <int Dim>
@@ -34,31 +36,48 @@ void FillTool<Dim>::press(const QMouseEvent& event) {
 
 /// One region, of which every cell's middle lies inside.
 template <int Dim>
-void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) {
-    const auto frame = surface().shownFrame();
-    const SimplicialMesh<Dim>& rest = *frame->rest;
+void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
+    const SimplicialMesh<Dim>& rest = *surface().shownFrame()->rest;
     Document& document = session().document();
-    MaterialRegion<Dim> region;
-    region.shape = modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell));
-    BrushSettings brush = m_brush.now();
-    const bool empties = modifiers & Qt::ControlModifier;
-    if (empties) brush.phi = document.template design<Dim>().material.phi, brush.ratio = 1;
+    const std::string folder = document.folder().toStdString();
+    const Region<Dim> shape =
+        modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell));
+    const Design<Dim>& design = document.template design<Dim>();
+    if (modifiers & Qt::ControlModifier) {
+        const Eraser<Dim> eraser{shape};
+        show(withoutErasedLayers<Dim>(withErased<Dim>(design, std::span(&eraser, 1), rest, folder), rest,
+                                      folder),
+             QCoreApplication::translate("PaintTool", "Take paint off"));
+        return;
+    }
+    const BrushSettings& brush = m_brush.now();
+    if (paintsNothing(brush)) {
+        emit session().notice(nothingToPaint());
+        return;
+    }
     const MaterialPaint<Dim> paint = paintOf<Dim>(brush);
-    region.phi = paint.phi;
-    region.stiffness = paint.stiffness;
-    auto painted = std::make_shared<Material<Dim>>(*frame->material);
-    layRegion<Dim>(region, rest, *painted);
-    surface().showMaterial(painted, true);
-    const QString where = shortName(document.displayName()), what = brushKind(brush, Dim);
-    const QString kind = empties ? QCoreApplication::translate("FillTool", "Emptied") : what;
-    document.changeDesign(empties
-                              ? QCoreApplication::translate("FillTool", "Empty %1").arg(where)
-                              : QCoreApplication::translate("FillTool", "Fill %1 with %2").arg(where, what),
-                          withRegions<Dim>(document.design<Dim>(), kind.toStdString(), {region}));
+    const QString what = brushKind(brush, Dim);
+    const std::string aim = brushAim(brush);
+    const std::string layer = layerFor<Dim>(design, brush, m_brush.layer().now(), aim, what.toStdString());
+    show(withStroke<Dim>(design, layer, {{{}, shape, 0, paint.phi, paint.stiffness}}),
+         QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
+    m_brush.layer().set({layer, aim});
+} catch (const InputError& error) {  // a picture of the material is gone
+    emit session().notice(QString::fromStdString(error.what()));
+}
+
+template <int Dim>
+void FillTool<Dim>::show(Design<Dim> next, const QString& step) {
+    Document& document = session().document();
+    surface().showMaterial(
+        rasterizeMaterial<Dim>(next.material, *surface().shownFrame()->rest, document.folder().toStdString()),
+        true);
+    document.changeDesign(step, std::move(next));
 }
 
 template <int Dim>
 void FillTool<Dim>::move(const QMouseEvent& event) {
+    m_cross.hide();
     m_at = event.position();
     m_over = true;
     surface().redraw();
@@ -67,6 +86,7 @@ void FillTool<Dim>::move(const QMouseEvent& event) {
 /// Beside the pointer what would be laid.
 template <int Dim>
 void FillTool<Dim>::paint(QPainter& painter) const {
+    m_cross.paint(painter);
     if (!m_over) return;
     painter.setPen(QPen(Qt::white, marked(2)));
     painter.setBrush(QColor(brushColour(m_brush.now(), Dim)));

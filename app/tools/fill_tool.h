@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/document/project_fwd.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/shape_tool.h"
 
 namespace wend {
@@ -20,18 +22,23 @@ class FillTool : public ShapeTool<Dim> {
     void press(const QMouseEvent& event) override;
     void move(const QMouseEvent& event) override;
     void release(const QMouseEvent&) override {}
-    bool key(const QKeyEvent&) override { return false; }
+    bool key(const QKeyEvent& event) override { return m_cross.clicks<Dim>(event, surface(), *this); }
     void cancel() override {}
-    void leave() override { m_over = false; }
+    void leave() override {
+        m_over = false;
+        m_cross.hide();
+    }
     void paint(QPainter& painter) const override;
 
   private:
     using ShapeTool<Dim>::surface;
     using ShapeTool<Dim>::session;
     void fill(int cell, Qt::KeyboardModifiers modifiers);
+    void show(Design<Dim> next, const QString& step);
 
     Brush& m_brush;
     Deed m_deed;
+    KeyCross m_cross;
     bool m_over = false;
     QPointF m_at;
 };

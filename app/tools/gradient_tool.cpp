@@ -4,12 +4,14 @@
 #include <array>
 
 #include "app/document/design.h"
+#include "app/document/free_name.h"
 #include "app/session/accent.h"
 #include "app/session/brush.h"
 #include "app/session/energy_stops.h"
 #include "app/session/mark_size.h"
 #include "app/session/material_raster.h"
 #include "app/tools/brush_paint.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
@@ -99,6 +101,10 @@ void GradientTool<Dim>::press(const QMouseEvent& event) {
     m_project = session().document().project();
     m_handle = handleAt(event.position());
     m_from = m_to = endAt(event.position());
+    const QString kind =
+        QCoreApplication::translate("GradientTool", "To %1").arg(brushKind(m_brush.now(), Dim));
+    m_layer =
+        freeName(namesOf(session().document().template design<Dim>().material.regions), kind.toStdString());
     if (!m_from) m_frame.reset();
 }
 
@@ -114,7 +120,7 @@ void GradientTool<Dim>::move(const QMouseEvent& event) {
     if (!m_frame) return;
     if (!isCurrent()) return cancel();
     if (const auto end = endAt(event.position())) m_to = end;
-    preview();
+    preview(true);
 }
 
 template <int Dim>
@@ -125,40 +131,42 @@ std::optional<MaterialRegion<Dim>> GradientTool<Dim>::region() const {
     return MaterialRegion<Dim>{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
 }
 
+/// With the end that was moved or the gradient that was drawn; nothing for a click.
 template <int Dim>
-void GradientTool<Dim>::preview() {
-    std::shared_ptr<const Material<Dim>> painted = m_frame->material;
-    if (m_handle) {
-        if (const auto next = moved())
-            painted = rasterizeMaterial<Dim>(next->material, *m_frame->rest,
-                                             session().document().folder().toStdString());
-    } else if (const auto drawn = region()) {
-        auto laid = std::make_shared<Material<Dim>>(*m_frame->material);
-        layRegion<Dim>(*drawn, *m_frame->rest, *laid);
-        painted = laid;
-    }
-    surface().showMaterial(painted, true);
+std::optional<Design<Dim>> GradientTool<Dim>::next() const {
+    if (m_handle) return moved();
+    const auto drawn = region();
+    if (!drawn) return {};
+    return withStroke<Dim>(session().document().template design<Dim>(), m_layer, {*drawn});
+}
+
+template <int Dim>
+bool GradientTool<Dim>::preview(bool lasts) try {
+    const auto design = next();
+    const std::string folder = session().document().folder().toStdString();
+    surface().showMaterial(
+        design ? rasterizeMaterial<Dim>(design->material, *m_frame->rest, folder) : m_frame->material, lasts);
     surface().redraw();
+    return design.has_value();
+} catch (const InputError& error) {  // a picture of the material is gone
+    emit session().notice(QString::fromStdString(error.what()));
+    return false;
 }
 
 template <int Dim>
 void GradientTool<Dim>::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_frame) return;
-    Document& document = session().document();
-    const auto drawn = region();
-    if (!drawn || !isCurrent()) return cancel();  // a click, or what it began on is gone
-    preview();
+    const bool isBare = !m_handle && region() && paintsNothing(m_brush.now());
+    if (isBare) emit session().notice(nothingToPaint());
+    if (isBare || !isCurrent() || !preview(true)) return cancel();  // or a click, or it began on what is gone
+    auto design = *next();
     m_frame.reset();
-    if (m_handle) {
-        if (auto next = moved())
-            document.changeDesign(QCoreApplication::translate("GradientTool", "Move gradient"),
-                                  std::move(*next));
-        return;
-    }
-    const QString what = brushKind(m_brush.now(), Dim), where = shortName(document.displayName());
-    const QString kind = QCoreApplication::translate("GradientTool", "To %1").arg(what);
-    document.changeDesign(QCoreApplication::translate("GradientTool", "Blend %1 to %2").arg(where, what),
-                          withRegions<Dim>(document.design<Dim>(), kind.toStdString(), {*drawn}));
+    const QString what = brushKind(m_brush.now(), Dim);
+    session().document().changeDesign(
+        m_handle ? QCoreApplication::translate("GradientTool", "Move gradient")
+                 : QCoreApplication::translate("GradientTool", "Blend to %1").arg(what),
+        std::move(design));
+    if (!m_handle) m_brush.layer().set({m_layer});
 }
 
 template <int Dim>

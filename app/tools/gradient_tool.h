@@ -42,12 +42,14 @@ class GradientTool : public ShapeTool<Dim> {
     bool isCurrent() const;
     std::optional<End> endAt(const QPointF& at) const;
     std::optional<MaterialRegion<Dim>> region() const;
-    void preview();
+    std::optional<Design<Dim>> next() const;
+    bool preview(bool lasts);
 
     Brush& m_brush;
     PosedPtr<Dim> m_frame;                     // when the drag began, with its material; null without a drag
     std::shared_ptr<const Project> m_project;  // then
     std::optional<End> m_from, m_to;
+    std::string m_layer;             // of a new gradient
     std::optional<Handle> m_handle;  // that is dragged, in place of a new gradient
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/tools/shape_surface.h"
+#include "app/tools/tool.h"
 
 namespace wend {
 
@@ -19,10 +20,17 @@ class KeyCross {
     template <int Dim>
     bool take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
               const std::function<void(const QPointF&)>& click);
-    void hide() { m_at.reset(); }
+    /// An arrow moves a tool's pointer with it; Enter clicks there, with what is held.
+    template <int Dim>
+    bool clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool);
+    /// The mouse has taken over.
+    void hide() {
+        if (!m_clicks) m_at.reset();
+    }
     void paint(QPainter& painter) const;
 
   private:
+    bool m_clicks = false;  // what the tool gets comes from here
     std::optional<QPointF> m_at;
 };
 

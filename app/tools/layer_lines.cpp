@@ -58,17 +58,39 @@ double seam(double open, double covered, const IsCovered& isCovered) {
     return open;
 }
 
-/// The ring's pieces that lie in none of the other balls.
-void addRing(std::vector<Line>& lines, const std::vector<Ball<2>>& balls, std::size_t own) {
-    if (balls[own].radius <= 0) return;
+/// A place belongs to a layer as the last of its regions says that it lies in: it is painted there or erased.
+/// The lines of the cover are within the borders of erasers where they are beyond those of paint.
+struct Cover {
+    const std::vector<MaterialRegion<2>>& layer;
+    double feathers;  // so many of a soft edge beyond the borders
+
+    bool lies(const Vec<2>& p, std::size_t i) const {
+        const double beyond = layer[i].erases() ? -feathers : feathers;
+        return signedDistance<2>(layer[i].shape, p) < beyond * layer[i].feather - 1e-9 * radius(i);
+    }
+    double radius(std::size_t i) const {
+        const auto* ball = std::get_if<Ball<2>>(&layer[i].shape);
+        return ball ? ball->radius + (layer[i].erases() ? -feathers : feathers) * layer[i].feather : 0;
+    }
+    /// Beside the border of one, that one makes no difference.
+    bool hides(const Vec<2>& p, std::size_t own) const {
+        for (std::size_t i = layer.size(); i-- > own + 1;)
+            if (lies(p, i)) return true;
+        for (std::size_t i = own; i-- > 0;)
+            if (lies(p, i)) return layer[i].erases() == layer[own].erases();
+        return layer[own].erases();
+    }
+};
+
+/// The ring's pieces that are a border of the whole.
+void addRing(std::vector<Line>& lines, const Cover& cover, std::size_t own) {
+    const auto* ball = std::get_if<Ball<2>>(&cover.layer[own].shape);
+    const double radius = cover.radius(own);
+    if (!ball || radius <= 0) return;
     const auto at = [&](double a) {
-        return Vec<2>(balls[own].centre + balls[own].radius * Vec<2>(std::cos(a), std::sin(a)));
+        return Vec<2>(ball->centre + radius * Vec<2>(std::cos(a), std::sin(a)));
     };
-    const auto isCovered = [&](double a) {
-        for (std::size_t k = 0; k < balls.size(); ++k)
-            if (k != own && (at(a) - balls[k].centre).norm() < balls[k].radius * (1 - 1e-9)) return true;
-        return false;
-    };
+    const auto isCovered = [&](double a) { return cover.hides(at(a), own); };
     constexpr double kPiece = 2 * std::numbers::pi / kRingPieces;
     Line piece;
     bool before = isCovered(0);
@@ -86,11 +108,7 @@ void addRing(std::vector<Line>& lines, const std::vector<Ball<2>>& balls, std::s
 }
 
 void addBalls(std::vector<Line>& lines, const std::vector<MaterialRegion<2>>& layer, double feathers) {
-    std::vector<Ball<2>> balls;
-    for (const auto& region : layer)
-        if (const auto* ball = std::get_if<Ball<2>>(&region.shape))
-            balls.push_back({ball->centre, ball->radius + feathers * region.feather});
-    for (std::size_t i = 0; i < balls.size(); ++i) addRing(lines, balls, i);
+    for (std::size_t i = 0; i < layer.size(); ++i) addRing(lines, Cover{layer, feathers}, i);
 }
 
 /// Through p along a direction, beyond all of the shape.
@@ -143,7 +161,8 @@ RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialM
         std::any_of(layer.begin(), layer.end(), [](const auto& region) { return region.feather > 0; });
     if (soft) addBalls(lines.soft, layer, 0.5);
     if (soft) addBalls(lines.soft, layer, -0.5);
-    for (const auto& region : layer) std::visit(Adder{lines, rest, region.feather}, region.shape);
+    for (const auto& region : layer)
+        if (!region.erases()) std::visit(Adder{lines, rest, region.feather}, region.shape);
     return lines;
 }
 
@@ -214,7 +233,8 @@ void LayerLines<3>::paint(QPainter& painter, SolidSurface& surface) {
     const Document& document = surface.session().document();
     if (m_name.isNull() || !surface.shownFrame() || document.isEmpty()) return;
     std::vector<Region<3>> regions;
-    for (const auto& region : layerOf(document.design<3>())) regions.push_back(region.shape);
+    for (const auto& region : layerOf(document.design<3>()))
+        if (!region.erases()) regions.push_back(region.shape);
     paintRegions(painter, surface, regions, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
 }
 

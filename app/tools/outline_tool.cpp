@@ -115,6 +115,7 @@ void OutlineTool::press(const QMouseEvent& event) {
 }
 
 void OutlineTool::move(const QMouseEvent& event) {
+    m_cross.hide();
     m_at = event.position();
     m_over = isReady();
     m_modifiers = event.modifiers();
@@ -146,6 +147,7 @@ bool OutlineTool::ownsKey(const QKeyEvent& event) const {
 }
 
 bool OutlineTool::key(const QKeyEvent& event) {
+    if (m_shape == Shape::Wand && m_cross.clicks<2>(event, m_surface, *this)) return true;
     const bool smaller = event.text() == QStringLiteral("["), larger = event.text() == QStringLiteral("]");
     if (event.key() == Qt::Key_Escape && m_active) {
         cancel();
@@ -356,6 +358,7 @@ void OutlineTool::paintOutline(QPainter& painter) const {
 void OutlineTool::paint(QPainter& painter) const {
     if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
     paintOutline(painter);
+    m_cross.paint(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
     painter.setPen(QPen(colour, marked(1.5)));
     if (m_shape == Shape::Brush && m_over) painter.drawEllipse(m_at, m_pen.now().radius, m_pen.now().radius);

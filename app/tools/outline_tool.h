@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/document/domain.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/outline_settings.h"
 #include "app/tools/tool.h"
 #include "app/tools/tool_surface.h"
@@ -33,7 +34,10 @@ class OutlineTool : public Tool {
     bool showsPicture() const override { return true; }
     void choose() override { isReady(); }
     void dismiss() override;
-    void leave() override { m_over = false; }
+    void leave() override {
+        m_over = false;
+        m_cross.hide();
+    }
     void paint(QPainter& painter) const override;
 
   private:
@@ -57,6 +61,7 @@ class OutlineTool : public Tool {
 
     ToolSurface& m_surface;
     Shape m_shape;
+    KeyCross m_cross;
     OutlinePen& m_pen;
     bool m_active = false, m_over = false;
     Qt::KeyboardModifiers m_modifiers;

@@ -7,9 +7,11 @@
 
 #include "app/document/design.h"
 #include "app/session/energy_stops.h"
+#include "app/session/erasing.h"
 #include "app/session/material_raster.h"
 #include "app/session/solid_places.h"
 #include "app/tools/brush_paint.h"
+#include "core/mesh/error.h"
 #include "core/mesh/segments.h"
 
 namespace wend {
@@ -17,6 +19,7 @@ namespace wend {
 namespace {
 
 constexpr double kStiff = 1.01;  // less is as everywhere
+constexpr double kSame = 1e-9;   // of what a material has
 constexpr QRgb kEraser = 0xff5c5f69;
 
 QString said(const char* text) {
@@ -35,14 +38,26 @@ Mat<Dim> anisotropyAt(const Material<Dim>& material, int cell) {
     return material.anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : material.anisotropy[cell];
 }
 
+/// No stiffness is stiffness ×1.
+template <int Dim>
+bool isSame(const Material<Dim>& a, const Material<Dim>& b) {
+    for (std::size_t c = 0; c < a.phi.size(); ++c) {
+        const int cell = static_cast<int>(c);
+        if (std::abs(a.phi[c] - b.phi[c]) > kSame) return false;
+        if ((anisotropyAt(a, cell) - anisotropyAt(b, cell)).norm() > kSame) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 template <int Dim>
 QString PaintTool<Dim>::strokeHint() const {
     if (m_deed == Deed::Erase)
         return said(QT_TRANSLATE_NOOP("PaintTool",
-                                      "Brush over what shall be as everywhere again; Shift-click draws a "
-                                      "line, Alt-right-drag changes the brush, Esc gives up the stroke"));
+                                      "Takes paint off all layers that are seen: brush over what shall be as "
+                                      "everywhere again; Shift-click draws a line, Esc gives up the stroke"));
+    if (paintsNothing(brush().now())) return nothingToPaint();
     return brush().now().target == BrushTarget::Direction
                ? said(QT_TRANSLATE_NOOP(
                      "PaintTool",
@@ -78,9 +93,12 @@ void PaintTool<Dim>::press(const QMouseEvent& event) {
 
 template <int Dim>
 void PaintTool<Dim>::begin() {
+    const auto& design = session().document().template design<Dim>();
     m_frame = surface().shownFrame();
-    m_work = *m_frame->material;
-    m_laid = 0;
+    m_layer = layer();
+    m_regions.clear();
+    m_first = deed() == Deed::Erase ? 0 : layerBegin<Dim>(design, m_layer);
+    m_below.reset();
 }
 
 /// Directions of what is seen are carried back to rest.
@@ -147,7 +165,6 @@ double PaintTool<Dim>::phiFor(const Dab& dab) const {
     const BrushSettings& now = brush().now();
     const auto stopAt = [this](int cell) { return stopOfPhi(m_frame->material->phi[cell], Dim); };
     double phi = now.phi;
-    if (deed() == Deed::Erase) phi = session().document().template design<Dim>().material.phi;
     if (deed() == Deed::Smooth) {
         const auto cells = cellsIn(dab);
         double sum = 0;
@@ -198,49 +215,101 @@ MaterialRegion<Dim> PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::
     return region;
 }
 
-/// A ball's direction is known when the next one is there: the last is laid on what is settled each time.
+/// A ball's direction is known when the next one is there: the last is told anew each time.
+template <int Dim>
+Design<Dim> PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
+    const auto& design = session().document().template design<Dim>();
+    if (deed() == Deed::Erase) {
+        std::vector<Eraser<Dim>> erasers;
+        for (const Dab& dab : dabs)
+            erasers.push_back({this->ballOf(dab), this->featherOf(dab), amountOf(dab), dab.place.cell});
+        return withErased<Dim>(design, erasers, *m_frame->rest, folder());
+    }
+    while (m_regions.size() + 1 < dabs.size()) m_regions.push_back(regionOf(dabs, m_regions.size()));
+    auto regions = m_regions;
+    regions.push_back(regionOf(dabs, m_regions.size()));
+    return withStroke<Dim>(design, m_layer, std::move(regions));
+}
+
+/// Only what the stroke may change is laid anew. Null, and told, if a picture of the material is gone.
+template <int Dim>
+std::shared_ptr<const Material<Dim>> PaintTool<Dim>::laid(const Design<Dim>& next) try {
+    const SimplicialMesh<Dim>& rest = *m_frame->rest;
+    if (!m_below) {
+        MaterialSpec<Dim> below = session().document().template design<Dim>().material;
+        below.regions.resize(m_first);
+        m_below = rasterizeMaterial<Dim>(below, rest, folder());
+    }
+    auto material = std::make_shared<Material<Dim>>(*m_below);
+    layRegions<Dim>(std::span(next.material.regions).subspan(m_first), rest, folder(), *material);
+    return material;
+} catch (const InputError& error) {
+    emit session().notice(QString::fromStdString(error.what()));
+    return nullptr;
+}
+
 template <int Dim>
 void PaintTool<Dim>::follow(const std::vector<Dab>& dabs) {
-    for (; m_laid + 1 < dabs.size(); ++m_laid) layRegion<Dim>(regionOf(dabs, m_laid), *m_frame->rest, m_work);
-    auto shown = std::make_shared<Material<Dim>>(m_work);
-    layRegion<Dim>(regionOf(dabs, dabs.size() - 1), *m_frame->rest, *shown);
-    surface().showMaterial(shown);
-}
-
-/// What the group of the stroke is called: "Rigid", "Stiff" …
-template <int Dim>
-QString PaintTool<Dim>::kind() const {
-    if (deed() == Deed::Erase) return said(QT_TRANSLATE_NOOP("PaintTool", "Erased"));
-    if (deed() == Deed::Smooth) return said(QT_TRANSLATE_NOOP("PaintTool", "Smoothed"));
-    return brushKind(brush().now(), Dim);
+    surface().showMaterial(laid(painted(dabs)));
 }
 
 template <int Dim>
-QString PaintTool<Dim>::title() const {
-    const QString where = shortName(session().document().displayName());
-    if (deed() == Deed::Erase)
-        return QCoreApplication::translate("PaintTool", "Take paint off %1").arg(where);
-    if (deed() == Deed::Smooth) return QCoreApplication::translate("PaintTool", "Smooth %1").arg(where);
+std::string PaintTool<Dim>::aim() const {
+    return deed() == Deed::Smooth ? "smooth" : brushAim(brush().now());
+}
+
+template <int Dim>
+std::string PaintTool<Dim>::layer() const {
+    const QString kind = deed() == Deed::Smooth ? said(QT_TRANSLATE_NOOP("PaintTool", "Smoothed"))
+                                                : brushKind(brush().now(), Dim);
+    return layerFor<Dim>(session().document().template design<Dim>(), brush().now(), brush().layer().now(),
+                         aim(), kind.toStdString());
+}
+
+/// With where, as far as that has a name: "Paint Rigid on Neck".
+template <int Dim>
+QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
+    const bool erases = deed() == Deed::Erase;
+    const QString where =
+        placeName<Dim>(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer);
+    const auto with = [&](const char* somewhere, const char* bare) {
+        return where.isEmpty() ? said(bare) : said(somewhere).arg(where);
+    };
+    if (erases)
+        return with(QT_TRANSLATE_NOOP("PaintTool", "Take paint off %1"),
+                    QT_TRANSLATE_NOOP("PaintTool", "Take paint off"));
+    if (deed() == Deed::Smooth)
+        return with(QT_TRANSLATE_NOOP("PaintTool", "Smooth %1"), QT_TRANSLATE_NOOP("PaintTool", "Smooth"));
     if (brush().now().target == BrushTarget::Direction)
-        return QCoreApplication::translate("PaintTool", "Comb %1").arg(where);
-    return QCoreApplication::translate("PaintTool", "Paint %1 on %2").arg(kind(), where);
+        return with(QT_TRANSLATE_NOOP("PaintTool", "Comb %1"), QT_TRANSLATE_NOOP("PaintTool", "Comb"));
+    const QString what = brushKind(brush().now(), Dim);
+    return where.isEmpty() ? said(QT_TRANSLATE_NOOP("PaintTool", "Paint %1")).arg(what)
+                           : said(QT_TRANSLATE_NOOP("PaintTool", "Paint %1 on %2")).arg(what, where);
 }
 
+/// What changes nothing is no step, and tells why.
 template <int Dim>
 void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
-    const bool lost = brush().now().target != BrushTarget::Keep && deed() == Deed::Paint &&
+    const bool erases = deed() == Deed::Erase, paints = deed() == Deed::Paint;
+    Design<Dim> next = painted(dabs);
+    if (erases) next = withoutErasedLayers<Dim>(next, *m_frame->rest, folder());
+    const auto material = laid(next);
+    const bool same = material && isSame(*material, *m_frame->material);
+    if (same && erases)
+        emit session().notice(said(QT_TRANSLATE_NOOP("PaintTool", "Nothing is painted there")));
+    const bool isBare = same && paints && paintsNothing(brush().now());
+    if (isBare) emit session().notice(nothingToPaint());
+    const bool changes = material && !isBare && !(same && erases);
+    surface().showMaterial(changes ? material : nullptr, changes);
+    m_frame.reset();
+    if (!changes) return;
+    const bool lost = paints && brush().now().target != BrushTarget::Keep &&
                       brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
     if (lost)
         emit session().notice(said(QT_TRANSLATE_NOOP(
             "PaintTool", "There is no direction to follow: the numbers on the right were taken.")));
-    std::vector<MaterialRegion<Dim>> regions;
-    for (std::size_t i = 0; i < dabs.size(); ++i) regions.push_back(regionOf(dabs, i));
-    auto painted = std::make_shared<Material<Dim>>(m_work);
-    for (std::size_t i = m_laid; i < dabs.size(); ++i) layRegion<Dim>(regions[i], *m_frame->rest, *painted);
-    surface().showMaterial(painted, true);
-    Document& document = session().document();
-    document.changeDesign(title(), withRegions<Dim>(document.design<Dim>(), kind().toStdString(), regions));
-    m_frame.reset();
+    session().document().changeDesign(title(dabs), std::move(next));
+    if (!erases) brush().layer().set({m_layer, aim()});
 }
 
 template class PaintTool<2>;

@@ -6,9 +6,9 @@
 namespace wend {
 
 /// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
-/// as one group of regions and one undo step. Ctrl takes away, Shift smooths, Shift-click draws a line from
-/// the last place, Alt-click picks up what is there. The eraser takes away without Ctrl. What is painted is
-/// seen at once; the motion follows.
+/// in one layer and as one undo step. Ctrl takes away what all layers have painted there, Shift smooths,
+/// Shift-click draws a line from the last place, Alt-click picks up what is there. The eraser takes away
+/// without Ctrl. What is painted is seen at once; the motion follows.
 template <int Dim>
 class PaintTool : public StrokeTool<Dim> {
   public:
@@ -44,13 +44,19 @@ class PaintTool : public StrokeTool<Dim> {
     double amountOf(const Dab& dab) const;
     Mat<Dim> thereAt(const Dab& dab) const;
     std::vector<int> cellsIn(const Dab& dab) const;
-    QString kind() const;
-    QString title() const;
+    std::string layer() const;
+    QString title(const std::vector<Dab>& dabs) const;
+    std::string aim() const;
+    Design<Dim> painted(const std::vector<Dab>& dabs);
+    std::shared_ptr<const Material<Dim>> laid(const Design<Dim>& next);
+    std::string folder() const { return session().document().folder().toStdString(); }
 
     Deed m_deed;
-    PosedPtr<Dim> m_frame;   // when the stroke began, with its material
-    Material<Dim> m_work;    // with as much of the stroke as is settled …
-    std::size_t m_laid = 0;  // … so many balls
+    PosedPtr<Dim> m_frame;                              // when the stroke began, with its material
+    std::string m_layer;                                // that it goes into
+    std::vector<MaterialRegion<Dim>> m_regions;         // as much of the stroke as is settled
+    std::size_t m_first = 0;                            // the first region that it may change …
+    std::shared_ptr<const Material<Dim>> m_below = {};  // … and what lies below that
 };
 
 extern template class PaintTool<2>;

@@ -106,6 +106,7 @@ void StrokeTool<Dim>::tune(const QPointF& at) {
 
 template <int Dim>
 void StrokeTool<Dim>::press(const QMouseEvent& event) {
+    m_cross.hide();
     if (takesButton(event)) {
         m_at = event.position();
         m_over = true;
@@ -136,6 +137,7 @@ void StrokeTool<Dim>::start(const QPointF& at) {
 
 template <int Dim>
 void StrokeTool<Dim>::move(const QMouseEvent& event) {
+    m_cross.hide();
     if (m_tuning) {  // the brush stays where it was pressed
         tune(event.position());
         surface().redraw();
@@ -190,6 +192,7 @@ bool StrokeTool<Dim>::key(const QKeyEvent& event) {
         surface().redraw();
         return true;
     }
+    if (!m_active && !m_tuning && m_cross.clicks<Dim>(event, surface(), *this)) return true;
     BrushSettings next = m_brush.now();
     const QChar text = textOf(event);
     const bool shift = event.modifiers() & Qt::ShiftModifier;
@@ -257,6 +260,7 @@ void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
 template <int Dim>
 void StrokeTool<Dim>::paint(QPainter& painter) const {
     paintStroke(painter, m_dabs);
+    m_cross.paint(painter);
     if (!m_over && !m_active) return;
     paintLine(painter);
     const double radius = m_brush.now().radius, hard = m_brush.now().hardness * radius;

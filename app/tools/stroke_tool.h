@@ -3,13 +3,14 @@
 #include <QColor>
 
 #include "app/session/brush.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/shape_tool.h"
 
 namespace wend {
 
 /// A brush over a picture or a solid: lays balls around the rest places of what is under the pointer. `[` and
 /// `]` change its size, with Shift its hardness; a drag with Alt and the right button changes both. Esc gives
-/// up the stroke. A pen's pressure goes along with it.
+/// up the stroke. A pen's pressure goes along with it. Arrow keys move it, Enter touches the shape.
 template <int Dim>
 class StrokeTool : public ShapeTool<Dim> {
   public:
@@ -23,7 +24,10 @@ class StrokeTool : public ShapeTool<Dim> {
     void release(const QMouseEvent& event) override;
     bool key(const QKeyEvent& event) override;
     void cancel() override;
-    void leave() override { m_over = false; }
+    void leave() override {
+        m_over = false;
+        m_cross.hide();
+    }
     void paint(QPainter& painter) const override;
 
   protected:
@@ -79,6 +83,7 @@ class StrokeTool : public ShapeTool<Dim> {
     void paintLine(QPainter& painter) const;
 
     Brush& m_brush;
+    KeyCross m_cross;
     std::optional<Tuning> m_tuning;
     bool m_active = false;
     bool m_over = false;        // the pointer is over the view

@@ -1,5 +1,7 @@
 #include "app/view/brush_actions.h"
 
+#include <QActionGroup>
+#include <QSpinBox>
 #include <algorithm>
 #include <array>
 
@@ -11,13 +13,85 @@ namespace wend {
 BrushActions::BrushActions(Brush& brush, Toolbox& tools, QObject* parent)
     : ActionMaker(parent), m_brush(brush), m_tools(tools), m_menu(new QMenu) {
     m_menu->setTitle(tr("&Brush"));
+    makeTargets();
+    m_menu->addSeparator();
+    makeStops();
+    makeTip();
+    connect(&m_tools, &Toolbox::changed, this, &BrushActions::refresh);
+    connect(&m_brush, &Brush::changed, this, &BrushActions::showBrush);
+    refresh();
+    showBrush();
+}
+
+template <class Change>
+void BrushActions::change(const Change& change) {
+    BrushSettings next = m_brush.now();
+    change(next);
+    m_brush.set(next);
+}
+
+void BrushActions::makeStops() {
     for (int stop = 0; stop < EnergyScale::kStops; ++stop) {
         QAction* action = add({}, QKeySequence(QStringLiteral("Shift+%1").arg(stop + 1)));
         m_menu->addAction(action);
+        m_stops << action;
         connect(action, &QAction::triggered, this, [this, stop] { choose(stop); });
     }
-    connect(&m_tools, &Toolbox::changed, this, &BrushActions::refresh);
-    refresh();
+}
+
+void BrushActions::makeTargets() {
+    keep = addToggle({tr("&Keep"), tr("Paint what the shape keeps when it has to give way")}, {});
+    stiffness =
+        addToggle({tr("&Stiffness"), tr("Paint how many times stiffer the shape is along a direction")}, {});
+    direction = addToggle({tr("&Direction"), tr("Comb the direction along which the shape is stiff")}, {});
+    auto* group = new QActionGroup(this);
+    for (const auto& [action, target] : {std::pair{keep, BrushTarget::Keep},
+                                         {stiffness, BrushTarget::Stiffness},
+                                         {direction, BrushTarget::Direction}}) {
+        group->addAction(action);
+        m_menu->addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, target = target] { change([&](BrushSettings& brush) { brush.target = target; }); });
+    }
+}
+
+void BrushActions::makeTip() {
+    size = new NumberAction(tr("Size"),
+                            tr("The brush across, on the screen; also by the keys [ and ], or by a drag with "
+                               "Alt and the right button to the right."),
+                            tr(" px"), this);
+    size->box().setRange(static_cast<int>(2 * Brush::kSmallest), static_cast<int>(2 * Brush::kLargest));
+    hardness = new NumberAction(
+        tr("Hardness"),
+        tr("How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a "
+           "drag with Alt and the right button upwards."),
+        tr(" %"), this);
+    hardness->box().setRange(0, 100);
+    amount = new NumberAction(
+        tr("Amount"), tr("How far a stroke goes from what is there to what is painted."), tr(" %"), this);
+    amount->box().setRange(1, 100);
+    for (const NumberAction* part : {hardness, amount}) part->box().setSingleStep(10);
+    pressure = addToggle(
+        {tr("&Pressure"), tr("The harder a pen is pressed, the more of the amount is painted")}, {});
+    pressure->setObjectName(QStringLiteral("pressure"));
+    connect(&size->box(), &QSpinBox::valueChanged, this,
+            [this](int across) { change([&](BrushSettings& brush) { brush.radius = across / 2.0; }); });
+    connect(&hardness->box(), &QSpinBox::valueChanged, this,
+            [this](int percent) { change([&](BrushSettings& brush) { brush.hardness = percent / 100.0; }); });
+    connect(&amount->box(), &QSpinBox::valueChanged, this,
+            [this](int percent) { change([&](BrushSettings& brush) { brush.amount = percent / 100.0; }); });
+    connect(pressure, &QAction::toggled, this,
+            [this](bool on) { change([&](BrushSettings& brush) { brush.pressure = on; }); });
+}
+
+void BrushActions::showBrush() {
+    const BrushSettings& brush = m_brush.now();
+    const std::array targets{keep, stiffness, direction};
+    targets[static_cast<std::size_t>(brush.target)]->setChecked(true);
+    size->put(2 * brush.radius);
+    hardness->put(100 * brush.hardness);
+    amount->put(100 * brush.amount);
+    pressure->setChecked(brush.pressure);
 }
 
 /// The first stop has another name for solids.
@@ -25,7 +99,7 @@ void BrushActions::refresh() {
     const bool paints = m_tools.dimension() > 0 && m_tools.mode() == Mode::Paint;
     const EnergyScale scale(m_tools.dimension() == 3 ? 3 : 2);
     for (int stop = 0; stop < EnergyScale::kStops; ++stop) {
-        QAction* action = own()[stop];
+        QAction* action = m_stops[stop];
         const EnergyStop& kept = scale.stops()[stop];
         reword(action, {tr("Paint %1").arg(kept.name), kept.shortHelp});
         enable(action, paints, tr("Choose the step “Paint” first."));
@@ -33,10 +107,10 @@ void BrushActions::refresh() {
 }
 
 void BrushActions::choose(int stop) {
-    BrushSettings next = m_brush.now();
-    next.target = BrushTarget::Keep;
-    next.phi = phiAtStop(stop, m_tools.dimension());
-    m_brush.set(next);
+    change([&](BrushSettings& brush) {
+        brush.target = BrushTarget::Keep;
+        brush.phi = phiAtStop(stop, m_tools.dimension());
+    });
     const auto isChosen = [this](const char* tool) { return m_tools.isChosen(tool); };
     if (!std::ranges::any_of(std::array{"paint", "gradient", "fill"}, isChosen))
         m_tools.action(QStringLiteral("paint"))->trigger();

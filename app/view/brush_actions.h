@@ -5,26 +5,38 @@
 
 #include "app/session/brush.h"
 #include "app/view/action_maker.h"
+#include "app/view/number_action.h"
 
 namespace wend {
 
 class Toolbox;
 
-/// What the brush paints, by a key: each of the four stops of what is kept. A tool that does not paint gives
-/// way to the brush.
+/// What the brush paints and how it does, beside the name of its tool; and by a key each of the four stops of
+/// what is kept: a tool that does not paint gives way to the brush.
 class BrushActions : public ActionMaker {
     Q_OBJECT
 
   public:
     BrushActions(Brush& brush, Toolbox& tools, QObject* parent);
 
+    QAction *keep = nullptr, *stiffness = nullptr, *direction = nullptr;
+    NumberAction *amount = nullptr, *size = nullptr, *hardness = nullptr;
+    QAction* pressure = nullptr;
+
     QMenu* menu() const { return m_menu.get(); }
 
   private:
+    template <class Change>
+    void change(const Change& change);
+    void makeStops();
+    void makeTargets();
+    void makeTip();
+    void showBrush();
     void refresh();
     void choose(int stop);
 
     Brush& m_brush;
+    QList<QAction*> m_stops;
     Toolbox& m_tools;
     std::unique_ptr<QMenu> m_menu;
 };

@@ -70,7 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_pins(new PinActions(m_session, this)),
       m_exporter(new Exporter(m_session, *this)),
       m_properties(new Properties(m_session, *m_exporter, *m_tools, *m_actions)),
-      m_pictureActions(new PictureActions(m_properties->brush(), this)),
+      m_pictureActions(new PictureActions(this)),
       m_brush(new BrushActions(m_properties->brush(), *m_tools, this)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_canvas(new ShapeCanvas(m_session)),
@@ -148,9 +148,9 @@ void MainWindow::makeToolBars() {
     m_topBar = makeBar(Qt::TopToolBarArea, tr("Main"), "topBar");
     m_topBar->addWidget(m_modes = new ModeRow(*m_actions, *m_tools));
     addToolBarBreak();
-    addToolBar(
-        Qt::TopToolBarArea,
-        m_options = new OptionRow(*m_tools, *m_actions, {*m_solidActions, *m_pictureActions, *m_pins}, this));
+    addToolBar(Qt::TopToolBarArea,
+               m_options = new OptionRow(*m_tools, *m_actions,
+                                         {*m_solidActions, *m_pictureActions, *m_pins, *m_brush}, this));
     m_toolBar = makeBar(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
     connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
     showTools();

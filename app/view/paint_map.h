@@ -8,10 +8,10 @@
 namespace wend {
 
 /// As long as a brush is chosen the map of what it paints is shown, afterwards what was shown before,
-/// unless the user has chosen something else meanwhile.
+/// unless the user has chosen another map meanwhile. One that the user has switched off stays off.
 class PaintMap {
   public:
-    PaintMap(DistortionPanel& panel, QAction& showMap) : m_panel(panel), m_showMap(showMap) {}
+    PaintMap(DistortionPanel& panel, QAction& showMap);
     void show(Measure wanted);
     void end();
 
@@ -24,6 +24,8 @@ class PaintMap {
     QAction& m_showMap;
     std::optional<Before> m_before;  // while painting
     Measure m_painted = Measure::Phi;
+    bool m_isChosen = false;  // the map that is shown, by the user
+    QObject m_listener;
 };
 
 }  // namespace wend

@@ -55,7 +55,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_cut(new CutPanel),
       m_measure(new MeasurePanel(session)),
       m_paint(new PaintPanel(session, m_brush)),
-      m_layers(new LayerPanel(session)),
+      m_layers(new LayerPanel(session, m_brush.layer())),
       m_facts(new FactsPanel(session)),
       m_sizes(new SizePanel(session)),
       m_detailRegions(new RegionList(session, RegionsOf::Detail)),

@@ -52,7 +52,6 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
 }
 
 constexpr double kPaintOpacity = 0.55;  // of what is painted on a picture, where maps have kMapOpacity
-constexpr double kFullPaint = 0.1;      // wholly, so far in the range from what is plain
 
 QTransform toPixels(const RenderRequest& request) {
     return request.view.matrix() * QTransform::fromScale(request.scale(), request.scale());
@@ -61,9 +60,9 @@ QTransform toPixels(const RenderRequest& request) {
 int alphaAt(const RenderRequest& request, double position) {
     if (!request.picture) return 255;
     if (!request.plain) return static_cast<int>(std::lround(255 * request.opacity));
-    const double from = std::abs(position - positionIn(request.range, request.measure, *request.plain));
+    const double part = paintedPart(position, positionIn(request.range, request.measure, *request.plain));
     const double most = std::min(1.0, request.opacity * kPaintOpacity / kMapOpacity);
-    return static_cast<int>(std::lround(255 * most * std::min(1.0, from / kFullPaint)));
+    return static_cast<int>(std::lround(255 * most * part));
 }
 
 /// What is painted has soft edges: corners have the mean colour of their cells.

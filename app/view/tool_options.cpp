@@ -2,6 +2,7 @@
 
 #include <QWidgetAction>
 
+#include "app/view/brush_actions.h"
 #include "app/view/picture_actions.h"
 #include "app/view/pin_actions.h"
 #include "app/view/solid_actions.h"
@@ -37,15 +38,23 @@ QList<QAction*> wandOptions(const ToolOptions& o) {
 }
 
 QList<QAction*> sizeOptions(const ToolOptions& o) {
-    return o.dimension == 2 ? QList<QAction*>{o.pictures.edges} : QList<QAction*>();
+    return o.dimension == 2 ? QList<QAction*>{o.pictures.edges, o.brush.size} : QList<QAction*>{o.brush.size};
+}
+
+QList<QAction*> targetOptions(const ToolOptions& o) {
+    return {o.brush.keep, o.brush.stiffness, o.brush.direction};
+}
+
+QList<QAction*> tipOptions(const ToolOptions& o) {
+    return {o.brush.size, o.brush.hardness, o.brush.amount, o.brush.pressure};
 }
 
 QList<QAction*> paintOptions(const ToolOptions& o) {
-    return {o.pictures.pressure};
+    return targetOptions(o) << nullptr << tipOptions(o);
 }
 
 QList<QAction*> depthOptions(const ToolOptions& o) {
-    return {o.pictures.order};
+    return {o.pictures.order, o.brush.size};
 }
 
 }  // namespace wend

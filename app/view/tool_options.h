@@ -5,6 +5,7 @@
 
 namespace wend {
 
+class BrushActions;
 class PictureActions;
 class PinActions;
 class SolidActions;
@@ -14,6 +15,7 @@ struct ToolOptions {
     const SolidActions& solids;
     const PictureActions& pictures;
     const PinActions& pins;
+    const BrushActions& brush;
     int dimension = 0;
 };
 
@@ -25,6 +27,8 @@ QList<QAction*> outlineOptions(const ToolOptions& o);
 QList<QAction*> outlineBrushOptions(const ToolOptions& o);
 QList<QAction*> wandOptions(const ToolOptions& o);
 QList<QAction*> sizeOptions(const ToolOptions& o);
+QList<QAction*> targetOptions(const ToolOptions& o);
+QList<QAction*> tipOptions(const ToolOptions& o);
 QList<QAction*> paintOptions(const ToolOptions& o);
 QList<QAction*> depthOptions(const ToolOptions& o);
 

@@ -365,7 +365,7 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     MaterialRegion<2> all;
     all.shape = Box<2>{{0, 0}, {240, 160}};
     all.phi = phi::kAkvf;
-    session.document().changeDesign("Box", withRegions<2>(session.document().design<2>(), "Box", {all}));
+    session.document().changeDesign("Box", withStroke<2>(session.document().design<2>(), "Box 1", {all}));
     QVERIFY(settle(session));
     QCOMPARE(phiAt({40, 80}), phi::kAkvf);
     QVERIFY(list.model()->moveRow({}, 1, {}, 0));

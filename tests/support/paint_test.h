@@ -1,6 +1,11 @@
 #pragma once
 
+#include <QListWidget>
+#include <QUndoStack>
+
 #include "app/document/material_edits.h"
+#include "app/document/project.h"
+#include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "tests/support/bar.h"
 
@@ -42,6 +47,38 @@ class PaintTest : public QObject {
         std::get<Design<Dim>>(next.design).material.phi = phi;
         m_f->session().document().change(QStringLiteral("Energy"), std::move(next));
         return settle(m_f->session());
+    }
+
+    template <int Dim>
+    const std::vector<double>& phis() {
+        return m_f->session().frame<Dim>()->material->phi;
+    }
+    template <int Dim>
+    int cellAt(double u) {
+        auto& canvas = Bar<Dim>::canvas(*m_f);
+        return canvas.touch(canvas.toWidget(Bar<Dim>::place(u, 0)))->place.cell;
+    }
+    std::vector<std::string> layers() {
+        std::vector<std::string> names;
+        std::visit(
+            [&](const auto& design) {
+                for (const auto& group : regionGroups(design)) names.push_back(group.name);
+            },
+            m_f->session().document().design());
+        return names;
+    }
+    QListWidget* list() { return m_f->window().properties().layers().list(); }
+    int steps() { return m_f->session().document().undoStack()->count(); }
+    QString undoText() { return m_f->window().actions().undo->text(); }
+    bool undo() {
+        m_f->window().actions().undo->trigger();
+        return settle(m_f->session());
+    }
+    /// A tetrahedron's middle lies below the surface.
+    template <int Dim>
+    void eraseWith(double radius) {
+        m_f->tool("eraser")->trigger();
+        set([&](BrushSettings& b) { b.radius = Dim == 3 ? 2.2 * radius : radius; });
     }
 
     std::unique_ptr<SolidFixture> m_f;

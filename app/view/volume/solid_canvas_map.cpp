@@ -1,5 +1,6 @@
 // The map of a solid, and what is marked beside its surface.
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/smooth_map.h"
 #include "app/view/volume/fault_marks.h"
@@ -23,17 +24,30 @@ Points<3> coloursOfVertices(const SimplicialMesh<3>& rest, const std::vector<QRg
     return colours;
 }
 
+QRgb between(QRgb from, QRgb to, double part) {
+    const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
+    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
+}
+
 }  // namespace
 
+/// What is painted has its colour, the rest of the solid its own.
 void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
-    const auto own = [this](QRgb colour) { return m_viewport.isDimmed() ? dimmed(colour) : colour; };
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
+    const auto plain = plainValue(m_session, measure);
+    const double plainPlace = plain ? positionIn(range, measure, *plain) : 0;
+    const auto own = [&, plainPlace](QRgb map, double place) {
+        const QRgb colour = m_viewport.isDimmed() ? dimmed(map) : map;
+        return plain ? between(plainColour(), colour, paintedPart(place, plainPlace)) : colour;
+    };
     const auto values = cellValues<3>(frame, measure, fieldOf<3>(m_session, measure));
     picture.section.reset();
     picture.materials = picture.materials && !picture.skin->materials.empty();
     picture.cellColours.clear();
-    for (const double value : values)
-        picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
+    for (const double value : values) {
+        const double place = positionIn(range, measure, value);
+        picture.cellColours.push_back(own(colourAt(measure, place), place));
+    }
     if (isPainted(measure)) {
         picture.places = coloursOfVertices(*frame.rest, picture.cellColours);
     } else if (smooth) {
@@ -42,7 +56,8 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
         picture.places.row(0) =
             Eigen::Map<const Eigen::RowVectorXd>(places.data(), static_cast<Eigen::Index>(places.size()));
         picture.ramp = colourRamp(measure);
-        std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
+        for (std::size_t i = 0; i < picture.ramp.size(); ++i)
+            picture.ramp[i] = own(picture.ramp[i], double(i) / double(picture.ramp.size() - 1));
     }
 }
 

@@ -1,0 +1,108 @@
+// What the chosen layer has, and changes of it.
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/document/domain.h"
+#include "app/document/named_files.h"
+#include "app/panels/energy_slider.h"
+#include "app/panels/exact_box.h"
+#include "app/panels/layer_panel.h"
+#include "app/panels/magnitude_box.h"
+#include "app/panels/panel_parts.h"
+#include "app/session/told_units.h"
+
+namespace wend {
+
+/// A layer that would be nothing stays as it is.
+template <int Dim>
+void LayerPanel::changePaint() {
+    MaterialPaint<Dim> paint;
+    if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
+    Vec<Dim> axis;
+    for (int k = 0; k < Dim; ++k) axis[k] = m_axis[k]->exact();
+    if (axis.isZero(0)) axis = Vec<Dim>::UnitX();
+    if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // what has that already keeps its bits
+    if (m_ratio->exact() != 1) paint.stiffness = Stiffness<Dim>{axis, m_ratio->exact()};
+    if (!paint.phi && !paint.stiffness) return showValues();
+    m_phi->setEnabled(paint.phi.has_value());
+    changeBy(tr("Change layer"),
+             withGroupPaint<Dim>(m_session.document().design<Dim>(), selected(), paint, m_ownAxes),
+             QStringLiteral("layer ") + QString::fromStdString(selected()));
+}
+
+template <int Dim>
+void LayerPanel::showGroup() {
+    for (const RegionGroup<Dim>& group : regionGroups(m_session.document().design<Dim>())) {
+        if (group.name != selected()) continue;
+        m_phi->setDimension(Dim);
+        m_hasPhi->setChecked(group.paint.phi.has_value());
+        m_phi->setEnabled(group.paint.phi.has_value());
+        if (group.paint.phi) m_phi->setPhi(*group.paint.phi);
+        m_ratio->put(group.paint.stiffness ? group.paint.stiffness->ratio : 1);
+        allowDirection(group.paint.stiffness && group.paint.stiffness->ratio != 1);
+        m_ownAxes = !group.oneAxis;
+        m_axisNote->setVisible(m_ownAxes);
+        const Vec<Dim> axis = group.axis.value_or(Vec<Dim>::UnitX());
+        for (int k = 0; k < 3; ++k) m_axis[k]->setVisible(k < Dim);
+        for (int k = 0; k < Dim; ++k) m_axis[k]->put(axis[k]);
+        m_feather->put(group.feather);
+        showPictures(group.pictures);
+    }
+}
+
+void LayerPanel::allowDirection(bool isStiff) {
+    for (ExactBox* box : m_axis) {
+        box->setEnabled(isStiff);
+        describe(box, tr("Stiff direction"),
+                 isStiff
+                     ? tr("At rest; it turns with the shape. Another one is for all regions of the layer.")
+                     : tr("Stiffness ×1 has no direction: first choose how many times stiffer it is."));
+    }
+}
+
+/// That of a picture, or what the file of a mesh tells.
+void LayerPanel::showUnit() {
+    const Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    const Domain& domain = document.domain();
+    const QString unit = QString::fromStdString(
+        domain.kind == DomainKind::Image ? "px"
+                                         : toldUnits(pathIn(document.folder().toStdString(), domain.path)));
+    m_feather->setSuffix(unit.isEmpty() ? unit : ' ' + unit);
+}
+
+void LayerPanel::showPictures(const MaterialPictures& pictures) {
+    QStringList lines;
+    for (const auto& [text, file] : {std::pair{tr("Keep: %1"), pictures.phi},
+                                     {tr("Stiffness: %1"), pictures.stiffness},
+                                     {tr("Direction: %1"), pictures.direction}})
+        if (!file.empty()) lines << text.arg(QFileInfo(QString::fromStdString(file)).fileName());
+    m_files->setText(lines.join('\n'));
+    m_paint->setVisible(lines.isEmpty());
+    m_pictures->setVisible(!lines.isEmpty());
+    m_readAgain->show();
+    m_featherRow->show();
+}
+
+void LayerPanel::showCells() {
+    const std::string file = std::visit([](const auto& design) { return design.material.cellsFile; },
+                                        m_session.document().design());
+    m_files->setText(file.empty()
+                         ? tr("As the project's file says, cell by cell.")
+                         : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));
+    m_paint->hide();
+    m_pictures->show();
+    m_readAgain->hide();
+    m_featherRow->hide();
+}
+
+template void LayerPanel::changePaint<2>();
+template void LayerPanel::changePaint<3>();
+template void LayerPanel::showGroup<2>();
+template void LayerPanel::showGroup<3>();
+
+}  // namespace wend

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QWidgetAction>
+
+class QSpinBox;
+
+namespace wend {
+
+/// A number beside a tool's name.
+class NumberAction : public QWidgetAction {
+  public:
+    NumberAction(const QString& name, const QString& help, const QString& unit, QObject* parent);
+    QSpinBox& box() const { return *m_box; }
+    /// Tells nobody.
+    void put(double value);
+
+  private:
+    QSpinBox* m_box;
+};
+
+}  // namespace wend
