@@ -17,7 +17,8 @@ namespace {
 constexpr double kMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
 constexpr int kRefineInDrag = 400;
-constexpr int kMarksEvery = 20;  // without a frame
+constexpr int kMarksEvery = 20;       // without a frame
+constexpr double kSeenBeyond = 0.01;  // of the picture
 
 /// A picture at rest on two triangles.
 PosedPtr<2> unbent(const Image& picture) {
@@ -32,6 +33,11 @@ PosedPtr<2> unbent(const Image& picture) {
     frame->pose = rest->points;
     frame->distortion = std::make_shared<const Distortion>(distortion<2>(*rest, rest->points));
     return frame;
+}
+
+QRectF boxOf(const Points<2>& points) {
+    const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
 }  // namespace
@@ -147,10 +153,17 @@ QRectF ShapeCanvas::frameRect() const {
     if (const auto& picture = m_session.document().picture())
         return {0, 0, double(picture->width), double(picture->height)};
     const auto frame = m_session.frame<2>();
-    if (!frame) return {};
-    const auto& points = frame->rest->points;
-    const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
-    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+    return frame ? boxOf(frame->rest->points) : QRectF();
+}
+
+/// With a shape that has been bent beyond its picture; a margin of the mesh is not seen.
+QRectF ShapeCanvas::fittedRect() const {
+    const QRectF rest = frameRect();
+    const auto frame = m_session.frame<2>();
+    if (!frame || rest.isEmpty()) return rest;
+    const QRectF pose = boxOf(frame->pose);
+    const double x = kSeenBeyond * rest.width(), y = kSeenBeyond * rest.height();
+    return rest.adjusted(-x, -y, x, y).contains(pose) ? rest : rest.united(pose);
 }
 
 void ShapeCanvas::takeFrame() {
@@ -219,7 +232,7 @@ void ShapeCanvas::fit() {
     const double natural =
         m_session.document().picture() ? 1 : 1000 / std::hypot(frame.width(), frame.height());
     m_view.setZoomLimits(0.005 * natural, 64 * natural);
-    m_view.fit(frame, size(), kMargin);
+    m_view.fit(fittedRect(), size(), kMargin);
     m_fitted = true;
     showView();
 }

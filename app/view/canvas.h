@@ -85,6 +85,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     RenderRequest request(Filter filter) const;
     void render();
     QRectF frameRect() const;
+    QRectF fittedRect() const;
     void paintShape(QPainter& painter);
     void paintOver(QPainter& painter);
     void showView();

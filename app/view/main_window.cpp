@@ -387,16 +387,4 @@ void MainWindow::updateIcons() {
     showMoreArrows();
 }
 
-/// Where a tool bar is too short Qt shows a button of its own for what is left out.
-void MainWindow::showMoreArrows() {
-    for (QToolBar* bar : {m_topBar, m_toolBar})
-        if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
-            const bool down = bar->orientation() == Qt::Vertical;
-            more->setIcon(
-                wendIcon(down ? QStringLiteral("more-down") : QStringLiteral("more-right"), palette()));
-            more->setToolTip(tr("More"));
-            more->setAccessibleName(tr("More"));
-        }
-}
-
 }  // namespace wend

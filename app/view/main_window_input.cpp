@@ -5,8 +5,11 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusTipEvent>
+#include <QToolBar>
+#include <QToolButton>
 
 #include "app/panels/energy_slider.h"
+#include "app/panels/theme.h"
 #include "app/session/opening.h"
 #include "app/view/actions.h"
 #include "app/view/compare_view.h"
@@ -83,6 +86,18 @@ void MainWindow::showTitle() {
     setWindowTitle(document.isEmpty() ? QStringLiteral("Wend[*]")
                                       : tr("%1[*] – Wend").arg(document.displayName()));
     setWindowModified(document.isModified());
+}
+
+/// Where a tool bar is too short Qt shows a button of its own for what is left out.
+void MainWindow::showMoreArrows() {
+    for (QToolBar* bar : {m_topBar, m_toolBar})
+        if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+            const bool down = bar->orientation() == Qt::Vertical;
+            more->setIcon(
+                wendIcon(down ? QStringLiteral("more-down") : QStringLiteral("more-right"), palette()));
+            more->setToolTip(tr("More"));
+            more->setAccessibleName(tr("More"));
+        }
 }
 
 }  // namespace wend

@@ -27,6 +27,7 @@ class TestCanvas : public QObject {
     void viewMapsBothWays();
     void zoomKeepsThePointUnderThePointer();
     void wheelZoomsToThePointer();
+    void fitShowsWhatIsBentBeyondThePicture();
     void middleDragPans();
     void pictureIsWhatAnExportWrites();
     void everyDepthComesOutTheSame_data();
@@ -127,6 +128,25 @@ void TestCanvas::wheelZoomsToThePointer() {
     QVERIFY((m_canvas->toShape(at) - before).norm() < 1e-9);
     m_canvas->fit();
     QCOMPARE(m_canvas->view().zoom(), zoom);
+}
+
+void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
+    const auto seen = [&] {
+        m_canvas->fit();
+        return QRectF(m_canvas->rect()).contains(m_canvas->toWidget({0, 0}));
+    };
+    QVERIFY(seen());
+    const double zoom = m_canvas->view().zoom();
+    const int pin = m_session->addPin({40, 80});
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragTo({300, -400});
+    m_session->endDrag(0.5);
+    QVERIFY(settle(*m_session));
+    QVERIFY(seen() && m_canvas->view().zoom() < 0.9 * zoom);
+    const Points<2>& pose = m_session->frame<2>()->pose;
+    for (Eigen::Index v = 0; v < pose.cols(); ++v)
+        QVERIFY(m_canvas->rect().contains(m_canvas->toWidget(pose.col(v)).toPoint()));
 }
 
 void TestCanvas::middleDragPans() {

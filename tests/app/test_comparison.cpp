@@ -402,10 +402,13 @@ void TestComparison::takePaintAway() {
     QVERIFY(settle(session));
     const Points<Dim> before = session.template frame<Dim>()->pose;
     MaterialRegion<Dim> stiff;
+    stiff.name = "Stiff";
     stiff.shape = HalfSpace<Dim>{Vec<Dim>::Zero(), Vec<Dim>::Unit(1)};
     stiff.stiffness = Stiffness<Dim>{Vec<Dim>::Unit(0), 300};
     Project project = *session.document().project();
-    project.design = withRegions<Dim>(session.document().template design<Dim>(), "Stiff", {stiff});
+    Design<Dim> design = session.document().template design<Dim>();
+    design.material.regions.push_back(stiff);
+    project.design = design;
     session.document().change(QStringLiteral("paint"), project);
     QCOMPARE(choice->itemText(choice->count() - 1), unpainted);
     choice->setFocus();

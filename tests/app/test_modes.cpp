@@ -239,7 +239,7 @@ void TestModes::selectingMovesNothing() {
     if (solid) return;
     // What needs more room keeps it.
     m_f->session().addPin({160, 80});
-    widenPin(m_f->session(), 0, 20);
+    widenPin<2>(m_f->session(), 0, 20);
     selection.set({0});
     const QList<QRect> widest = places();
     selection.set({1});
