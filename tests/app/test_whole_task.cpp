@@ -152,7 +152,7 @@ Widget* TestWholeTask::shown(const QString& name) {
 }
 
 void TestWholeTask::press(const QString& button) {
-    for (auto* one : m_f->window().properties().findChildren<QAbstractButton*>())
+    for (auto* one : m_f->window().findChildren<QAbstractButton*>())
         if (one->isVisible() && QString(one->text()).remove('&') == button)
             return QTest::mouseClick(one, Qt::LeftButton);
     QFAIL(qPrintable(button));
