@@ -310,9 +310,11 @@ void ShapeCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void ShapeCanvas::resizeEvent(QResizeEvent*) {
-    if (m_fitted)
-        fit();
-    else
+    // To the picture: the shape may be about to change. Who asks for it sees all that is bent, too.
+    if (m_fitted && !frameRect().isEmpty()) {
+        m_view.fit(frameRect(), size(), kMargin);
+        showView();
+    } else
         render();
 }
 
