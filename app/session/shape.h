@@ -50,6 +50,9 @@ struct Shape {
     std::optional<MeshVerdict> verdict;             // on cells that were made
     std::optional<CageFacts> cage;                  // if a cage carries the surface
     bool refineHelps = false;                       // splitting the surface's triangles would help
+
+    /// Whether a surface with points of its own is seen, and the vertices of the mesh are not.
+    bool hidesVertices() const { return embedding && embedding->isFree(); }
 };
 using AnyShape = std::variant<Shape<2>, Shape<3>>;
 

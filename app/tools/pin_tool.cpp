@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/session/pin_shapes.h"
+#include "app/session/shape.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {
@@ -273,19 +274,21 @@ void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
     if (added < 0 && !extend) session().selection().clear();
 }
 
-/// Where something is seen, or at the nearest corner of its cell; −1, with a notice, beside the shape.
+/// Where something is seen, or at the nearest corner of its cell if that is seen; −1, with a notice, beside
+/// the shape.
 template <int Dim>
 int PinTool<Dim>::addPin(const QPointF& at) {
     auto touched = surface().touch(at);
+    const bool snaps = m_snaps && touched && !session().template frame<Dim>()->built->hidesVertices();
     if constexpr (Dim == 3)
-        if (m_snaps && touched)
+        if (snaps)
             return session().addSolidHandle({surface().pick(at).vertex},
                                             ShapeSession::tr("Pin").toStdString());
     if (!touched) return session().template addPin<Dim>(std::optional<Location<Dim>>());
     Location<Dim>& place = touched->place;
     Eigen::Index corner = 0;
     place.weights.maxCoeff(&corner);
-    if (m_snaps) place.weights.setUnit(corner);
+    if (snaps) place.weights.setUnit(corner);
     return session().template addPin<Dim>(std::optional(place));
 }
 

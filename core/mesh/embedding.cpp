@@ -117,7 +117,10 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
             throw InputError("point " + std::to_string(i) + " has no place in the shape");
         if (rest.points.col(nearest) == p) {
             m_locations.push_back(atVertex(rest, cells[offsets[nearest]], nearest));
-        } else if (const auto inside = locator.find(p)) {
+            continue;
+        }
+        m_isFree = true;
+        if (const auto inside = locator.find(p)) {
             m_locations.push_back(*inside);
         } else {
             if (!outside) outside.emplace(rest);

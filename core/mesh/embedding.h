@@ -24,6 +24,8 @@ class Embedding {
     std::vector<std::pair<int, double>> weights(const SimplicialMesh<Dim>& rest, int point) const;
     /// The cell that a point goes with.
     int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }
+    /// Whether any lies elsewhere than at a vertex: then they are not just the partition's own.
+    bool isFree() const { return m_isFree; }
     /// How many lie outside all cells.
     int outside() const { return static_cast<int>(m_rows.size()); }
 
@@ -35,6 +37,7 @@ class Embedding {
     };
     std::vector<Location<Dim>> m_locations;
     std::vector<Row> m_rows;
+    bool m_isFree = false;
     Points<Dim> m_remainders;  // what rounding leaves of the points at rest
 };
 

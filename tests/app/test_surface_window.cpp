@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QToolBar>
 
 #include <array>
 #include <cmath>
@@ -45,6 +46,7 @@ class TestSurfaceWindow : public QObject {
     void factsAreToldAndGapsAreOpened();
     void noteOfWorkIsWhole();
     void detailedSurfaceIsShownAndTellsItsNotices();
+    void whatACageCarriesIsPinned();
 
   private:
     bool saysThatThereIsNoSolid();
@@ -370,6 +372,34 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QVERIFY(settle(session));
     QVERIFY(session.frame<3>()->built->cage && session.frame<3>()->built->cage->gaps.empty());
     QVERIFY(QTest::qWaitFor([&] { return !button("Next gap")->isVisible(); }, 20000));
+}
+
+/// Pins sit where the surface is seen, not at a corner of the cage that nobody sees, also where they snap.
+void TestSurfaceWindow::whatACageCarriesIsPinned() {
+    QFile whole(m_f->writeBar()), open(m_f->folder().filePath(QStringLiteral("open.obj")));
+    QVERIFY(whole.open(QIODevice::ReadOnly) && open.open(QIODevice::WriteOnly));
+    const QByteArray text = whole.readAll().trimmed();
+    open.write(text.left(text.lastIndexOf("\nf ") + 1));  // without its last triangle
+    open.close();
+    m_f->window().openPath(open.fileName());
+    QVERIFY(QTest::qWaitFor([&] { return !m_f->session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->session().frame<3>()->built->cage);
+    m_f->actions().front->trigger();
+    QAction* snap = nullptr;
+    for (QAction* action : m_f->window().findChild<QToolBar*>(QStringLiteral("optionRow"))->actions())
+        if (action->text() == QStringLiteral("S&nap")) snap = action;
+    QVERIFY(snap);
+    for (const bool snaps : {true, false}) {
+        snap->setChecked(snaps);
+        const Vec<3> at(snaps ? 0.7 : -0.9, -0.5, 0.1);
+        QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(at));
+        const auto pins = m_f->session().pins<3>();
+        QCOMPARE(pins.size(), snaps ? 1U : 2U);
+        const double pixel = m_f->canvas().pixelSize(at);
+        QVERIFY(std::abs(pins.back().centre.y() + 0.5) < 1e-6);
+        QVERIFY((pins.back().centre - at).norm() < 1.5 * pixel);
+    }
 }
 
 void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {

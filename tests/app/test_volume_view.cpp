@@ -25,6 +25,7 @@ class TestVolumeView : public QObject {
     void cutShowsTheInside();
     void ridingSurfaceHasItsTexture();
     void ridingSurfaceFollowsAndIsCut();
+    void ridingSurfaceIsWhatRaysMeet();
     void hugeAndTinySolidsLookTheSame();
     void picturesOfTilesAreWhole();
     void surfacesAloneAreNotCut_data();
@@ -275,6 +276,51 @@ void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
     QVERIFY(section.green() > 2 * section.red());
     m_view->setCut(CutKind::None, {});
     m_view->look(Camera::Axis::Isometric);
+    m_view->setPicture(m_picture, true);
+}
+
+/// An octahedron in the bar, |x| + |y| + |z| = 0.4: rays meet it, not the bar around it.
+void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
+    auto skin = std::make_shared<Skin>();
+    skin->points.resize(3, 6);
+    skin->points << Mat<3>(0.4 * Mat<3>::Identity()), Mat<3>(-0.4 * Mat<3>::Identity());
+    for (int i = 0; i < 8; ++i) skin->triangles.push_back({i & 1 ? 3 : 0, i & 2 ? 4 : 1, i & 4 ? 5 : 2});
+    VolumePicture picture = m_picture;
+    picture.skin = skin;
+    picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, skin->points);
+    const auto hitAt = [this](const Vec<3>& p) {
+        return m_view->pick(QPointF(m_view->camera().project(p, m_view->size()).x(),
+                                    m_view->camera().project(p, m_view->size()).y()));
+    };
+    const auto misses = [](const Vec<3>& p) { return std::abs(p.cwiseAbs().sum() - 0.4); };
+    m_view->look(Camera::Axis::Top);
+    m_view->setPicture(m_picture, true);
+    m_view->setOrthographic(true);
+    QVERIFY(std::abs(hitAt({0.1, 0.2, 0}).point.z() - 0.5) < 1e-6);
+    m_view->setPicture(picture, false);
+    for (const Vec<3>& p : {Vec<3>(0.1, 0.2, 0), Vec<3>(-0.3, 0.05, 0), Vec<3>(0.02, -0.03, 0)}) {
+        const SolidHit hit = hitAt(p);
+        QVERIFY(hit.cell >= 0 && misses(hit.point) < 1e-6 && hit.point.z() > 0);
+        QVERIFY(PointLocator<3>(picture.pose, {picture.rest->cells[hit.cell]}).find(hit.point, 1e-6));
+        const auto& corners = picture.rest->cells[hit.cell];
+        QVERIFY(std::find(corners.begin(), corners.end(), hit.vertex) != corners.end());
+    }
+    QCOMPARE(hitAt({0.3, 0.3, 0}).cell, -1);  // the bar is there, and is not drawn
+    // The octahedron goes with the bar, turned half about z and moved; a cut opens it as what is drawn.
+    picture.pose.topRows<2>() *= -1;
+    picture.pose.row(0).array() += 1;
+    m_view->setPicture(picture, false);
+    QCOMPARE(hitAt({-0.1, 0.1, 0}).cell, -1);
+    const SolidHit moved = hitAt({1.1, 0.2, 0});
+    QVERIFY(moved.cell >= 0 && misses(moved.point - Vec<3>::UnitX()) < 1e-6);
+    QVERIFY(PointLocator<3>(picture.pose, {picture.rest->cells[moved.cell]}).find(moved.point, 1e-6));
+    m_view->setCut(CutKind::Exact, {Vec<3>(0, 0, -0.1), Vec<3>::UnitZ()});
+    QVERIFY(std::abs(hitAt({1.1, 0.1, 0}).point.z() + 0.1) < 1e-6);  // the section of the bar
+    m_view->setCut(CutKind::Exact, {Vec<3>(1, 0, 0), Vec<3>::UnitX()});
+    QCOMPARE(hitAt({1.1, 0.1, 0}).cell, -1);
+    QVERIFY(misses(hitAt({0.9, 0.1, 0}).point - Vec<3>::UnitX()) < 1e-6);
+    m_view->setCut(CutKind::None, {});
+    m_view->setOrthographic(false);
     m_view->setPicture(m_picture, true);
 }
 

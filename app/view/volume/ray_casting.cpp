@@ -1,6 +1,7 @@
 #include "app/view/volume/ray_casting.h"
 
 #include <limits>
+#include <utility>
 
 namespace wend {
 
@@ -25,9 +26,14 @@ SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& r
 
 }  // namespace
 
-const TriangleTree& RayCasting::tree(const CutSurface& surface, const Points<3>& pose) {
+void RayCasting::takeSurface(CutSurface surface) {
+    m_surface = std::move(surface);
+    m_surfaceStale = true;
+}
+
+const TriangleTree& RayCasting::tree(const Points<3>& pose) {
     if (m_surfaceStale) {
-        m_points.emplace(surface);
+        m_points.emplace(m_surface);
         m_tree = TriangleTree(m_points->at(pose), std::move(m_points->triangles));
     } else if (m_poseStale) {
         m_tree.refit(m_points->at(pose));
@@ -36,14 +42,10 @@ const TriangleTree& RayCasting::tree(const CutSurface& surface, const Points<3>&
     return m_tree;
 }
 
-SolidHit RayCasting::hit(const Ray& ray, const CutSurface& surface, const Points<3>& pose) {
-    const TriangleTree::Hit hit = tree(surface, pose).firstHit(ray.origin, ray.direction);
+SolidHit RayCasting::hit(const Ray& ray, const Points<3>& pose) {
+    const TriangleTree::Hit hit = tree(pose).firstHit(ray.origin, ray.direction);
     m_visited = hit.visited;
-    return solidHit(surface, pose, ray, hit);
-}
-
-double RayCasting::distance(const Ray& ray, const CutSurface& surface, const Points<3>& pose) {
-    return tree(surface, pose).firstHit(ray.origin, ray.direction).distance;
+    return solidHit(m_surface, pose, ray, hit);
 }
 
 }  // namespace wend

@@ -13,18 +13,17 @@ namespace wend {
 /// refitted when the first one comes after a change of the pose.
 class RayCasting {
   public:
-    void takeSurface() { m_surfaceStale = true; }
+    void takeSurface(CutSurface surface);
     void takePose() { m_poseStale = true; }
     /// The nearest triangle that the ray meets; cell −1 if there is none.
-    SolidHit hit(const Ray& ray, const CutSurface& surface, const Points<3>& pose);
-    /// How far the ray goes, in lengths of its direction, until it meets the surface.
-    double distance(const Ray& ray, const CutSurface& surface, const Points<3>& pose);
+    SolidHit hit(const Ray& ray, const Points<3>& pose);
     /// Boxes and triangles that the last hit() looked at.
     int visited() const { return m_visited; }
 
   private:
-    const TriangleTree& tree(const CutSurface& surface, const Points<3>& pose);
+    const TriangleTree& tree(const Points<3>& pose);
 
+    CutSurface m_surface;
     std::optional<CutPoints> m_points;
     TriangleTree m_tree;
     bool m_surfaceStale = true, m_poseStale = true;

@@ -50,7 +50,11 @@ SolidHit SolidCanvas::pick(const QPointF& widget) const {
 std::optional<Touch<3>> SolidCanvas::touch(const QPointF& widget) const {
     const SolidHit hit = pick(widget);
     if (hit.cell < 0) return {};
-    return Touch<3>{locationIn<3>(*m_session.frame<3>(), hit.cell, hit.point), hit.point};
+    Location<3> place = locationIn<3>(*m_session.frame<3>(), hit.cell, hit.point);
+    // A surface may reach out of the solid that takes it along.
+    place.weights = place.weights.cwiseMax(0);
+    place.weights /= place.weights.sum();
+    return Touch<3>{place, hit.point};
 }
 
 void SolidCanvas::showMaterial(std::shared_ptr<const Material<3>> painted, bool lasts) {

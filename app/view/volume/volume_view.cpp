@@ -63,10 +63,12 @@ bool VolumeView::available() {
 }
 
 void VolumeView::setPicture(VolumePicture picture, bool fitView) {
-    const bool sameSurface = m_cut == CutKind::None && picture.facets == m_picture.facets;
+    const bool sameSurface = m_cut == CutKind::None && picture.facets == m_picture.facets &&
+                             picture.embedding == m_picture.embedding;
     if (picture.cellColours.empty() && picture.rest)
         picture.cellColours.assign(picture.facets->size(), kPlainColour);  // more than there are cells
     const bool samePose = isSame(picture.pose, m_picture.pose);
+    if (picture.skin != m_picture.skin || picture.rest != m_picture.rest) m_skinRays.takeSkin();
     if (picture.skin != m_picture.skin || !samePose) m_ridden.reset();
     if (picture.skin != m_picture.skin) m_meshStale = true;
     if (picture.skin && picture.skin != m_textured) m_texturesStale = true;
@@ -77,6 +79,7 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     if (!samePose) {
         m_poseStale = true;
         m_rays.takePose();
+        m_skinRays.takePose();
     }
     m_picture = std::move(picture);
     if (!sameSurface) remakeSurface();
@@ -146,7 +149,7 @@ void VolumeView::remakeSurface() {
             break;
     }
     m_meshStale = true;
-    m_rays.takeSurface();
+    m_rays.takeSurface(ridesInside() ? partOf(m_surface, true) : m_surface);
     update();
 }
 
@@ -155,8 +158,15 @@ const Points<3>& VolumeView::skinPose() const {
     return *m_ridden;
 }
 
+/// Of the skin what the cut has left, and the section behind the cut.
 SolidHit VolumeView::hitOf(const Ray& ray) const {
-    return m_rays.hit(ray, m_surface, m_picture.pose);
+    const SolidHit cells = m_rays.hit(ray, m_picture.pose);
+    if (!ridesInside()) return cells;
+    const auto cut = m_cut == CutKind::Exact ? std::optional(m_plane) : std::nullopt;
+    const SolidHit skin = m_skinRays.hit(ray, m_picture, skinPose(), cut);
+    const bool isSkin =
+        cells.cell < 0 || (skin.point - ray.origin).norm() < (cells.point - ray.origin).norm();
+    return skin.cell >= 0 && isSkin ? skin : cells;
 }
 
 SolidHit VolumeView::pick(const QPointF& pixel) const {
@@ -167,9 +177,10 @@ void VolumeView::keepVisible(std::vector<int>& vertices) const {
     std::erase_if(vertices, [&](int v) {
         const Vec<3> p = m_picture.pose.col(v);
         const Ray sight = m_camera.ray(m_camera.project(p, size()).head<2>(), size());
+        const SolidHit hit = hitOf(sight);
         // A vertex of the surface is met by the ray itself, up to rounding.
-        return m_rays.distance(sight, m_surface, m_picture.pose) <
-               (p - sight.origin).dot(sight.direction) * (1 - 1e-4);
+        return hit.cell >= 0 &&
+               (hit.point - sight.origin).norm() < (p - sight.origin).dot(sight.direction) * (1 - 1e-4);
     });
 }
 

@@ -11,6 +11,7 @@
 #include "app/view/volume/camera.h"
 #include "app/view/volume/navigation.h"
 #include "app/view/volume/ray_casting.h"
+#include "app/view/volume/skin_casting.h"
 #include "app/view/volume/surface_renderer.h"
 #include "app/view/volume/volume_picture.h"
 #include "core/mesh/cut_plane.h"
@@ -58,7 +59,7 @@ class VolumeView : public QOpenGLWidget {
     /// it is over.
     void hurry();
     /// Boxes and triangles that the last pick() looked at.
-    int visitedByPick() const { return m_rays.visited(); }
+    int visitedByPick() const { return m_rays.visited() + m_skinRays.visited(); }
     /// Triangles that are drawn.
     int drawnTriangles() const { return m_drawnTriangles; }
     /// What a frame cost, in milliseconds: the preparation of a new pose, and the drawing.
@@ -100,12 +101,14 @@ class VolumeView : public QOpenGLWidget {
 
     /// True if a surface is embedded in the solid and is drawn in place of its border.
     bool showsSkin() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
+    /// True if it is drawn and has points of its own: then it is what the pointer touches.
+    bool ridesInside() const { return showsSkin() && m_picture.embedding->isFree(); }
     /// Where the points of that surface are.
     const Points<3>& skinPose() const;
     /// What fit() brings into the view: all that is drawn. The view turns around the middle of the solid all
     /// the same.
     virtual Points<3> fitted() const;
-    /// The nearest triangle of the solid that the ray meets.
+    /// The nearest point of what is drawn that the ray meets.
     SolidHit hitOf(const Ray& ray) const;
     bool drawsInSoftware() const { return m_renderer.isSoftware(); }
     /// True while what is shown will change again soon.
@@ -158,6 +161,7 @@ class VolumeView : public QOpenGLWidget {
     std::vector<std::array<int, 2>> m_outline;  // of the section: its points
     mutable std::optional<Points<3>> m_ridden;  // until the pose changes
     mutable RayCasting m_rays;
+    mutable SkinCasting m_skinRays;
     CutPlane m_plane;
     CutKind m_cut = CutKind::None;
     Navigation m_navigation;
