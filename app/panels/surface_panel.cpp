@@ -151,6 +151,7 @@ void SurfacePanel::showProblems(const Contents& contents) {
              contents.isCaged
                  ? tr("Takes the cage away: without repair there is no solid then.")
                  : tr("Fills a cage of even cells around the surface, which is embedded in it."));
+    emit told(contents.isCaged);
 }
 
 void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {

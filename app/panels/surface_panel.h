@@ -41,6 +41,8 @@ class SurfacePanel : public QWidget {
     void showFixOfAll(const QString& text, bool mayFix);
 
   signals:
+    /// What is wrong is told: with a cage around it all the rest can go on.
+    void told(bool isCaged);
     /// One of the cases of a kind is to be seen.
     void caseChosen(int kind, int number);
     /// The solid again, in place of the surface and what is wrong with it.

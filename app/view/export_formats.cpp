@@ -1,5 +1,9 @@
 #include "app/view/export_formats.h"
 
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/session/shape.h"
 #include "core/mesh/mesh_formats.h"
 
 namespace wend {
@@ -27,6 +31,15 @@ Formats meshFormats(bool solid, bool film) {
     return formats + others;
 }
 
+/// Who brought a surface wants it back as it came.
+void putOwnFirst(Formats& formats, const FrameExport& shape) {
+    const auto solid = posed<3>(shape.frame());
+    if (!solid || !solid->built->skin) return;
+    const QString own = QFileInfo(QString::fromStdString(solid->built->skin->path)).suffix().toLower();
+    std::ranges::stable_partition(formats,
+                                  [&](const ExportFormat& one) { return one.extension == '.' + own; });
+}
+
 }  // namespace
 
 QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
@@ -34,7 +47,8 @@ QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
     if (kind == ExportKind::StMap) return kMaps;
     const bool solid = shape.dimension() == 3;
     const bool film = kind == ExportKind::Frames;
-    const Formats meshes = meshFormats(solid, film);
+    Formats meshes = meshFormats(solid, film);
+    if (kind == ExportKind::Mesh) putOwnFirst(meshes, shape);
     return film && shape.picture() ? kPictures + kFilms + meshes : meshes;
 }
 

@@ -106,6 +106,10 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
 void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& actions) {
     const Modes posing = Mode::Pins | Mode::Animate;
     put(m_surface, tr("Surface"), "volume", {.modes = Modes::all(), .flat = false});
+    connect(m_surface, &SurfacePanel::told, this, [this](bool isCaged) {
+        place(*m_surface).when.modes = isCaged ? Modes(Mode::Mesh) : Modes::all();
+        arrange();
+    });
     put(m_mesh, tr("Mesh"), "mesh", {.modes = Mode::Mesh});
     auto* facts = new FoldingSection(tr("Facts"),
                                      tr("Size, area, volume and edges, the quality of the cells, "
@@ -143,6 +147,10 @@ void Properties::put(QWidget* panel, const QString& name, const char* icon, cons
     m_column->addWidget(holder, when.fills ? 100 : 0);
     panel->installEventFilter(this);
     m_places.push_back({holder, panel, name, icon, when});
+}
+
+Properties::Place& Properties::place(const QWidget& panel) {
+    return *std::ranges::find(m_places, &panel, &Place::panel);
 }
 
 QWidget* Properties::selectionArea(ShapeSession& session) {
@@ -204,8 +212,7 @@ void Properties::showSection(QWidget& section) {
 }
 
 void Properties::showCutWhile(const QAction& on) {
-    for (Place& one : m_places)
-        if (one.panel == m_cut) one.when.on = &on;
+    place(*m_cut).when.on = &on;
     connect(&on, &QAction::toggled, this, [this](bool shown) {
         arrange();
         if (shown) QTimer::singleShot(0, this, [this] { m_scroll->ensureWidgetVisible(m_cut); });

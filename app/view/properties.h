@@ -95,6 +95,7 @@ class Properties : public QWidget {
         When when;
     };
     void put(QWidget* panel, const QString& name, const char* icon, const When& when);
+    Place& place(const QWidget& panel);
     bool isDue(const When& when) const;
     QWidget* selectionArea(ShapeSession& session);
     void fill(ShapeSession& session, Exporter& exporter, const Actions& actions);

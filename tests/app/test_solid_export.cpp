@@ -175,6 +175,7 @@ void TestSolidExport::borderTrianglesAreAtChoice() {
     ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
     dialog.show();
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
+    QCOMPARE(format->currentData().toString(), QStringLiteral(".obj"));  // as the bar's surface came
     auto* box = dialog.form().field("--border")->findChild<QCheckBox*>();
     format->setCurrentIndex(format->findData(QStringLiteral(".stl")));
     QVERIFY(!box->isVisible());

@@ -90,7 +90,11 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
         };
         QVERIFY2(QTest::qWaitFor(pressed, 20000), qPrintable(name));
     };
-    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return !panel->isHidden(); }, 20000));
+    QVERIFY(!panel->isVisible());  // the cage carries it: what is wrong is no business of the other steps
+    m_f->window().tools().setMode(Mode::Mesh);
+    QVERIFY(panel->isVisible());
+    settleLayout(*panel);
     QVERIFY(m_f->canvas().hasDetail());
     const double before = m_f->canvas().camera().pixelSize(m_f->canvas().size());
     press(QStringLiteral("Show them"));  // the hole is looked at from near
@@ -101,6 +105,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(m_f->canvas().camera().pixelSize(m_f->canvas().size()) > 1.2 * near);
     press(QStringLiteral("Exact surface only"));
     QCOMPARE(m_f->session().document().project()->domain.fit, Fit::Exact);
+    m_f->window().tools().setMode(Mode::Pins);  // where nothing can be done without a solid
     const auto offersCage = [&] {
         return std::ranges::any_of(panel->findChildren<QPushButton*>(), [](const QPushButton* button) {
             return button->isVisible() && button->text() == QStringLiteral("Fit a cage");
@@ -235,6 +240,8 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     QVERIFY(QTest::qWaitFor([&] { return domain().path.ends_with("holes.obj"); }, 20000));
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<SurfacePanel*>();
+    m_f->window().tools().setMode(Mode::Mesh);
+    settleLayout(*panel);
     const auto button = [&](const QString& name) {
         QPushButton* found = nullptr;
         for (QPushButton* one : panel->findChildren<QPushButton*>())
