@@ -51,6 +51,7 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     makeFields();
     makeCropNote(place);
     lay(place);
+    showFields();
     for (QTimer* timer : {&m_previewTimer, &m_sizeTimer}) timer->setSingleShot(true);
     m_previewTimer.setInterval(40);
     m_sizeTimer.setInterval(250);
@@ -186,7 +187,7 @@ void ExportForm::tieRate(const OptionField& changed) {
 /// What belongs to the format.
 void ExportForm::adapt() {
     if (!shape()) return;
-    for (OptionField* field : m_fields) m_form->setRowVisible(field, takes(field->flag()));
+    showFields();
     if (isPicture()) showDepths();
     showCrop();
     m_facts->setText(pixels());
@@ -194,6 +195,12 @@ void ExportForm::adapt() {
     askPreview();
     m_sizeTimer.start();
     ++m_asked;  // an answer that is under way is to another question
+}
+
+/// None before there is something to write.
+void ExportForm::showFields() {
+    m_form->setRowVisible(m_format, m_format->count() > 0);
+    for (OptionField* field : m_fields) m_form->setRowVisible(field, shape() && takes(field->flag()));
 }
 
 void ExportForm::showDepths() {

@@ -76,6 +76,7 @@ class ExportForm : public QWidget {
     bool takes(const std::string& flag) const;
     void adapt();
     void tieRate(const OptionField& changed);
+    void showFields();
     void showDepths();
     void showCrop();
     void showSize(const FileSize& size);

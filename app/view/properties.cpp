@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/panels/balance_panel.h"
 #include "app/panels/cut_out_panel.h"
@@ -174,7 +175,9 @@ bool Properties::isDue(const When& when) const {
     return when.modes.has(m_tools.mode()) || (when.on && when.on->isChecked());
 }
 
+/// What matters most in a step stands at its top.
 void Properties::arrange() {
+    if (std::exchange(m_mode, m_tools.mode()) != m_tools.mode()) m_scroll->verticalScrollBar()->setValue(0);
     for (const Place& one : m_places) one.holder->setVisible(isDue(one.when));
     m_material->setVisible(m_tools.mode() != Mode::Export);  // its room is the preview's
     m_material->setBesideBrush(m_tools.mode() == Mode::Paint);

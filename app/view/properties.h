@@ -103,6 +103,7 @@ class Properties : public QWidget {
     void putPinsBeside(bool beside);
 
     const Toolbox& m_tools;
+    Mode m_mode = Mode::Pins;  // whose panels are shown
     MaterialPanel* m_material;
     ReachRow* m_reach;
     MeshPanel* m_mesh;

@@ -27,6 +27,7 @@ class TestExportPanel : public QObject {
     void cleanup() { m_f.reset(); }
     void kindsAreThoseOfTheShape_data();
     void kindsAreThoseOfTheShape();
+    void nothingIsAskedWithoutAShape();
     void previewFollowsThePose();
     void whatIsPreviewedIsWritten();
     void whatWasChosenStays();
@@ -157,6 +158,17 @@ void TestExportPanel::kindsAreThoseOfTheShape() {
     const auto& preview = *panel().findChild<ExportPreview*>();
     QVERIFY(QRectF(preview.rect()).contains(preview.place()));  // nothing is cut off
     QVERIFY(!m_f->window().materialPanel().isVisible());        // its room is the preview's
+}
+
+/// As long as a shape is being computed there is nothing to choose.
+void TestExportPanel::nothingIsAskedWithoutAShape() {
+    ExportForm form(ExportForm::Fields::Below);
+    form.setNothing(QStringLiteral("Not yet."));
+    form.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&form));
+    for (const QComboBox* box : form.findChildren<QComboBox*>()) QVERIFY(!box->isVisible());
+    for (const OptionField* field : form.findChildren<OptionField*>()) QVERIFY(!field->isVisible());
+    QVERIFY(!form.isReady());
 }
 
 /// A pose that is changed in the step is seen without another deed, and only the newest one.

@@ -104,12 +104,18 @@ void TestModes::stepsHaveTheirToolsAndPanels() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
     QCOMPARE(tools().mode(), Mode::Pins);  // where work begins
+    QScrollBar& scroll = *m_f->window()
+                              .properties()
+                              .findChild<QScrollArea*>(QString(), Qt::FindDirectChildrenOnly)
+                              ->verticalScrollBar();
     for (const Mode mode : kModes) {
+        scroll.setValue(scroll.maximum());
         QTest::keyClick(QApplication::focusWidget(), Qt::Key(Qt::Key_1 + static_cast<int>(mode)),
                         Qt::ControlModifier);
         QCOMPARE(tools().mode(), mode);
         QVERIFY(tools().modeAction(mode)->isChecked());
         settleLayout(m_f->window().properties());
+        QCOMPARE(scroll.value(), 0);  // a step is seen from its top
         QVERIFY(!bar().actions().isEmpty());
         QCOMPARE(bar().actions(), tools().toolsOf(mode));
         for (QAction* one : bar().actions())
