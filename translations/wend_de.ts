@@ -737,6 +737,14 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>für einen Käfig aus so vielen Zellen reicht der Speicher nicht; weniger Eckpunkte oder größere Zellen helfen vielleicht</translation>
     </message>
+    <message>
+        <source>%1; a detail of %2 and about %3 vertices open the widest</source>
+        <translation>%1; ein Detailgrad von %2 und etwa %3 Knoten öffnen die weiteste</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 and cells of at most %3 open the widest</source>
+        <translation>%1; ein Detailgrad von %2 und Zellen von höchstens %3 öffnen die weiteste</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -737,6 +737,14 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>no hay memoria para una jaula de tantas celdas; puede ayudar usar menos vértices o celdas mayores</translation>
     </message>
+    <message>
+        <source>%1; a detail of %2 and about %3 vertices open the widest</source>
+        <translation>%1; un detalle de %2 y unos %3 vértices abren el más ancho</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 and cells of at most %3 open the widest</source>
+        <translation>%1; un detalle de %2 y celdas de %3 como máximo abren el más ancho</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

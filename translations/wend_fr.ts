@@ -737,6 +737,14 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>la mémoire ne suffit pas pour une cage d’autant de cellules&#x202f;; moins de sommets ou de plus grandes cellules peuvent aider</translation>
     </message>
+    <message>
+        <source>%1; a detail of %2 and about %3 vertices open the widest</source>
+        <translation>%1&#x202f;; une finesse de %2 et environ %3 sommets ouvrent le plus large</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 and cells of at most %3 open the widest</source>
+        <translation>%1&#x202f;; une finesse de %2 et des cellules d’au plus %3 ouvrent le plus large</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -737,6 +737,14 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>これほど多くのセルのケージにはメモリーが足りません。頂点を減らすか、セルを大きくすると良いかもしれません</translation>
     </message>
+    <message>
+        <source>%1; a detail of %2 and about %3 vertices open the widest</source>
+        <translation>%1。細かさ %2 と約 %3 頂点で最も広い隙間が開きます</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 and cells of at most %3 open the widest</source>
+        <translation>%1。細かさ %2 と %3 以下のセルで最も広い隙間が開きます</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -737,6 +737,14 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>内存不足以生成这么多单元的笼子；减少顶点或增大单元可能有帮助</translation>
     </message>
+    <message>
+        <source>%1; a detail of %2 and about %3 vertices open the widest</source>
+        <translation>%1；细节度 %2 加约 %3 个顶点可打开最宽的一处</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 and cells of at most %3 open the widest</source>
+        <translation>%1；细节度 %2 加不大于 %3 的单元可打开最宽的一处</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -171,6 +171,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1; about %2 vertices open the widest"),
     QT_TRANSLATE_NOOP("Core", "%1; cells of at most %2 open the widest"),
     QT_TRANSLATE_NOOP("Core", "%1; a detail of %2 opens the widest"),
+    QT_TRANSLATE_NOOP("Core", "%1; a detail of %2 and about %3 vertices open the widest"),
+    QT_TRANSLATE_NOOP("Core", "%1; a detail of %2 and cells of at most %3 open the widest"),
     QT_TRANSLATE_NOOP("Core", "%1 of %2 vertices lie outside the solid that carries them"),
     QT_TRANSLATE_NOOP("Core",
                       "the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them"),

@@ -61,26 +61,36 @@ std::string fourDigits(double value) {
 
 /// Up, with two digits.
 double roundedUp(double value) {
-    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-    return unit * std::ceil(value / unit - 1e-9);
+    const double power = std::floor(std::log10(value)) - 1, unit = std::pow(10, std::abs(power));
+    const double digits = std::ceil((power < 0 ? value * unit : value / unit) - 1e-9);
+    return power < 0 ? digits / unit : digits * unit;
 }
 
 GapOpener openerOf(const Domain& domain, const Cage& cage) {
     if (cage.gaps.empty()) return {};
-    if (cage.openDetail > 0) return {.detail = roundedUp(cage.openDetail)};
+    GapOpener opener;
+    if (cage.openDetail > 0) opener.detail = roundedUp(cage.openDetail);
+    if (cage.openEdge == 0) return opener;
     const double vertices = cage.mesh.vertexCount() * std::pow(cage.edge / cage.openEdge, 3);
     if (vertices > kMostToOffer) return {};
-    if (domain.maxVolume > 0) return {.maxVolume = roundedUp(0.9 * std::pow(cage.openEdge, 3) / 12)};
-    return {.vertices = static_cast<int>(roundedUp(vertices))};
+    if (domain.maxVolume > 0)
+        opener.maxVolume = roundedUp(0.9 * std::pow(cage.openEdge, 3) / 12);
+    else
+        opener.vertices = static_cast<int>(roundedUp(vertices));
+    return opener;
 }
 
 std::string textOf(const GapOpener& opener) {
-    if (opener.detail > 0) return "; a detail of " + shortNumber(opener.detail) + " opens the widest";
+    const std::string detail = fourDigits(opener.detail), volume = fourDigits(opener.maxVolume);
+    const std::string vertices = std::to_string(opener.vertices);
+    const bool also = opener.detail > 0;
     if (opener.maxVolume > 0)
-        return "; cells of at most " + shortNumber(opener.maxVolume) + " open the widest";
+        return (also ? "; a detail of " + detail + " and cells of at most " : "; cells of at most ") +
+               volume + " open the widest";
     if (opener.vertices > 0)
-        return "; about " + std::to_string(opener.vertices) + " vertices open the widest";
-    return {};
+        return (also ? "; a detail of " + detail + " and about " : "; about ") + vertices +
+               " vertices open the widest";
+    return also ? "; a detail of " + detail + " opens the widest" : "";
 }
 
 void tellOfGaps(const Domain& domain, const Cage& cage, Shape<3>& solid) {

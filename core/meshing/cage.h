@@ -29,7 +29,7 @@ struct Cage {
     int apart = 0;                // sets of parts that share no cube: `parts` if none moves with another
     std::vector<ClosedGap> gaps;  // within parts, that it closes, the narrowest first
     double openEdge = 0;          // > 0: with such cubes the widest of them stays open …
-    double openDetail = 0;        // … or with this detail, where the cubes are small enough already
+    double openDetail = 0;        // … and with this detail: either may do as it is, which is 0
 };
 
 /// Cubes of one size that cover the surface and what it encloses (see fullCubes), each filled with

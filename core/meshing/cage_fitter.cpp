@@ -19,6 +19,7 @@ constexpr double kMostCubes = 5e7;     // of a grid: half a gigabyte while they 
 constexpr double kMinDistance = 1e-9;  // of the diagonal: more than rounding
 constexpr double kNearEnough = 0.03;   // to the aim, to stop looking
 constexpr double kPromised = 0.15;
+constexpr double kOblique = 1.2;  // cubes across: a gap that is tilted more is faced from several axes
 constexpr int kMostTries = 16;
 
 /// Tetrahedra in the full cubes. Where cubes meet in a corner or edge alone, each side has vertices of its
@@ -176,16 +177,22 @@ class CageFitter {
     }
 
   private:
-    /// Between walls two edges and two distances apart there is a cube of air, wherever cubes begin; and air
-    /// of the width of `detail` needs as much room beside.
+    /// Between walls across an axis, two cubes and two distances apart, there is a cube of air, wherever
+    /// cubes begin. An oblique gap is faced by the surface from most sides and filled without a detail,
+    /// however small the cubes are. Air of the width of `detail` needs two cubes beside.
     void findWhatOpens(Cage& cage) const {
-        const double width = cage.gaps.back().width, reach = 1 + 2 * m_options.offset;
-        if (gap() == 0)
-            cage.openEdge = width / (1 + reach);
-        else if (cage.edge > width / 3)
-            cage.openEdge = width / 4;
-        else
-            cage.openDetail = m_diagonal * reach / (20 * (width - 2 * cage.edge));
+        const ClosedGap& closed = cage.gaps.back();
+        const double reach = 1 + 2 * m_options.offset;
+        const double cubes = 2 * closed.cubeAcross + 2 * m_options.offset;
+        const bool isOblique = closed.cubeAcross > kOblique;
+        if (gap() == 0 && !isOblique && closed.width < cubes * cage.edge) {
+            cage.openEdge = closed.width / cubes;
+            return;
+        }
+        if (cage.edge > closed.width / 3) cage.openEdge = closed.width / 4;
+        const double edge = cage.openEdge > 0 ? cage.openEdge : cage.edge;
+        const double detail = m_diagonal * reach / (20 * (closed.width - 2 * edge));
+        if (cage.openEdge == 0 || detail > m_options.detail) cage.openDetail = detail;
     }
 
     std::vector<std::int64_t> fullCubesOf(const CubeGrid& grid) const {

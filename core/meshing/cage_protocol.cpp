@@ -15,15 +15,16 @@ bool points(ArrayReader& reader, Points<3>& points) {
 std::vector<double> numbersOf(const std::vector<ClosedGap>& gaps) {
     std::vector<double> numbers;
     for (const ClosedGap& gap : gaps)
-        numbers.insert(numbers.end(), {gap.width, gap.place.x(), gap.place.y(), gap.place.z()});
+        numbers.insert(numbers.end(),
+                       {gap.width, gap.place.x(), gap.place.y(), gap.place.z(), gap.cubeAcross});
     return numbers;
 }
 
 bool gaps(ArrayReader& reader, std::vector<ClosedGap>& gaps) {
     std::vector<double> numbers;
-    if (!reader.array(numbers) || numbers.size() % 4 != 0) return false;
-    for (std::size_t i = 0; i < numbers.size(); i += 4)
-        gaps.push_back({numbers[i], Vec<3>(numbers[i + 1], numbers[i + 2], numbers[i + 3])});
+    if (!reader.array(numbers) || numbers.size() % 5 != 0) return false;
+    for (std::size_t i = 0; i < numbers.size(); i += 5)
+        gaps.push_back({numbers[i], Vec<3>(numbers[i + 1], numbers[i + 2], numbers[i + 3]), numbers[i + 4]});
     return true;
 }
 

@@ -150,7 +150,7 @@ class GapFinder {
         const double width = (to - from).norm();
         if (cubes.empty() || areNearAlong(t, hit.triangle, to, kAround * std::max(width, m_grid.edge())))
             return;
-        m_seen.push_back({{width, (from + to) / 2}, std::move(cubes)});
+        m_seen.push_back({{width, (from + to) / 2, normal.lpNorm<1>()}, std::move(cubes)});
     }
 
     /// None if one of them is not full.

@@ -14,6 +14,7 @@ class CubeGrid;
 struct ClosedGap {
     double width = 0;
     Vec<3> place = Vec<3>::Zero();  // in the middle of it, where it is narrowest
+    double cubeAcross = 1;  // how long a cube is across it, in its edges: up to √3 where the gap is oblique
 };
 
 /// The gaps at most `widest` that the full cubes (in increasing order) close, the narrowest first: two sides

@@ -34,6 +34,7 @@ class TestCage : public QObject {
     void partsThatShareCells();
     void closedSlotsAreFound_data();
     void closedSlotsAreFound();
+    void obliqueSlotsAreOpened();
     void noGapIsSeen_data();
     void noGapIsSeen();
     void nothingHangsOnAPoint();
@@ -317,6 +318,27 @@ void TestCage::closedSlotsAreFound() {
     QVERIFY(fitCage(surface, options).gaps.empty());
 }
 
+/// A cube is longer across an oblique slot than across a straight one, and its walls face each other along
+/// all axes: what is offered, cubes and a detail, is finer than what there is and opens the slot.
+void TestCage::obliqueSlotsAreOpened() {
+    Surface surface = fork(0.15);
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec<3>::UnitX(), Vec<3>(1, 1, 1));
+    surface.points = (turn.toRotationMatrix() * surface.points).eval();
+    int closed = 0;
+    for (const int vertices : {500, 1000, 1500, 2000, 3000, 4000, 6000}) {
+        const Cage cage = cageOf(surface, vertices);
+        if (cage.gaps.empty()) continue;
+        ++closed;
+        QVERIFY(std::abs(cage.gaps.back().width - 0.15) < 1e-6);
+        QVERIFY2(cage.openEdge < cage.edge && cage.openDetail > 0, qPrintable(QString::number(vertices)));
+        CageOptions offered;
+        offered.maxVolume = std::pow(cage.openEdge > 0 ? cage.openEdge : cage.edge, 3) / 12;
+        offered.detail = cage.openDetail;
+        QVERIFY(fitCage(surface, offered).gaps.empty());
+    }
+    QVERIFY(closed > 3);
+}
+
 void TestCage::noGapIsSeen_data() {
     QTest::addColumn<Surface>("surface");
     Surface ball = box({-1, -1, -1}, {1, 1, 1}, 12);
@@ -402,7 +424,7 @@ void TestCage::sameInThisProcess() {
         QVERIFY(here.aimMet == there.aimMet && here.bodies == there.bodies && here.parts == there.parts &&
                 here.apart == there.apart);
         QVERIFY(std::ranges::equal(here.gaps, there.gaps, [](const ClosedGap& a, const ClosedGap& b) {
-            return a.width == b.width && a.place == b.place;
+            return a.width == b.width && a.place == b.place && a.cubeAcross == b.cubeAcross;
         }));
     }
 }
