@@ -157,7 +157,7 @@ template QString placeName<2>(const ShapeSession&, const Vec<2>&, const std::str
 template QString placeName<3>(const ShapeSession&, const Vec<3>&, const std::string&);
 
 std::optional<Measure> paintedMap(const Workbench& on, int) {
-    return on.brush.now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;
+    return on.brush->now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;
 }
 
 }  // namespace wend

@@ -219,14 +219,9 @@ void CropTool::paint(QPainter& painter) const {
 }
 
 ToolKind cropTool() {
-    return {
-        .id = "crop",
-        .icon = "crop",
-        .name = QT_TRANSLATE_NOOP("Tools", "&Crop"),
-        .help = QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
-        .keys = "C",
-        .modes = Mode::Export,
-        .make = picturesOnly([](Workbench& on) { return std::make_unique<CropTool>(on.picture, on.crop); })};
+    return ToolKind("crop", "crop", QT_TRANSLATE_NOOP("Tools", "&Crop"),
+                    QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
+                    "C", Mode::Export, picturesOnly<CropTool>(&Workbench::crop));
 }
 
 }  // namespace wend

@@ -54,15 +54,10 @@ void DepthTool::paint(QPainter& painter) const {
 }
 
 ToolKind depthTool() {
-    return {
-        .id = "depth",
-        .icon = "depth",
-        .name = QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
-        .help = QT_TRANSLATE_NOOP("Tools", "Brush over what lies in front where the shape covers itself"),
-        .keys = "O",
-        .modes = Mode::Paint,
-        .make = picturesOnly([](Workbench& on) { return std::make_unique<DepthTool>(on.picture, on.brush); }),
-        .options = {ToolOption::Order, ToolOption::BrushSize}};
+    return ToolKind("depth", "depth", QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
+                    QT_TRANSLATE_NOOP("Tools", "Brush over what lies in front where the shape covers itself"),
+                    "O", Mode::Paint, picturesOnly<DepthTool>(&Workbench::brush),
+                    {ToolOption::Order, ToolOption::BrushSize});
 }
 
 }  // namespace wend

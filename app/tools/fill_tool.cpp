@@ -96,39 +96,17 @@ void FillTool<Dim>::paint(QPainter& painter) const {
 template class FillTool<2>;
 template class FillTool<3>;
 
-namespace {
-
-template <bool Fills>
-ToolMakers makers() {
-    return both([]<int Dim>(Workbench& on) {
-        using Deed = typename FillTool<Dim>::Deed;
-        return std::make_unique<FillTool<Dim>>(on.surface<Dim>(), on.brush, Fills ? Deed::Fill : Deed::Pick);
-    });
-}
-
-}  // namespace
-
 ToolKind fillTool() {
-    return {.id = "fill",
-            .icon = "fill",
-            .name = QT_TRANSLATE_NOOP("Tools", "&Fill"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"),
-            .keys = "Shift+G",
-            .modes = Mode::Paint,
-            .make = makers<true>(),
-            .options = {ToolOption::Target},
-            .map = paintedMap};
+    return ToolKind("fill", "fill", QT_TRANSLATE_NOOP("Tools", "&Fill"),
+                    QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"), "Shift+G",
+                    Mode::Paint, both<FillTool>(&Workbench::brush, FillDeed::Fill), {ToolOption::Target},
+                    paintedMap);
 }
 
 ToolKind eyedropperTool() {
-    return {.id = "eyedropper",
-            .icon = "pick",
-            .name = QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"),
-            .keys = "I",
-            .modes = Mode::Paint,
-            .make = makers<false>(),
-            .map = paintedMap};
+    return ToolKind("eyedropper", "pick", QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
+                    QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"), "I", Mode::Paint,
+                    both<FillTool>(&Workbench::brush, FillDeed::Pick), {}, paintedMap);
 }
 
 }  // namespace wend

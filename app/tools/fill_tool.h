@@ -8,12 +8,14 @@ namespace wend {
 
 class Brush;
 
+enum class FillDeed { Fill, Pick };
+
 /// A click on the shape with what the brush paints: fills the part that hangs together there, with Shift the
 /// whole shape; or picks up what is there.
 template <int Dim>
 class FillTool : public ShapeTool<Dim> {
   public:
-    enum class Deed { Fill, Pick };
+    using Deed = FillDeed;
     FillTool(SurfaceOf<Dim>& view, Brush& brush, Deed deed)
         : ShapeTool<Dim>(view), m_brush(brush), m_deed(deed) {}
 

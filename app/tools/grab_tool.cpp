@@ -120,48 +120,28 @@ void GrabTool<Dim>::paint(QPainter& painter) const {
 template class GrabTool<2>;
 template class GrabTool<3>;
 
-namespace {
-
-template <DrawnOutline::Kind Outline>
-ToolMakers makers() {
-    return both([]<int Dim>(Workbench& on) {
-        return std::make_unique<GrabTool<Dim>>(on.surface<Dim>(), Outline, on.pins, on.toSelect);
-    });
-}
-
-}  // namespace
-
 ToolKind grabByLassoTool() {
-    return {.id = "lasso",
-            .icon = "area-lasso",
-            .name = QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a drawn outline as one handle"),
-            .keys = "L",
-            .modes = Mode::Pins,
-            .make = makers<DrawnOutline::Kind::Lasso>(),
-            .options = {ToolOption::Through}};
+    return ToolKind("lasso", "area-lasso", QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
+                    QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a drawn outline as one handle"),
+                    "L", Mode::Pins,
+                    both<GrabTool>(DrawnOutline::Kind::Lasso, &Workbench::pins, &Workbench::toSelect),
+                    {ToolOption::Through});
 }
 
 ToolKind grabByBoxTool() {
-    return {.id = "rectangle",
-            .icon = "area-rectangle",
-            .name = QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a rectangle as one handle"),
-            .keys = "Shift+B",
-            .modes = Mode::Pins,
-            .make = makers<DrawnOutline::Kind::Rectangle>(),
-            .options = {ToolOption::Through}};
+    return ToolKind("rectangle", "area-rectangle", QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
+                    QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a rectangle as one handle"),
+                    "Shift+B", Mode::Pins,
+                    both<GrabTool>(DrawnOutline::Kind::Rectangle, &Workbench::pins, &Workbench::toSelect),
+                    {ToolOption::Through});
 }
 
 ToolKind grabByBrushTool() {
-    return {.id = "grabBrush",
-            .icon = "area-brush",
-            .name = QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Take hold of what is brushed over as one handle"),
-            .keys = "U",
-            .modes = Mode::Pins,
-            .make = makers<DrawnOutline::Kind::Brush>(),
-            .options = {ToolOption::Through}};
+    return ToolKind("grabBrush", "area-brush", QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
+                    QT_TRANSLATE_NOOP("Tools", "Take hold of what is brushed over as one handle"), "U",
+                    Mode::Pins,
+                    both<GrabTool>(DrawnOutline::Kind::Brush, &Workbench::pins, &Workbench::toSelect),
+                    {ToolOption::Through});
 }
 
 }  // namespace wend

@@ -127,15 +127,9 @@ template class MeasureTool<2>;
 template class MeasureTool<3>;
 
 ToolKind measureTool() {
-    return {.id = "measure",
-            .icon = "measure",
-            .name = QT_TRANSLATE_NOOP("Tools", "M&easure"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
-            .keys = "E; Shift+E",
-            .modes = Modes::all().without(Mode::Export),
-            .make = both([]<int Dim>(Workbench& on) {
-                return std::make_unique<MeasureTool<Dim>>(on.surface<Dim>());
-            })};
+    return ToolKind("measure", "measure", QT_TRANSLATE_NOOP("Tools", "M&easure"),
+                    QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
+                    "E; Shift+E", Modes::all().without(Mode::Export), both<MeasureTool>());
 }
 
 }  // namespace wend

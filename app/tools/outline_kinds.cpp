@@ -5,68 +5,38 @@
 
 namespace wend {
 
-namespace {
-
-template <OutlineTool::Shape Shape>
-ToolMakers makers() {
-    return picturesOnly(
-        [](Workbench& on) { return std::make_unique<OutlineTool>(on.picture, Shape, on.pen); });
-}
-
-}  // namespace
-
 ToolKind outlineLassoTool() {
-    return {.id = "outlineLasso",
-            .icon = "area-lasso",
-            .name = QT_TRANSLATE_NOOP("Tools", "Outline by &Lasso"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Draw around what shall bend, or shall not"),
-            .keys = "L",
-            .modes = Mode::Mesh,
-            .make = makers<OutlineTool::Shape::Lasso>(),
-            .options = {ToolOption::AddsOrTakes}};
+    return ToolKind("outlineLasso", "area-lasso", QT_TRANSLATE_NOOP("Tools", "Outline by &Lasso"),
+                    QT_TRANSLATE_NOOP("Tools", "Draw around what shall bend, or shall not"), "L", Mode::Mesh,
+                    picturesOnly<OutlineTool>(OutlineTool::Shape::Lasso, &Workbench::pen),
+                    {ToolOption::AddsOrTakes});
 }
 
 ToolKind outlinePolygonTool() {
-    return {.id = "outlinePolygon",
-            .icon = "outline-polygon",
-            .name = QT_TRANSLATE_NOOP("Tools", "Outline by &Polygon"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Set the corners of what shall bend, or shall not"),
-            .keys = "Shift+L",
-            .modes = Mode::Mesh,
-            .make = makers<OutlineTool::Shape::Polygon>(),
-            .options = {ToolOption::AddsOrTakes}};
+    return ToolKind("outlinePolygon", "outline-polygon", QT_TRANSLATE_NOOP("Tools", "Outline by &Polygon"),
+                    QT_TRANSLATE_NOOP("Tools", "Set the corners of what shall bend, or shall not"), "Shift+L",
+                    Mode::Mesh, picturesOnly<OutlineTool>(OutlineTool::Shape::Polygon, &Workbench::pen),
+                    {ToolOption::AddsOrTakes});
 }
 
 ToolKind outlineBrushTool() {
-    return {.id = "outlineBrush",
-            .icon = "outline-brush",
-            .name = QT_TRANSLATE_NOOP("Tools", "Outline by &Brush"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Brush over what shall bend, or shall not"),
-            .keys = "B",
-            .modes = Mode::Mesh,
-            .make = makers<OutlineTool::Shape::Brush>(),
-            .options = {ToolOption::AddsOrTakes, ToolOption::PenSize}};
+    return ToolKind("outlineBrush", "outline-brush", QT_TRANSLATE_NOOP("Tools", "Outline by &Brush"),
+                    QT_TRANSLATE_NOOP("Tools", "Brush over what shall bend, or shall not"), "B", Mode::Mesh,
+                    picturesOnly<OutlineTool>(OutlineTool::Shape::Brush, &Workbench::pen),
+                    {ToolOption::AddsOrTakes, ToolOption::PenSize});
 }
 
 ToolKind outlineWandTool() {
-    return {.id = "wand",
-            .icon = "outline-wand",
-            .name = QT_TRANSLATE_NOOP("Tools", "Outline by &Colour"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Click on a colour that shall bend, or shall not"),
-            .keys = "W",
-            .modes = Mode::Mesh,
-            .make = makers<OutlineTool::Shape::Wand>(),
-            .options = {ToolOption::AddsOrTakes, ToolOption::Tolerance}};
+    return ToolKind("wand", "outline-wand", QT_TRANSLATE_NOOP("Tools", "Outline by &Colour"),
+                    QT_TRANSLATE_NOOP("Tools", "Click on a colour that shall bend, or shall not"), "W",
+                    Mode::Mesh, picturesOnly<OutlineTool>(OutlineTool::Shape::Wand, &Workbench::pen),
+                    {ToolOption::AddsOrTakes, ToolOption::Tolerance});
 }
 
 ToolKind cutStrokeTool() {
-    return {.id = "cutStroke",
-            .icon = "outline-cut",
-            .name = QT_TRANSLATE_NOOP("Tools", "Cut &Apart"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Draw a line along which the shape is parted"),
-            .keys = "X",
-            .modes = Mode::Mesh,
-            .make = makers<OutlineTool::Shape::Cut>()};
+    return ToolKind("cutStroke", "outline-cut", QT_TRANSLATE_NOOP("Tools", "Cut &Apart"),
+                    QT_TRANSLATE_NOOP("Tools", "Draw a line along which the shape is parted"), "X",
+                    Mode::Mesh, picturesOnly<OutlineTool>(OutlineTool::Shape::Cut, &Workbench::pen));
 }
 
 }  // namespace wend

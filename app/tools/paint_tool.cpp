@@ -315,54 +315,25 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
 template class PaintTool<2>;
 template class PaintTool<3>;
 
-namespace {
-
-template <bool Erases>
-ToolMakers makers() {
-    return both([]<int Dim>(Workbench& on) {
-        using Deed = typename PaintTool<Dim>::Deed;
-        return std::make_unique<PaintTool<Dim>>(on.surface<Dim>(), on.brush,
-                                                Erases ? Deed::Erase : Deed::Paint);
-    });
-}
-
-}  // namespace
-
 ToolKind paintTool() {
-    return {.id = "paint",
-            .icon = "brush",
-            .name = QT_TRANSLATE_NOOP("Tools", "&Paint"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"),
-            .keys = "B; A",
-            .modes = Mode::Paint,
-            .begins = Mode::Paint,
-            .make = makers<false>(),
-            .options = {ToolOption::Target, ToolOption::Separator, ToolOption::Tip},
-            .map = paintedMap};
+    return ToolKind("paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),
+                    QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"), "B; A", Mode::Paint,
+                    both<PaintTool>(&Workbench::brush, PaintDeed::Paint),
+                    {ToolOption::Target, ToolOption::Separator, ToolOption::Tip}, paintedMap, Mode::Paint);
 }
 
 ToolKind combTool() {
-    return {.id = "comb",
-            .icon = "comb",
-            .name = QT_TRANSLATE_NOOP("Tools", "&Comb"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Comb the direction along which it is stiff"),
-            .keys = "N",
-            .modes = Mode::Paint,
-            .make = makers<false>(),
-            .options = {ToolOption::Target, ToolOption::Separator, ToolOption::Tip},
-            .map = paintedMap};
+    return ToolKind("comb", "comb", QT_TRANSLATE_NOOP("Tools", "&Comb"),
+                    QT_TRANSLATE_NOOP("Tools", "Comb the direction along which it is stiff"), "N",
+                    Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Paint),
+                    {ToolOption::Target, ToolOption::Separator, ToolOption::Tip}, paintedMap);
 }
 
 ToolKind eraserTool() {
-    return {.id = "eraser",
-            .icon = "eraser",
-            .name = QT_TRANSLATE_NOOP("Tools", "E&raser"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Take paint off: what is brushed is as everywhere again"),
-            .keys = "E",
-            .modes = Mode::Paint,
-            .make = makers<true>(),
-            .options = {ToolOption::Tip},
-            .map = paintedMap};
+    return ToolKind("eraser", "eraser", QT_TRANSLATE_NOOP("Tools", "E&raser"),
+                    QT_TRANSLATE_NOOP("Tools", "Take paint off: what is brushed is as everywhere again"), "E",
+                    Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Erase), {ToolOption::Tip},
+                    paintedMap);
 }
 
 }  // namespace wend

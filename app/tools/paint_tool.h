@@ -6,6 +6,8 @@
 
 namespace wend {
 
+enum class PaintDeed { Paint, Erase, Smooth };
+
 /// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
 /// in one layer and as one undo step. Ctrl takes away what all layers have painted there, Shift smooths,
 /// Shift-click draws a line from the last place, Alt-click picks up what is there. The eraser takes away
@@ -13,7 +15,7 @@ namespace wend {
 template <int Dim>
 class PaintTool : public StrokeTool<Dim> {
   public:
-    enum class Deed { Paint, Erase, Smooth };
+    using Deed = PaintDeed;
     /// Paint: what is held says what it does; Erase: it always does.
     PaintTool(SurfaceOf<Dim>& view, Brush& tip, Deed deed) : StrokeTool<Dim>(view, tip), m_deed(deed) {}
 

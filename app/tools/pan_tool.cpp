@@ -27,15 +27,10 @@ class PanTool : public ShapeTool<Dim> {
 }  // namespace
 
 ToolKind panTool() {
-    return {.id = "pan",
-            .icon = "pan",
-            .name = QT_TRANSLATE_NOOP("Tools", "Pa&n"),
-            .help = QT_TRANSLATE_NOOP("Tools",
-                                      "Drag the view to another place; in every step the space bar does so"),
-            .keys = "Q",
-            .modes = Mode::Export,
-            .make = both(
-                []<int Dim>(Workbench& on) { return std::make_unique<PanTool<Dim>>(on.surface<Dim>()); })};
+    return ToolKind(
+        "pan", "pan", QT_TRANSLATE_NOOP("Tools", "Pa&n"),
+        QT_TRANSLATE_NOOP("Tools", "Drag the view to another place; in every step the space bar does so"),
+        "Q", Mode::Export, both<PanTool>());
 }
 
 }  // namespace wend

@@ -138,39 +138,20 @@ WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE
 
-namespace {
-
-template <bool Adds>
-ToolMakers makers() {
-    return both([]<int Dim>(Workbench& on) {
-        return std::make_unique<PinTool<Dim>>(on.surface<Dim>(), on.pins, Adds);
-    });
-}
-
-}  // namespace
-
 ToolKind pinTool() {
-    return {.id = "pin",
-            .icon = "pin",
-            .name = QT_TRANSLATE_NOOP("Tools", "&Pin"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"),
-            .keys = "P",
-            .modes = Mode::Pins,
-            .begins = Mode::Pins,
-            .make = makers<true>(),
-            .options = {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
-                        ToolOption::Snap}};
+    return ToolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
+                    QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins,
+                    both<PinTool>(&Workbench::pins, true),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
+                     ToolOption::Snap},
+                    {}, Mode::Pins);
 }
 
 ToolKind selectTool() {
-    return {.id = "select",
-            .icon = "select",
-            .name = QT_TRANSLATE_NOOP("Tools", "Se&lect"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"),
-            .keys = "V",
-            .modes = Modes::all(),
-            .make = makers<false>(),
-            .options = {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through}};
+    return ToolKind("select", "select", QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+                    QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"), "V",
+                    Modes::all(), both<PinTool>(&Workbench::pins, false),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through});
 }
 
 }  // namespace wend

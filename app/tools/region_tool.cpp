@@ -99,47 +99,26 @@ void RegionTool::paint(QPainter& painter) const {
     paintCaught(painter, surface(), verticesIn(drawn, *frame->rest), m_at);
 }
 
-namespace {
-
-template <RegionTool::Shape Shape>
-ToolMakers makers() {
-    return solidsOnly(
-        [](Workbench& on) { return std::make_unique<RegionTool>(*on.solid, Shape, on.toSelect); });
-}
-
-}  // namespace
-
 ToolKind grabBallTool() {
-    return {.id = "ball",
-            .icon = "area-ball",
-            .name = QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
-            .help = QT_TRANSLATE_NOOP("Tools",
-                                      "Take hold of all that lies in a ball around a point of the surface"),
-            .keys = "Shift+K",
-            .modes = Mode::Pins,
-            .make = makers<RegionTool::Shape::Ball>()};
+    return ToolKind(
+        "ball", "area-ball", QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point of the surface"),
+        "Shift+K", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Ball, &Workbench::toSelect));
 }
 
 ToolKind grabBlockTool() {
-    return {.id = "block",
-            .icon = "area-box",
-            .name = QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
-            .help = QT_TRANSLATE_NOOP("Tools",
-                                      "Take hold of all that lies in a block around a point of the surface"),
-            .keys = "Shift+X",
-            .modes = Mode::Pins,
-            .make = makers<RegionTool::Shape::Block>()};
+    return ToolKind(
+        "block", "area-box", QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point of the surface"),
+        "Shift+X", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Block, &Workbench::toSelect));
 }
 
 ToolKind grabSideTool() {
-    return {.id = "side",
-            .icon = "area-half",
-            .name = QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
-            .help = QT_TRANSLATE_NOOP(
-                "Tools", "Take hold of all that lies beyond a plane through a point of the surface"),
-            .keys = "Shift+P",
-            .modes = Mode::Pins,
-            .make = makers<RegionTool::Shape::Side>()};
+    return ToolKind("side", "area-half", QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
+                    QT_TRANSLATE_NOOP(
+                        "Tools", "Take hold of all that lies beyond a plane through a point of the surface"),
+                    "Shift+P", Mode::Pins,
+                    solidsOnly<RegionTool>(RegionTool::Shape::Side, &Workbench::toSelect));
 }
 
 }  // namespace wend

@@ -75,19 +75,12 @@ template class SizeTool<2>;
 template class SizeTool<3>;
 
 ToolKind detailBrushTool() {
-    return {.id = "sizes",
-            .icon = "sizes",
-            .name = QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
-            .help = QT_TRANSLATE_NOOP("Tools", "Brush where the mesh is to be finer or coarser"),
-            .keys = "Shift+A",
-            .modes = Mode::Mesh,
-            .make = both([]<int Dim>(Workbench& on) {
-                return std::make_unique<SizeTool<Dim>>(on.surface<Dim>(), on.brush);
-            }),
-            .options = {ToolOption::Edges, ToolOption::BrushSize},
-            .map = [](const Workbench&, int dimension) {
-                return dimension == 3 ? std::optional(Measure::CellSize) : std::nullopt;
-            }};
+    return ToolKind("sizes", "sizes", QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
+                    QT_TRANSLATE_NOOP("Tools", "Brush where the mesh is to be finer or coarser"), "Shift+A",
+                    Mode::Mesh, both<SizeTool>(&Workbench::brush), {ToolOption::Edges, ToolOption::BrushSize},
+                    [](const Workbench&, int dimension) {
+                        return dimension == 3 ? std::optional(Measure::CellSize) : std::nullopt;
+                    });
 }
 
 }  // namespace wend

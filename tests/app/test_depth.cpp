@@ -9,7 +9,7 @@
 
 #include "app/document/depth_edits.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
@@ -19,7 +19,6 @@
 #include "app/view/canvas.h"
 #include "app/view/ground.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/mesh_file.h"
 #include "kernels/opencl_devices.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warped_picture.h"

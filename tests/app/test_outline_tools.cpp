@@ -9,7 +9,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_writer.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/option_field.h"
 #include "app/session/opening.h"

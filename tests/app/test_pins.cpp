@@ -11,7 +11,7 @@
 #include <QTreeWidget>
 
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_writer.h"
 #include "app/panels/marks.h"
 #include "app/panels/pin_list.h"
 #include "app/session/mark_size.h"

@@ -28,7 +28,7 @@
 #include "app/view/work_note.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 
@@ -123,7 +123,7 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
     QVERIFY(m_f->canvas().isVisible() && !m_f->actions().front->toolTip().isEmpty());
     SimplicialMesh<3> mesh = *frame->rest;
     const QString path = m_f->folder().filePath(QStringLiteral("bar.vtu"));
-    writeMeshFile(path.toStdString(), toMeshFile<3>(mesh));
+    writeMesh<3>(path.toStdString(), mesh);
     m_f->window().session().document().undoStack()->setClean();
     m_f->window().openPath(path);
     QVERIFY(QTest::qWaitFor(
