@@ -9,7 +9,6 @@
 #include "app/document/domain.h"
 #include "app/document/in_background.h"
 #include "app/document/named_files.h"
-#include "app/document/said.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/reasons.h"
 #include "app/session/inspection.h"

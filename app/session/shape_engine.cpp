@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "app/document/design.h"
-#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "app/session/held_border.h"
 #include "core/energy/distortion.h"

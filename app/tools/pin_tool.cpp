@@ -288,12 +288,11 @@ template <int Dim>
 int PinTool<Dim>::addPin(const QPointF& at) {
     auto touched = surface().touch(at);
     if (!touched) return session().template addPin<Dim>(std::optional<Location<Dim>>());
-    Location<Dim>& place = touched->place;
+    const bool snaps = m_choice.now().snaps && !session().template frame<Dim>()->built->hidesVertices();
     Eigen::Index corner = 0;
-    place.weights.maxCoeff(&corner);
-    const bool hasCorners = !session().template frame<Dim>()->built->hidesVertices();
-    if (m_choice.now().snaps && hasCorners) place.weights.setUnit(corner);
-    return session().template addPin<Dim>(std::optional(place));
+    touched->place.weights.maxCoeff(&corner);
+    if (snaps) touched->place.weights.setUnit(corner);
+    return session().template addPin<Dim>(std::optional(touched->place));
 }
 
 /// If its mark lies inside, or any point of it; of a solid only what is seen, unless through.
@@ -321,12 +320,6 @@ void PinTool<Dim>::doubleClick(const QMouseEvent& event) {
     const QPointF at = event.position();
     const bool isTaken = curvePointAt(at) > 0 || pinAt(at) >= 0 || partAt(at);
     if (event.button() != Qt::LeftButton || isTaken || !m_curve.insertAt(at)) press(event);
-}
-
-template <int Dim>
-void PinTool<Dim>::leave() {
-    m_over = false;
-    m_hovered = -1;
 }
 
 template <int Dim>

@@ -29,7 +29,10 @@ class PinTool : public ShapeTool<Dim> {
     bool key(const QKeyEvent& event) override;
     void cancel() override;
     void doubleClick(const QMouseEvent& event) override;
-    void leave() override;
+    void leave() override {
+        m_over = false;
+        m_hovered = -1;
+    }
     bool ownsKey(const QKeyEvent& event) const override;
     MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }

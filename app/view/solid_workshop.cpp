@@ -18,7 +18,6 @@
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
 #include "app/view/actions.h"
-#include "app/view/backdrop_choice.h"
 #include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/properties.h"

@@ -212,7 +212,7 @@ void TestSpaceTools::outlinesShowTheirMode() {
     QAction* select = m_f->window().actions().selectTool;
     const QPoint over = m_f->at({0, -0.5, 0});
     const auto choose = [&](Qt::Key key) {
-        m_f->actions().ball->trigger();
+        m_f->tool("ball")->trigger();
         QTest::keyClick(&m_f->canvas(), key, Qt::ShiftModifier);
         QTest::mouseMove(&m_f->canvas(), over + QPoint(3, 0));
         QTest::mouseMove(&m_f->canvas(), over);
