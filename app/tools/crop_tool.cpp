@@ -218,4 +218,15 @@ void CropTool::paint(QPainter& painter) const {
                QStringLiteral("%1 × %2").arg(locale.toString(part->width), locale.toString(part->height)));
 }
 
+ToolKind cropTool() {
+    return {
+        .id = "crop",
+        .icon = "crop",
+        .name = QT_TRANSLATE_NOOP("Tools", "&Crop"),
+        .help = QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
+        .keys = "C",
+        .modes = Mode::Export,
+        .make = picturesOnly([](Workbench& on) { return std::make_unique<CropTool>(on.picture, on.crop); })};
+}
+
 }  // namespace wend

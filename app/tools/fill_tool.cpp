@@ -96,4 +96,39 @@ void FillTool<Dim>::paint(QPainter& painter) const {
 template class FillTool<2>;
 template class FillTool<3>;
 
+namespace {
+
+template <bool Fills>
+ToolMakers makers() {
+    return both([]<int Dim>(Workbench& on) {
+        using Deed = typename FillTool<Dim>::Deed;
+        return std::make_unique<FillTool<Dim>>(on.surface<Dim>(), on.brush, Fills ? Deed::Fill : Deed::Pick);
+    });
+}
+
+}  // namespace
+
+ToolKind fillTool() {
+    return {.id = "fill",
+            .icon = "fill",
+            .name = QT_TRANSLATE_NOOP("Tools", "&Fill"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"),
+            .keys = "Shift+G",
+            .modes = Mode::Paint,
+            .make = makers<true>(),
+            .options = {ToolOption::Target},
+            .map = paintedMap};
+}
+
+ToolKind eyedropperTool() {
+    return {.id = "eyedropper",
+            .icon = "pick",
+            .name = QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"),
+            .keys = "I",
+            .modes = Mode::Paint,
+            .make = makers<false>(),
+            .map = paintedMap};
+}
+
 }  // namespace wend

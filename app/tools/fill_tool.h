@@ -2,7 +2,7 @@
 
 #include "app/document/project_fwd.h"
 #include "app/tools/key_cross.h"
-#include "app/tools/shape_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -45,5 +45,8 @@ class FillTool : public ShapeTool<Dim> {
 
 extern template class FillTool<2>;
 extern template class FillTool<3>;
+
+ToolKind fillTool();
+ToolKind eyedropperTool();
 
 }  // namespace wend

@@ -211,4 +211,18 @@ void GradientTool<Dim>::paint(QPainter& painter) const {
 template class GradientTool<2>;
 template class GradientTool<3>;
 
+ToolKind gradientTool() {
+    return {.id = "gradient",
+            .icon = "gradient",
+            .name = QT_TRANSLATE_NOOP("Tools", "&Gradient"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Drag: what is there changes evenly into what is chosen"),
+            .keys = "G",
+            .modes = Mode::Paint,
+            .make = both([]<int Dim>(Workbench& on) {
+                return std::make_unique<GradientTool<Dim>>(on.surface<Dim>(), on.brush);
+            }),
+            .options = {ToolOption::Target},
+            .map = paintedMap};
+}
+
 }  // namespace wend

@@ -126,4 +126,16 @@ void MeasureTool<Dim>::paint(QPainter& painter) const {
 template class MeasureTool<2>;
 template class MeasureTool<3>;
 
+ToolKind measureTool() {
+    return {.id = "measure",
+            .icon = "measure",
+            .name = QT_TRANSLATE_NOOP("Tools", "M&easure"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
+            .keys = "E; Shift+E",
+            .modes = Modes::all().without(Mode::Export),
+            .make = both([]<int Dim>(Workbench& on) {
+                return std::make_unique<MeasureTool<Dim>>(on.surface<Dim>());
+            })};
+}
+
 }  // namespace wend

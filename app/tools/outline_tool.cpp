@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <QCoreApplication>
-#include <QPainterPathStroker>
 #include <algorithm>
 
 #include "app/document/domain.h"
@@ -11,6 +10,7 @@
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
 #include "app/session/mark_size.h"
+#include "app/tools/drawn_outline.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
 #include "core/meshing/outline_simplify.h"
@@ -182,27 +182,9 @@ void OutlineTool::cancel() {
 
 /// On the screen.
 QPainterPath OutlineTool::area() const {
-    QPainterPath path;
-    if (m_line.isEmpty()) return path;
-    if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) {
-        path.setFillRule(Qt::WindingFill);
-        path.addPolygon(m_line);
-        path.closeSubpath();
-        return path;
-    }
-    const double width = m_shape == Shape::Cut ? kCut : 2 * m_pen.now().radius;
-    QPainterPath way(m_line.first());
-    for (const QPointF& p : m_line) way.lineTo(p);
-    QPainterPathStroker stroker;
-    stroker.setWidth(width);
-    stroker.setCapStyle(Qt::RoundCap);
-    stroker.setJoinStyle(Qt::RoundJoin);
-    path.setFillRule(Qt::WindingFill);
-    if (way.length() > 0)
-        path.addPath(stroker.createStroke(way));
-    else if (m_shape == Shape::Brush)
-        path.addEllipse(m_line.first(), width / 2, width / 2);
-    return path;
+    if (m_line.isEmpty()) return {};
+    if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) return insideOf(m_line);
+    return brushedAlong(m_line, m_shape == Shape::Cut ? kCut / 2 : m_pen.now().radius);
 }
 
 Outline OutlineTool::inPicture(const QPainterPath& area) const {

@@ -7,6 +7,7 @@
 #include "app/tools/key_cross.h"
 #include "app/tools/outline_settings.h"
 #include "app/tools/tool.h"
+#include "app/tools/tool_kind.h"
 #include "app/tools/tool_surface.h"
 #include "core/meshing/outline.h"
 #include "warp/outline.h"
@@ -88,5 +89,11 @@ class OutlineTool : public Tool {
     std::optional<Taken> m_taken;
     QObject m_listener;  // to the pen
 };
+
+ToolKind outlineLassoTool();
+ToolKind outlinePolygonTool();
+ToolKind outlineBrushTool();
+ToolKind outlineWandTool();
+ToolKind cutStrokeTool();
 
 }  // namespace wend

@@ -315,4 +315,54 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
 template class PaintTool<2>;
 template class PaintTool<3>;
 
+namespace {
+
+template <bool Erases>
+ToolMakers makers() {
+    return both([]<int Dim>(Workbench& on) {
+        using Deed = typename PaintTool<Dim>::Deed;
+        return std::make_unique<PaintTool<Dim>>(on.surface<Dim>(), on.brush,
+                                                Erases ? Deed::Erase : Deed::Paint);
+    });
+}
+
+}  // namespace
+
+ToolKind paintTool() {
+    return {.id = "paint",
+            .icon = "brush",
+            .name = QT_TRANSLATE_NOOP("Tools", "&Paint"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"),
+            .keys = "B; A",
+            .modes = Mode::Paint,
+            .begins = Mode::Paint,
+            .make = makers<false>(),
+            .options = {ToolOption::Target, ToolOption::Separator, ToolOption::Tip},
+            .map = paintedMap};
+}
+
+ToolKind combTool() {
+    return {.id = "comb",
+            .icon = "comb",
+            .name = QT_TRANSLATE_NOOP("Tools", "&Comb"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Comb the direction along which it is stiff"),
+            .keys = "N",
+            .modes = Mode::Paint,
+            .make = makers<false>(),
+            .options = {ToolOption::Target, ToolOption::Separator, ToolOption::Tip},
+            .map = paintedMap};
+}
+
+ToolKind eraserTool() {
+    return {.id = "eraser",
+            .icon = "eraser",
+            .name = QT_TRANSLATE_NOOP("Tools", "E&raser"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Take paint off: what is brushed is as everywhere again"),
+            .keys = "E",
+            .modes = Mode::Paint,
+            .make = makers<true>(),
+            .options = {ToolOption::Tip},
+            .map = paintedMap};
+}
+
 }  // namespace wend

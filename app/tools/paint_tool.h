@@ -2,6 +2,7 @@
 
 #include "app/document/design.h"
 #include "app/tools/stroke_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -61,5 +62,9 @@ class PaintTool : public StrokeTool<Dim> {
 
 extern template class PaintTool<2>;
 extern template class PaintTool<3>;
+
+ToolKind paintTool();
+ToolKind combTool();
+ToolKind eraserTool();
 
 }  // namespace wend

@@ -251,4 +251,15 @@ void PenTool<Dim>::paintJoints(QPainter& painter) const {
 template class PenTool<2>;
 template class PenTool<3>;
 
+ToolKind penTool() {
+    return {.id = "pen",
+            .icon = "pen",
+            .name = QT_TRANSLATE_NOOP("Tools", "Pe&n"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Draw the path of a pin, point by point"),
+            .keys = "P",
+            .modes = Mode::Animate,
+            .make = both(
+                []<int Dim>(Workbench& on) { return std::make_unique<PenTool<Dim>>(on.surface<Dim>()); })};
+}
+
 }  // namespace wend

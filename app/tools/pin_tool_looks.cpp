@@ -1,4 +1,4 @@
-// What the pin tool says and draws, and which pointer it shows.
+// What the pin tool says and draws, which pointer it shows, and how the window offers it.
 #include <QCoreApplication>
 
 #include "app/session/accent.h"
@@ -137,5 +137,40 @@ void PinTool<Dim>::paintWidened(QPainter& painter) const {
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE
+
+namespace {
+
+template <bool Adds>
+ToolMakers makers() {
+    return both([]<int Dim>(Workbench& on) {
+        return std::make_unique<PinTool<Dim>>(on.surface<Dim>(), on.pins, Adds);
+    });
+}
+
+}  // namespace
+
+ToolKind pinTool() {
+    return {.id = "pin",
+            .icon = "pin",
+            .name = QT_TRANSLATE_NOOP("Tools", "&Pin"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"),
+            .keys = "P",
+            .modes = Mode::Pins,
+            .begins = Mode::Pins,
+            .make = makers<true>(),
+            .options = {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
+                        ToolOption::Snap}};
+}
+
+ToolKind selectTool() {
+    return {.id = "select",
+            .icon = "select",
+            .name = QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+            .help = QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"),
+            .keys = "V",
+            .modes = Modes::all(),
+            .make = makers<false>(),
+            .options = {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through}};
+}
 
 }  // namespace wend

@@ -33,9 +33,6 @@ void SolidActions::takeTools(const Toolbox& tools) {
     through = addToggle(
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
-    snap =
-        addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
-    snap->setChecked(true);
     holdBeyond =
         add({tr("Grab Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));

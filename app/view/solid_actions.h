@@ -21,7 +21,7 @@ class SolidActions : public ActionMaker {
 
     // of the tools, those that something else here speaks of
     QAction *rectangle, *lasso, *brush, *ball, *box, *half, *sizes, *measure;
-    QAction *through, *snap, *holdBeyond;
+    QAction *through, *holdBeyond;
     QAction *detail, *flat, *orthographic;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     std::array<QAction*, 3> upAxes;  // x, y, z

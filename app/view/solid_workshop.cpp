@@ -237,7 +237,8 @@ void SolidWorkshop::holdBeyondCut() {
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
-    m_around.session.addSolidHandle(beyond, tr("Area").toStdString());
+    ShapeSession& session = m_around.session;
+    if (!beyond.empty()) session.addHandle<3>(session.placementOf(beyond), tr("Area").toStdString());
 }
 
 }  // namespace wend

@@ -381,8 +381,8 @@ void TestDepth::orderIsUndone() {
 void TestDepth::brushed() {
     setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, 1}});  // over the body
     Brush brush;
-    const PenValue order(2);
-    DepthTool tool(m_canvas, brush, order);
+    brush.order().set(2);
+    DepthTool tool(m_canvas, brush);
     m_canvas.zoomTo(1);
     m_canvas.viewport().set(&Looks::hidden, false);
     m_canvas.viewport().setTool(&tool);
@@ -448,7 +448,8 @@ void TestDepth::pinsInFrontArePicked() {
     const int steps = m_session.document().undoStack()->count();
     const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
     QVERIFY(settle(m_session));
-    PinTool<2> tool(m_canvas, false);
+    const PinChoice choice;
+    PinTool<2> tool(m_canvas, choice, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
         setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});

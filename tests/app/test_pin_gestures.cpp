@@ -80,7 +80,6 @@ template <int Dim>
 bool TestPinGestures::open(const std::vector<double>& places) {
     if (!Bar<Dim>::open(*m_f)) return false;
     m_f->tool("pin")->trigger();
-    m_f->actions().snap->setChecked(false);
     for (const double u : places) {
         press(at<Dim>(u));
         if (!let(at<Dim>(u))) return false;

@@ -248,7 +248,7 @@ void TestSpaceTools::hiddenPinsAreSelectedThrough() {
         const Vec<3> p = frame->pose.col(v);
         if (std::abs(p.y() - 0.5) < 1e-9 && (back < 0 || p.norm() < frame->pose.col(back).norm())) back = v;
     }
-    m_f->session().addSolidHandle({back}, "Pin");
+    m_f->session().addHandle<3>(m_f->session().placementOf({back}), "Pin");
     QVERIFY(settle(m_f->session()));
     m_f->session().selection().clear();
     m_f->window().actions().selectTool->trigger();

@@ -106,7 +106,7 @@ class SolidFixture {
             std::vector<int> end;
             for (int v = 0; v < frame->vertices; ++v)
                 if (std::abs(frame->rest->points(0, v) - x) < 1e-9) end.push_back(v);
-            session().addSolidHandle(end, "End");
+            session().addHandle<3>(session().placementOf(end), "End");
         }
         session().selection().set({1});
         m_window.actions().selectTool->trigger();

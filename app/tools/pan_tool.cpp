@@ -1,0 +1,41 @@
+#include "app/tools/pan_tool.h"
+
+#include <QCoreApplication>
+
+namespace wend {
+
+namespace {
+
+/// Moves the view: the view itself does so, as it does while the space bar is held.
+template <int Dim>
+class PanTool : public ShapeTool<Dim> {
+  public:
+    using ShapeTool<Dim>::ShapeTool;
+
+    QString hint() const override {
+        return QCoreApplication::translate("PanTool", "Drag to move the view; the wheel zooms");
+    }
+    QCursor cursor() const override { return Qt::OpenHandCursor; }
+    bool pans() const override { return true; }
+    void press(const QMouseEvent&) override {}
+    void move(const QMouseEvent&) override {}
+    void release(const QMouseEvent&) override {}
+    bool key(const QKeyEvent&) override { return false; }
+    void cancel() override {}
+};
+
+}  // namespace
+
+ToolKind panTool() {
+    return {.id = "pan",
+            .icon = "pan",
+            .name = QT_TRANSLATE_NOOP("Tools", "Pa&n"),
+            .help = QT_TRANSLATE_NOOP("Tools",
+                                      "Drag the view to another place; in every step the space bar does so"),
+            .keys = "Q",
+            .modes = Mode::Export,
+            .make = both(
+                []<int Dim>(Workbench& on) { return std::make_unique<PanTool<Dim>>(on.surface<Dim>()); })};
+}
+
+}  // namespace wend
