@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
 #include "app/panels/marks.h"
