@@ -1,5 +1,6 @@
 #include "app/view/border_offer.h"
 
+#include "app/document/design.h"
 #include "app/document/document.h"
 #include "app/document/domain.h"
 #include "app/document/handle_edits.h"

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/project_writer.h"
 #include "app/session/opening.h"
 #include "app/view/file_card.h"

@@ -14,6 +14,7 @@
 #include "app/document/curve_edits.h"
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/project_writer.h"
 #include "app/document/timing_edits.h"
 #include "app/panels/exact_box.h"
