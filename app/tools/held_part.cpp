@@ -193,9 +193,9 @@ void paintCaught(QPainter& painter, SolidSurface& surface, const std::vector<int
     painter.setPen(QPen(Qt::white, marked(0.75)));
     for (const int v : vertices)
         painter.drawEllipse(surface.toWidget(frame->pose.col(v)), marked(2.6), marked(2.6));
-    paintLabel(
-        painter, at + QPointF(16, 12),
-        QCoreApplication::translate("GrabTool", "%n vertices", nullptr, static_cast<int>(vertices.size())));
+    paintLabel(painter, at + QPointF(16, 12),
+               QCoreApplication::translate("wend::RegionPanel", "%n vertices", nullptr,
+                                           static_cast<int>(vertices.size())));
 }
 
 #define WEND_INSTANTIATE(Dim)                                           \
