@@ -219,7 +219,7 @@ void CropTool::paint(QPainter& painter) const {
 }
 
 ToolKind cropTool() {
-    return ToolKind("crop", "crop", QT_TRANSLATE_NOOP("Tools", "&Crop"),
+    return toolKind("crop", "crop", QT_TRANSLATE_NOOP("Tools", "&Crop"),
                     QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
                     "C", Mode::Export, picturesOnly<CropTool>(&Workbench::crop));
 }

@@ -54,7 +54,7 @@ void DepthTool::paint(QPainter& painter) const {
 }
 
 ToolKind depthTool() {
-    return ToolKind("depth", "depth", QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
+    return toolKind("depth", "depth", QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
                     QT_TRANSLATE_NOOP("Tools", "Brush over what lies in front where the shape covers itself"),
                     "O", Mode::Paint, picturesOnly<DepthTool>(&Workbench::brush),
                     {ToolOption::Order, ToolOption::BrushSize});

@@ -121,7 +121,7 @@ template class GrabTool<2>;
 template class GrabTool<3>;
 
 ToolKind grabByLassoTool() {
-    return ToolKind("lasso", "area-lasso", QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
+    return toolKind("lasso", "area-lasso", QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
                     QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a drawn outline as one handle"),
                     "L", Mode::Pins,
                     both<GrabTool>(DrawnOutline::Kind::Lasso, &Workbench::pins, &Workbench::toSelect),
@@ -129,7 +129,7 @@ ToolKind grabByLassoTool() {
 }
 
 ToolKind grabByBoxTool() {
-    return ToolKind("rectangle", "area-rectangle", QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
+    return toolKind("rectangle", "area-rectangle", QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
                     QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a rectangle as one handle"),
                     "Shift+B", Mode::Pins,
                     both<GrabTool>(DrawnOutline::Kind::Rectangle, &Workbench::pins, &Workbench::toSelect),
@@ -137,7 +137,7 @@ ToolKind grabByBoxTool() {
 }
 
 ToolKind grabByBrushTool() {
-    return ToolKind("grabBrush", "area-brush", QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
+    return toolKind("grabBrush", "area-brush", QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
                     QT_TRANSLATE_NOOP("Tools", "Take hold of what is brushed over as one handle"), "U",
                     Mode::Pins,
                     both<GrabTool>(DrawnOutline::Kind::Brush, &Workbench::pins, &Workbench::toSelect),

@@ -127,7 +127,7 @@ template class MeasureTool<2>;
 template class MeasureTool<3>;
 
 ToolKind measureTool() {
-    return ToolKind("measure", "measure", QT_TRANSLATE_NOOP("Tools", "M&easure"),
+    return toolKind("measure", "measure", QT_TRANSLATE_NOOP("Tools", "M&easure"),
                     QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
                     "E; Shift+E", Modes::all().without(Mode::Export), both<MeasureTool>());
 }

@@ -27,7 +27,7 @@ class PanTool : public ShapeTool<Dim> {
 }  // namespace
 
 ToolKind panTool() {
-    return ToolKind(
+    return toolKind(
         "pan", "pan", QT_TRANSLATE_NOOP("Tools", "Pa&n"),
         QT_TRANSLATE_NOOP("Tools", "Drag the view to another place; in every step the space bar does so"),
         "Q", Mode::Export, both<PanTool>());

@@ -139,7 +139,7 @@ WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE
 
 ToolKind pinTool() {
-    return ToolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
+    return toolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
                     QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins,
                     both<PinTool>(&Workbench::pins, true),
                     {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
@@ -148,7 +148,7 @@ ToolKind pinTool() {
 }
 
 ToolKind selectTool() {
-    return ToolKind("select", "select", QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+    return toolKind("select", "select", QT_TRANSLATE_NOOP("Tools", "Se&lect"),
                     QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"), "V",
                     Modes::all(), both<PinTool>(&Workbench::pins, false),
                     {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through});

@@ -100,21 +100,21 @@ void RegionTool::paint(QPainter& painter) const {
 }
 
 ToolKind grabBallTool() {
-    return ToolKind(
+    return toolKind(
         "ball", "area-ball", QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
         QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point of the surface"),
         "Shift+K", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Ball, &Workbench::toSelect));
 }
 
 ToolKind grabBlockTool() {
-    return ToolKind(
+    return toolKind(
         "block", "area-box", QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
         QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point of the surface"),
         "Shift+X", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Block, &Workbench::toSelect));
 }
 
 ToolKind grabSideTool() {
-    return ToolKind("side", "area-half", QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
+    return toolKind("side", "area-half", QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
                     QT_TRANSLATE_NOOP(
                         "Tools", "Take hold of all that lies beyond a plane through a point of the surface"),
                     "Shift+P", Mode::Pins,

@@ -75,7 +75,7 @@ template class SizeTool<2>;
 template class SizeTool<3>;
 
 ToolKind detailBrushTool() {
-    return ToolKind("sizes", "sizes", QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
+    return toolKind("sizes", "sizes", QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
                     QT_TRANSLATE_NOOP("Tools", "Brush where the mesh is to be finer or coarser"), "Shift+A",
                     Mode::Mesh, both<SizeTool>(&Workbench::brush), {ToolOption::Edges, ToolOption::BrushSize},
                     [](const Workbench&, int dimension) {

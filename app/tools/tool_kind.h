@@ -95,10 +95,15 @@ struct ToolKind {
     const char* keys;         // several with "; "
     Modes modes;
     ToolMakers make;
-    std::vector<ToolOption> options = {};
+    std::vector<ToolOption> options;
     /// What is coloured over the shape while it is chosen; empty or nothing: what the user has chosen.
-    std::function<std::optional<Measure>(const Workbench&, int dimension)> map = {};
-    Modes begins = {};  // those that begin with it; others begin with the tool that selects
+    std::function<std::optional<Measure>(const Workbench&, int dimension)> map;
+    Modes begins;  // those that begin with it; others begin with the tool that selects
 };
+inline ToolKind toolKind(const char* id, const char* icon, const char* name, const char* help,
+                         const char* keys, Modes modes, ToolMakers make, std::vector<ToolOption> options = {},
+                         decltype(ToolKind::map) map = {}, Modes begins = {}) {
+    return {id, icon, name, help, keys, modes, std::move(make), std::move(options), std::move(map), begins};
+}
 
 }  // namespace wend

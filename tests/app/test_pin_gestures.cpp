@@ -271,36 +271,36 @@ template <int Dim>
 void TestPinGestures::grab(DrawnOutline::Kind kind) {
     using enum DrawnOutline::Kind;
     QVERIFY(open<Dim>({-1.5}));
-    const auto draw = [&](double u, double v, Qt::KeyboardModifiers with = {}) {
+    const QPoint reach = Dim == 2 ? QPoint(30, 20) : QPoint(90, 60), along(reach.x(), 0);
+    const auto draw = [&](const QPoint& middle, Qt::KeyboardModifiers with = {}) {
         m_f->tool(kind == Rectangle ? "rectangle" : kind == Lasso ? "lasso" : "grabBrush")->trigger();
-        const QPoint middle = at<Dim>(u, v), reach(30, 20);
-        QList<QPoint> way = {middle - reach, middle + QPoint(30, -20), middle + reach,
-                             middle + QPoint(-30, 20)};
+        const QPoint across(reach.x(), -reach.y());
+        QList<QPoint> way = {middle - reach, middle + across, middle + reach, middle - across};
         if (kind == Rectangle) way = {middle - reach, middle + reach};
         press(way[0], with);
         for (int i = 1; i < way.size(); ++i) moveBy(way[i - 1], way[i] - way[i - 1], with);
         return let(way.last(), with);
     };
+    const QPoint middle = at<Dim>(0.2);
     const auto held = [this] {
         std::size_t count = 0;
         for (const auto& view : session().pins<Dim>())
             if (view.handle == 1) count = view.points.size();
         return count;
     };
-    QVERIFY(draw(0.2, 0));
+    QVERIFY(draw(middle));
     QCOMPARE(session().handleCount(), 2);
     QVERIFY(m_f->tool("select")->isChecked());
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     const std::size_t first = held();
     QVERIFY(first >= 3);
-    QVERIFY(draw(0.35, 0, Qt::ShiftModifier));
+    QVERIFY(draw(middle + along, Qt::ShiftModifier));
     QVERIFY(held() > first);
-    QVERIFY(draw(0.55, 0, Qt::ControlModifier));
-    QVERIFY(draw(0.35, 0, Qt::ControlModifier));
+    QVERIFY(draw(middle + along, Qt::ControlModifier));
     QVERIFY(held() < first);
     QCOMPARE(session().handleCount(), 2);
     const int steps = undo().count();
-    QVERIFY(draw(0.2, 1.2));
+    QVERIFY(draw(at<Dim>(0.2, 1.4)));
     QCOMPARE(undo().count(), steps);
     QVERIFY(m_f->window().statusBar()->currentMessage().contains(QStringLiteral("nothing of the shape")));
     const Vec<Dim> before = pin<Dim>(1);
