@@ -95,7 +95,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         std::string options = "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim);
         if (m_anisotropic) options += " -DANISOTROPIC";
         if (m_paper) options += " -DPAPER";
-        const cl::Program program = m_cl.build("assembly.cl", options);
+        const cl::Program program = m_cl.build({"matrices.cl", "assembly.cl"}, options);
         m_setCells = cl::Kernel(program, "setCells");
         m_firstBad = cl::Kernel(program, "firstBad");
         m_setFacets = cl::Kernel(program, "setFacets");

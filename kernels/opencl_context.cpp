@@ -75,8 +75,9 @@ std::shared_ptr<OpenClDevice> OpenClPlace::open() const {
 OpenClContext::OpenClContext(const OpenClPlace& place)
     : m_info(place.info()), m_device(place.open()), m_queue(m_device->context, m_device->device) {}
 
-cl::Program OpenClContext::build(const std::string& file, const std::string& options) {
-    const std::string source(kernelSource(file));
+cl::Program OpenClContext::build(std::initializer_list<std::string_view> files, const std::string& options) {
+    std::string source;
+    for (const std::string_view file : files) source += kernelSource(file);
     const std::string key =
         m_info.platformName + '\n' + m_info.name + '\n' + m_info.version + '\n' + options + '\n' + source;
     const fs::path folder = cacheFolder();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/assembly/back_end.h"
 #include "kernels/device_failure.h"
@@ -30,9 +32,9 @@ class OpenClContext {
     const cl::Context& context() const { return m_device->context; }
     cl::CommandQueue& queue() { return m_queue; }
 
-    /// Builds an embedded kernel file. Binaries are kept per device, options and text in the user's cache
-    /// folder.
-    cl::Program build(const std::string& file, const std::string& options);
+    /// Builds embedded kernel files as one, in their order. Binaries are kept per device, options and text in
+    /// the user's cache folder.
+    cl::Program build(std::initializer_list<std::string_view> files, const std::string& options);
 
     template <typename T>
     cl::Buffer buffer(std::size_t count) {

@@ -48,7 +48,7 @@ struct OpenClDistortion<Dim>::Device {
 
     Device(const OpenClPlace& info, const SimplicialMesh<Dim>& rest)
         : cl(info), cells(rest.cellCount()), chunks((cells + kChunk - 1) / kChunk) {
-        const cl::Program program = cl.build("distortion.cl", "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
+        const cl::Program program = cl.build({"distortion.cl"}, "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
         perCell = cl::Kernel(program, "cellDistortion");
         sum = cl::Kernel(program, "sumDistortion");
         std::vector<int> vertices;

@@ -8,7 +8,7 @@ namespace wend {
 
 template <int Dim>
 OpenClStages<Dim>::OpenClStages(OpenClContext& cl, int vertices) : m_cl(cl), m_vertices(vertices) {
-    const cl::Program program = m_cl.build("stages.cl", "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
+    const cl::Program program = m_cl.build({"stages.cl"}, "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
     m_combine = cl::Kernel(program, "combine");
     m_maximum = cl::Kernel(program, "maximum");
     m_farthest = cl::Kernel(program, "farthest");

@@ -51,7 +51,7 @@ struct OpenClPicture::Device {
     }
 
     cl::Kernel& kernelFor(const std::string& options) {
-        if (options != kernelOptions) kernel = cl::Kernel(cl.build("warp.cl", options), "warp");
+        if (options != kernelOptions) kernel = cl::Kernel(cl.build({"warp.cl"}, options), "warp");
         kernelOptions = options;
         return kernel;
     }

@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Rechteck über die Punkte ziehen, die gehalten werden; Umschalt nimmt sie zum gewählten Griff dazu, Strg nimmt sie weg</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Die Punkte umfahren, die gehalten werden; Umschalt nimmt sie zum gewählten Griff dazu, Strg nimmt sie weg</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Über die Punkte pinseln, die gehalten werden, [ und ] ändern die Größe; Umschalt nimmt dazu, Strg nimmt weg</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Gebiet</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel; Umschalt nimmt ihren Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>Von einem Punkt der Oberfläche in die Richtung ziehen, die gehalten wird: alles jenseits des Punkts</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader; Umschalt nimmt seinen Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>In diesem Gebiet liegt kein Punkt.</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>Erst einen Griff auswählen, von dem weggenommen wird.</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>Ein Griff kann nicht nichts halten: Entf entfernt ihn.</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -931,6 +884,37 @@
     </message>
 </context>
 <context>
+    <name>GrabTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Um den Teil zeichnen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Über den Teil streichen, der gehalten werden soll; [ und ] ändern die Größe; Umschalt fügt hinzu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Ein Rechteck über den Teil ziehen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>In diesem Umriss liegt nichts von der Form.</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>Einen Teil auswählen, von dem etwas weggenommen werden soll.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Ein Griff kann nicht nichts halten: Entf entfernt ihn.</translation>
+    </message>
+</context>
+<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -947,37 +931,6 @@
     <message>
         <source>Blend to %1</source>
         <translation>In %1 übergehen lassen</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
-    <message>
-        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>Um den Teil zeichnen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
-    </message>
-    <message>
-        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Über den Teil streichen, der gehalten werden soll; [ und ] ändern die Größe; Umschalt fügt hinzu, Strg nimmt weg</translation>
-    </message>
-    <message>
-        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>Ein Rechteck über den Teil ziehen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
-    </message>
-    <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>In diesem Umriss liegt nichts von der Form.</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Teil</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Select one part to take away from.</source>
-        <translation>Einen Teil auswählen, von dem etwas weggenommen werden soll.</translation>
     </message>
 </context>
 <context>
@@ -1813,6 +1766,29 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>Wird aufgenommen, wie es geschieht, bis Sie loslassen; Esc gibt es auf</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel; Umschalt nimmt ihren Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Von einem Punkt der Oberfläche in die Richtung ziehen, die gehalten wird: alles jenseits des Punkts</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader; Umschalt nimmt seinen Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>In diesem Gebiet liegt kein Punkt.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2696,22 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Je fester ein Stift gedrückt wird, desto mehr von der Menge wird gemalt</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Was überstrichen wird, liegt vorn, wo sie größer als 0 ist, hinten, wo sie kleiner ist</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
     </message>
 </context>
 <context>
@@ -4781,30 +4773,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Ordnung</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>Was überstrichen wird, liegt vorn, wo sie größer als 0 ist, hinten, wo sie kleiner ist</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
-    </message>
-    <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
         <translation>Wie weit Farben auseinander liegen dürfen, auch für den letzten Klick; auch [ und ]</translation>
     </message>
@@ -5185,6 +5153,14 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
     </message>
 </context>
 <context>
@@ -6082,14 +6058,6 @@
     <message>
         <source>Re&amp;move Skin</source>
         <translation>Haut &amp;entfernen</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

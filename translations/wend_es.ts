@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Trace un rectángulo sobre los vértices que quiera sujetar; Mayús los añade al agarre seleccionado, Ctrl los quita</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Rodee los vértices que quiera sujetar; Mayús los añade al agarre seleccionado, Ctrl los quita</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Pase el pincel sobre los vértices que quiera sujetar, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Arrastre desde un punto de la superficie para sujetar una esfera; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>Arrastre desde un punto de la superficie hacia lo que quiera sujetar: todo lo que haya más allá del punto</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Arrastre desde un punto de la superficie para sujetar una caja; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>Seleccione un solo agarre del que quitar vértices.</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>No hay ningún vértice en esta región.</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Región</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Zona</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>Un agarre no puede quedar vacío: elimínelo con Supr.</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -931,6 +884,37 @@
     </message>
 </context>
 <context>
+    <name>GrabTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Rodee la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Pase el pincel sobre la parte que quiera sujetar, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Trace un rectángulo sobre la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>En este contorno no hay nada de la forma.</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>Seleccione una sola parte de la que quitar.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Un agarre no puede quedar vacío: elimínelo con Supr.</translation>
+    </message>
+</context>
+<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -947,37 +931,6 @@
     <message>
         <source>Blend to %1</source>
         <translation>Degradado hacia %1</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
-    <message>
-        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>Rodee la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Pase el pincel sobre la parte que quiera sujetar, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>Trace un rectángulo sobre la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>En este contorno no hay nada de la forma.</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Parte</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>Cambiar %1</translation>
-    </message>
-    <message>
-        <source>Select one part to take away from.</source>
-        <translation>Seleccione una sola parte de la que quitar.</translation>
     </message>
 </context>
 <context>
@@ -1813,6 +1766,29 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>Se graba tal cual hasta que suelte; Esc lo abandona</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Arrastre desde un punto de la superficie para sujetar una esfera; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Arrastre desde un punto de la superficie hacia lo que quiera sujetar: todo lo que haya más allá del punto</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Arrastre desde un punto de la superficie para sujetar una caja; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>No hay ningún vértice en esta región.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2696,22 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Cuanto más se aprieta el lápiz, mayor es la intensidad con que se pinta</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Lo que recorre el pincel queda delante si es mayor que 0 y detrás si es menor</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Aristas</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Longitud de las aristas de la malla donde pasa el pincel, respecto a las demás</translation>
     </message>
 </context>
 <context>
@@ -4781,30 +4773,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Orden</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>Lo que recorre el pincel queda delante si es mayor que 0 y detrás si es menor</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Aristas</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>Longitud de las aristas de la malla donde pasa el pincel, respecto a las demás</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>A&amp;dherir</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
-    </message>
-    <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
         <translation>Cuánto pueden diferir los colores, también los del último clic; también [ y ]</translation>
     </message>
@@ -5185,6 +5153,14 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>A&amp;dherir</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
     </message>
 </context>
 <context>
@@ -6082,14 +6058,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Abra primero un sólido.</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>A&amp;dherir</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

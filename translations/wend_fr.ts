@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Tracez un rectangle sur les sommets à maintenir&#x202f;; Maj les ajoute à la poignée sélectionnée, Ctrl les retire</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Entourez les sommets à maintenir&#x202f;; Maj les ajoute à la poignée sélectionnée, Ctrl les retire</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Passez le pinceau sur les sommets à maintenir, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Glissez depuis un point de la surface pour maintenir une sphère&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>Glissez depuis un point de la surface vers ce qu’il faut maintenir&#x202f;: tout ce qui est au-delà du point</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Glissez depuis un point de la surface pour maintenir une boîte&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>Sélectionnez une seule poignée pour en retirer des sommets.</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>Il n’y a aucun sommet dans cette région.</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Région</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Zone</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>Une poignée ne peut pas rester vide&#x202f;: supprimez-la avec Suppr.</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -931,6 +884,37 @@
     </message>
 </context>
 <context>
+    <name>GrabTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Entourez la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Passez le pinceau sur la partie à maintenir, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Tracez un rectangle sur la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>Ce contour ne contient rien de la forme.</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>Sélectionnez une seule partie pour en retirer.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Une poignée ne peut pas rester vide&#x202f;: supprimez-la avec Suppr.</translation>
+    </message>
+</context>
+<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -947,37 +931,6 @@
     <message>
         <source>Blend to %1</source>
         <translation>Dégradé vers %1</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
-    <message>
-        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>Entourez la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Passez le pinceau sur la partie à maintenir, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>Tracez un rectangle sur la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>Ce contour ne contient rien de la forme.</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Partie</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>Modifier %1</translation>
-    </message>
-    <message>
-        <source>Select one part to take away from.</source>
-        <translation>Sélectionnez une seule partie pour en retirer.</translation>
     </message>
 </context>
 <context>
@@ -1813,6 +1766,29 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>Enregistré tel quel jusqu’à ce que vous lâchiez&#x202f;; Échap abandonne</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Glissez depuis un point de la surface pour maintenir une sphère&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Glissez depuis un point de la surface vers ce qu’il faut maintenir&#x202f;: tout ce qui est au-delà du point</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Glissez depuis un point de la surface pour maintenir une boîte&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>Il n’y a aucun sommet dans cette région.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2696,22 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Plus le stylet est appuyé, plus l’intensité peinte est forte</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Ce que parcourt le pinceau passe devant si l’ordre est supérieur à 0, derrière s’il est inférieur</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Longueur des arêtes du maillage là où passe le pinceau, par rapport à ailleurs</translation>
     </message>
 </context>
 <context>
@@ -4781,30 +4773,6 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Ordre</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>Ce que parcourt le pinceau passe devant si l’ordre est supérieur à 0, derrière s’il est inférieur</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Arêtes</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>Longueur des arêtes du maillage là où passe le pinceau, par rapport à ailleurs</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Aima&amp;nter</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
-    </message>
-    <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
         <translation>L’écart permis entre couleurs, aussi pour le dernier clic ; aussi [ et ]</translation>
     </message>
@@ -5185,6 +5153,14 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Aima&amp;nter</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
     </message>
 </context>
 <context>
@@ -6082,14 +6058,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Ouvrez d’abord un solide.</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Aima&amp;nter</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja_JP">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>つかむ頂点を長方形で囲みます。Shift で選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>つかむ頂点を囲んで描きます。Shift で選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>つかむ頂点をブラシでなぞります。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>表面の点からドラッグして球でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>表面の点から、つかむ側へドラッグします。その点より先がすべて対象になります</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>表面の点からドラッグして直方体でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>除外元のハンドルを 1 つ選択してください。</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>この領域に頂点はありません。</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>領域</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>範囲</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>ハンドルを空にはできません。削除するには Delete キーを押してください。</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -931,6 +884,37 @@
     </message>
 </context>
 <context>
+    <name>GrabTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>つかむパーツを囲んで描きます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>つかむパーツをブラシでなぞります。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>つかむパーツを長方形で囲みます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>パーツ</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>この輪郭の中に形状はありません。</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>除外元のパーツを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>ハンドルを空にはできません。削除するには Delete キーを押してください。</translation>
+    </message>
+</context>
+<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -947,37 +931,6 @@
     <message>
         <source>Blend to %1</source>
         <translation>「%1」へ変化</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
-    <message>
-        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>つかむパーツを囲んで描きます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>つかむパーツをブラシでなぞります。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>つかむパーツを長方形で囲みます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>この輪郭の中に形状はありません。</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>パーツ</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>%1 を変更</translation>
-    </message>
-    <message>
-        <source>Select one part to take away from.</source>
-        <translation>除外元のパーツを 1 つ選択してください。</translation>
     </message>
 </context>
 <context>
@@ -1812,6 +1765,29 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>離すまでの動きがそのまま記録されます。Esc で中止します</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>表面の点からドラッグして球でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>表面の点から、つかむ側へドラッグします。その点より先がすべて対象になります</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>表面の点からドラッグして直方体でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>この領域に頂点はありません。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>領域</translation>
     </message>
 </context>
 <context>
@@ -2719,6 +2695,22 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>ペンを強く押すほど、強くペイントします</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>ブラシでなぞった部分は、0 より大きいと手前、小さいと奥になります</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>辺の長さ</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>ブラシでなぞった部分のメッシュの辺の長さ（ほかの部分との比）</translation>
     </message>
 </context>
 <context>
@@ -4773,30 +4765,6 @@
         <translation>%</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>順序</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>ブラシでなぞった部分は、0 より大きいと手前、小さいと奥になります</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>辺の長さ</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>ブラシでなぞった部分のメッシュの辺の長さ（ほかの部分との比）</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>スナップ(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
-    </message>
-    <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
         <translation>色がどれだけ離れてよいか。最後のクリックにも効きます。[ と ] でも</translation>
     </message>
@@ -5177,6 +5145,14 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>スナップ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
     </message>
 </context>
 <context>
@@ -6072,14 +6048,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>まずソリッドを開いてください。</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>スナップ(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

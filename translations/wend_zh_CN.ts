@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>用矩形框住要抓取的顶点；按住 Shift 添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>圈出要抓取的顶点；按住 Shift 添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>用画笔刷过要抓取的顶点；[ 和 ] 更改大小，按住 Shift 添加，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>从表面上一点拖动，以球体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>从表面上一点朝要抓取的一侧拖动：该点以外的部分全部抓取</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>从表面上一点拖动，以长方体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>请选择一个要从中减去的手柄。</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>此区域中没有顶点。</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>范围</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>手柄不能为空：要移除它，请按 Delete 键。</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -931,6 +884,37 @@
     </message>
 </context>
 <context>
+    <name>GrabTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>圈出要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>用画笔刷过要抓取的部位，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>用矩形框住要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>部位</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>此轮廓内没有形状。</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>请选择一个要从中减去的部位。</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>手柄不能为空：要移除它，请按 Delete 键。</translation>
+    </message>
+</context>
+<context>
     <name>GradientTool</name>
     <message>
         <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
@@ -947,37 +931,6 @@
     <message>
         <source>Blend to %1</source>
         <translation>渐变到“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
-    <message>
-        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>圈出要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>用画笔刷过要抓取的部位，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
-        <translation>用矩形框住要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>此轮廓内没有形状。</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>部位</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>Select one part to take away from.</source>
-        <translation>请选择一个要从中减去的部位。</translation>
     </message>
 </context>
 <context>
@@ -1812,6 +1765,29 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>松开之前的动作会原样录制；按 Esc 放弃</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>从表面上一点拖动，以球体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>从表面上一点朝要抓取的一侧拖动：该点以外的部分全部抓取</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>从表面上一点拖动，以长方体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>此区域中没有顶点。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
     </message>
 </context>
 <context>
@@ -2719,6 +2695,22 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>笔压得越重，绘制的强度越大</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>画笔刷过的部分，大于 0 时在前，小于 0 时在后</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>画笔刷过处的网格边长，相对于别处</translation>
     </message>
 </context>
 <context>
@@ -4773,30 +4765,6 @@
         <translation>%</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>顺序</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>画笔刷过的部分，大于 0 时在前，小于 0 时在后</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>边长</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>画笔刷过处的网格边长，相对于别处</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>吸附(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
-    </message>
-    <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
         <translation>颜色可以相差多少，对最后一次单击也有效；也可用 [ 和 ]</translation>
     </message>
@@ -5177,6 +5145,14 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>吸附(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
     </message>
 </context>
 <context>
@@ -6072,14 +6048,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>请先打开实体。</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>吸附(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

@@ -9,7 +9,7 @@
 #include "app/bench/paper_scenes.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/document/text_file.h"
 #include "app/session/run.h"
 #include "core/energy/distortion.h"

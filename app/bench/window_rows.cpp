@@ -16,7 +16,6 @@
 #include "app/bench/test_picture.h"
 #include "app/bench/window_drag.h"
 #include "app/document/project.h"
-#include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"

@@ -8,7 +8,7 @@
 #include "app/cli/terminal.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/inspection.h"
 #include "app/session/output_set.h"
 #include "app/session/told_units.h"

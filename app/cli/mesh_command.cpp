@@ -7,7 +7,7 @@
 #include "app/cli/terminal.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/flat_shape.h"
 #include "app/session/mesh_rest.h"
 #include "app/session/output_set.h"

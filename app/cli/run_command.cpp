@@ -5,7 +5,7 @@
 #include "app/cli/terminal.h"
 #include "app/document/material_edits.h"
 #include "app/document/named_files.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/material_picture.h"
 #include "app/session/overwriting.h"
 #include "app/session/run_options.h"

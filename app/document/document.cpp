@@ -3,7 +3,8 @@
 #include <QFileInfo>
 
 #include "app/document/commands.h"
-#include "app/document/project_file.h"
+#include "app/document/project.h"
+#include "app/document/project_writer.h"
 
 namespace wend {
 
@@ -12,7 +13,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 }
 
 int Document::dimension() const {
-    return m_project ? m_project->dimension() : 0;
+    return m_project ? dimensionOf(*m_project) : 0;
 }
 
 const Domain& Document::domain() const {
@@ -25,7 +26,7 @@ const AnyDesign& Document::design() const {
 
 template <int Dim>
 const Design<Dim>& Document::design() const {
-    return std::get<Design<Dim>>(m_project->design);
+    return designOf<Dim>(*m_project);
 }
 
 const DepthRegions& Document::depth() const {

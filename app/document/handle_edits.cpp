@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/document/document.h"
 #include "app/document/film_time.h"
 #include "app/document/free_name.h"
 #include "app/document/handle_comparison.h"
@@ -21,14 +22,10 @@ template <int Dim>
 Design<Dim>& design(Project& project) {
     return std::get<Design<Dim>>(project.design);
 }
-template <int Dim>
-const Design<Dim>& design(const Project& project) {
-    return std::get<Design<Dim>>(project.design);
-}
 
 template <int Dim>
 double endOf(const Project& project) {
-    return hasMotion(design<Dim>(project)) ? project.end : 0;
+    return hasMotion(designOf<Dim>(project)) ? project.end : 0;
 }
 
 /// Times in [start, end] in proportion to the length of the path.
@@ -124,7 +121,7 @@ template <int Dim>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name) {
     Project next = project;
     next.design =
-        withHandle<Dim>(design<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+        withHandle<Dim>(designOf<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
     return next;
 }
 
@@ -152,6 +149,14 @@ Project withDepthName(const Project& project, int group, const std::string& wish
     for (Handle<2>& handle : handles)
         if (!before.empty() && handle.name == before) handle.name = namedRegions(next.depth)[group].name;
     return next;
+}
+
+void renameHandle(Document& document, const QString& step, int handle, const std::string& name) {
+    document.change(step, withHandleName(*document.project(), handle, name));
+}
+
+void renameDepth(Document& document, const QString& step, int group, const std::string& wish) {
+    document.change(step, withDepthName(*document.project(), group, wish));
 }
 
 namespace {
@@ -213,7 +218,7 @@ Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     const auto timed = [&](Project before, double begin) -> Room {
         return {std::move(before), timesByLength<3>(gesture.path, begin, project.end)};
     };
-    if (!hasMotion(design<Dim>(project))) return timed(project, 0);
+    if (!hasMotion(designOf<Dim>(project))) return timed(project, 0);
     Project before = endedAt(project, gesture.from);
     if (gesture.from <= 0) return timed(std::move(before), 0);
     const double length = pathLength<Dim>(design<Dim>(before).handles, gesture.arm);
@@ -226,7 +231,7 @@ template <int Dim>
 Room roomBeside(const Project& project, const Gesture& gesture, std::vector<double> times) {
     Room room{project, std::move(times)};
     const double end = room.times.back();
-    room.project.end = hasMotion(design<Dim>(project)) ? std::max(project.end, end) : end;
+    room.project.end = hasMotion(designOf<Dim>(project)) ? std::max(project.end, end) : end;
     for (const int h : gesture.handles) {
         Handle<Dim>& handle = design<Dim>(room.project).handles.at(h);
         endMotionsAt(handle, gesture.from);

@@ -7,7 +7,11 @@
 #include "app/document/project_fwd.h"
 #include "core/motion/handle.h"
 
+class QString;
+
 namespace wend {
+
+class Document;
 
 /// What the gestures of the window make of a project: pure functions from a project to the next one. Those
 /// that take points are of the project's own dimension.
@@ -37,6 +41,9 @@ Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim
 Project withHandleName(const Project& project, int handle, const std::string& name);
 /// Another name for a group of namedRegions() of the depth, and for the handle that gives it.
 Project withDepthName(const Project& project, int group, const std::string& wish);
+/// The same as steps of a document.
+void renameHandle(Document& document, const QString& step, int handle, const std::string& name);
+void renameDepth(Document& document, const QString& step, int group, const std::string& wish);
 
 /// Handles that go away at a time: let go of then, or removed as if never there if they did not act before
 /// (or were let go of already).

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "app/document/depth_region.h"
@@ -27,17 +26,6 @@ struct Project {
 };
 
 /// Adds a window of settling, which `end` covers then.
-inline void appendSettling(Project& project, double from, double length = 1) {
-    project.settle.push_back({from, from + length});
-    project.end = std::max(project.end, from + length);
-}
-
-/// How the project is integrated, with its end: for every deformer of it.
-inline IntegrationOptions integrationOf(const Project& project) {
-    IntegrationOptions options = project.integration;
-    options.end = project.end;
-    options.settle = project.settle;
-    return options;
-}
+void appendSettling(Project& project, double from, double length = 1);
 
 }  // namespace wend

@@ -6,7 +6,7 @@
 #include "app/document/design_reader.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/document/setting_json.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"

@@ -2,7 +2,8 @@
 #include <filesystem>
 
 #include "app/document/json_text.h"
-#include "app/document/project_file.h"
+#include "app/document/project.h"
+#include "app/document/project_writer.h"
 #include "app/document/setting_json.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"

@@ -6,7 +6,7 @@
 #include <QStandardPaths>
 #include <QUuid>
 
-#include "app/document/project_file.h"
+#include "app/document/project_writer.h"
 #include "app/document/said.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"

@@ -2,7 +2,6 @@
 
 #include "app/document/settings.h"
 #include "app/panels/option_field.h"
-#include "app/panels/panel_parts.h"
 #include "app/panels/picture_tip.h"
 
 namespace wend {

@@ -4,16 +4,12 @@
 #include <QString>
 #include <vector>
 
+#include "app/session/measure.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
 
 struct Distortion;
-
-/// What is coloured over the shape: a measure of distortion, how far it is from where it was at rest, its
-/// material (φ, and how many times stiffer than elsewhere), how fast it moves, how far the selected handles
-/// take it along, or how fine its mesh is.
-enum class Measure { Angle, Area, Length, Shear, Way, Phi, Stiffness, Speed, Influence, CellSize };
 
 /// How much a map covers the picture below it, unless another amount is chosen.
 inline constexpr double kMapOpacity = 0.65;

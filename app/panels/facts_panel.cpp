@@ -9,13 +9,11 @@
 #include "app/document/domain.h"
 #include "app/document/in_background.h"
 #include "app/document/named_files.h"
-#include "app/document/said.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/reasons.h"
 #include "app/session/inspection.h"
 #include "app/session/shape.h"
 #include "app/session/told_units.h"
-#include "core/mesh/mesh_file.h"
 
 namespace wend {
 
@@ -59,7 +57,7 @@ QString factsText(const MeshInspection& found, const QString& unit) {
 }
 
 QString factsOfFile(const std::string& path) {
-    const MeshInspection found = inspect(readMeshFile(path));
+    const MeshInspection found = inspectFile(path);
     const QString unit = QString::fromStdString(toldUnits(path));
     return found.facts ? factsText(found, unit) : QString();
 }

@@ -16,7 +16,6 @@ class FlowPanel : public QWidget {
 
   public:
     explicit FlowPanel(ShapeSession& session, QWidget* parent = nullptr);
-    MemorySlider* memorySlider() const { return m_memory; }
 
   private:
     void showProject();

@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
-#include "app/document/project.h"
 #include "app/panels/marks.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
@@ -302,7 +302,7 @@ void PinList::renamePin(int handle, const std::string& name) {
     Document& document = m_session.document();
     const std::string before = std::visit(
         [handle](const auto& design) { return design.handles.at(handle).name; }, document.design());
-    if (name != before) document.change(tr("Rename"), withHandleName(*document.project(), handle, name));
+    if (name != before) renameHandle(document, tr("Rename"), handle, name);
 }
 
 /// What a sign is clicked for goes for all that is selected, if its row is.

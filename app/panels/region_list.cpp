@@ -8,7 +8,6 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/reasons.h"
@@ -196,7 +195,7 @@ void RegionList::rename(QListWidgetItem* item) {
                 change(tr("Rename region"),
                        [&](const auto& regions) { return withRegionsName(regions, place, wish); });
             else
-                document.change(tr("Rename region"), withDepthName(*document.project(), place, wish));
+                renameDepth(document, tr("Rename region"), place, wish);
         },
         Qt::QueuedConnection);
 }

@@ -27,9 +27,10 @@ QString factorText(double factor) {
 
 }  // namespace
 
-SizePanel::SizePanel(ShapeSession& session, QWidget* parent)
+SizePanel::SizePanel(ShapeSession& session, Brush& brush, QWidget* parent)
     : QWidget(parent),
       m_session(session),
+      m_brush(brush),
       m_factor(new MagnitudeBox(this)),
       m_list(new QListWidget(this)),
       m_add(new QToolButton(this)),
@@ -125,6 +126,7 @@ void SizePanel::connectControls() {
         if (group() >= 0) document.changeDomain(tr("Remove sizes"), withoutSizes(document.domain(), group()));
     });
     connect(&m_session.document(), &Document::projectChanged, this, &SizePanel::showSizes);
+    connect(&m_brush.edges(), &PenValue::changed, this, &SizePanel::showGroup);
     connect(&m_session, &ShapeSession::pinsChanged, this, [this] {
         const auto& selected = m_session.selection().handles();
         const bool solid = m_session.document().dimension() == 3 && selected.size() == 1;
@@ -147,11 +149,7 @@ Vec<3> SizePanel::middle() const {
 }
 
 void SizePanel::changeFactor(double factor) {
-    if (group() < 0) {
-        m_brush = factor;
-        emit brushChanged(factor);
-        return;
-    }
+    if (group() < 0) return m_brush.edges().set(factor);
     Document& document = m_session.document();
     document.changeDomain(tr("Change size"), withSizeFactor(document.domain(), group(), factor),
                           QStringLiteral("size factor %1").arg(group()));
@@ -167,7 +165,8 @@ void SizePanel::changeShape(const Region<3>& shape, double feather) {
 
 void SizePanel::add(const Region<3>& shape) {
     Document& document = m_session.document();
-    document.changeDomain(tr("Add size region"), withSizeRegion(document.domain(), shape, m_brush));
+    document.changeDomain(tr("Add size region"),
+                          withSizeRegion(document.domain(), shape, m_brush.edges().now()));
     m_list->setCurrentRow(m_list->count() - 1);
 }
 
@@ -215,7 +214,7 @@ void SizePanel::showGroup() {
     const auto groups = sizeGroups(m_session.document().domain());
     const bool has = group() >= 0 && group() < static_cast<int>(groups.size());
     const QSignalBlocker a(m_factor), b(m_feather);
-    m_factor->setValue(has ? groups[group()].first.factor : m_brush);
+    m_factor->setValue(has ? groups[group()].first.factor : m_brush.edges().now());
     allow(m_remove, has, chooseFirst());
     const bool one =
         has && groups[group()].entries.size() == 1 && RegionNumbers::canShow(groups[group()].first.shape);
@@ -227,7 +226,7 @@ void SizePanel::showGroup() {
     if (has)
         for (const int i : groups[group()].entries)
             regions.push_back(m_session.document().domain().sizes[i].shape);
-    emit chosen(regions);
+    m_brush.regions().set(regions);
 }
 
 }  // namespace wend

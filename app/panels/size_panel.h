@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "app/session/brush.h"
 #include "app/session/shape_session.h"
 
 class QDoubleSpinBox;
@@ -21,14 +22,8 @@ class SizePanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit SizePanel(ShapeSession& session, QWidget* parent = nullptr);
-    /// Of the next stroke.
-    double brushFactor() const { return m_brush; }
-
-  signals:
-    void brushChanged(double factor);
-    /// The regions of the chosen entry; none for the next stroke.
-    void chosen(const std::vector<wend::Region<3>>& regions);
+    /// The regions of the chosen entry become those of the brush: none for the next stroke.
+    SizePanel(ShapeSession& session, Brush& brush, QWidget* parent = nullptr);
 
   private:
     void makeControls();
@@ -46,7 +41,7 @@ class SizePanel : public QWidget {
     Vec<3> middle() const;
 
     ShapeSession& m_session;
-    double m_brush = 0.5;
+    Brush& m_brush;
     MagnitudeBox* m_factor;
     QListWidget* m_list;
     QToolButton *m_add, *m_remove;

@@ -4,6 +4,7 @@
 
 #include "app/session/shared_value.h"
 #include "core/energy/material.h"
+#include "core/mesh/region.h"
 
 namespace wend {
 
@@ -42,6 +43,15 @@ class LayerChoice : public SharedValue<ChosenLayer> {
     using SharedValue::SharedValue;
 };
 
+/// The one number that a brush lays down.
+using PenValue = SharedValue<double>;
+
+/// Regions of a solid that are to be seen.
+using ChosenRegions = SharedValue<std::vector<Region<3>>>;
+inline std::vector<Region<3>> bounded(std::vector<Region<3>> regions) {
+    return regions;
+}
+
 /// The brush in the user's hand: one for all tools that paint, on pictures and on solids.
 class Brush : public SharedValue<BrushSettings> {
   public:
@@ -49,8 +59,16 @@ class Brush : public SharedValue<BrushSettings> {
     using SharedValue::SharedValue;
 
     LayerChoice& layer() { return m_layer; }
+    /// How long edges of the mesh become where it is brushed, of those elsewhere.
+    PenValue& edges() { return m_edges; }
+    /// What is brushed lies in front where it is greater than 0, behind where it is less.
+    PenValue& order() { return m_order; }
+    /// Where the mesh is finer or coarser already, of what is chosen in the list of it.
+    ChosenRegions& regions() { return m_regions; }
 
   private:
+    PenValue m_edges{0.5}, m_order{1};
+    ChosenRegions m_regions;
     LayerChoice m_layer;
 };
 

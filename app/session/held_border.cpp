@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -67,9 +68,9 @@ std::vector<Vec<3>> placesOf(const std::vector<int>& vertices, const Skin& skin)
 
 template <>
 std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& shape) {
-    std::vector<Handle<2>> handles = std::get<Design<2>>(project.design).handles;
-    const Border kind = project.domain.border;
-    if (kind == Border::Free || project.domain.kind != DomainKind::Image) return handles;
+    std::vector<Handle<2>> handles = designOf<2>(project).handles;
+    const Border kind = domainOf(project).border;
+    if (kind == Border::Free || domainOf(project).kind != DomainKind::Image) return handles;
     const Vec<2> frame(shape.picture->width, shape.picture->height);
     const auto border = freeBorder(handles, *shape.rest, frame);
     const bool slide = kind == Border::Slide;
@@ -81,7 +82,7 @@ std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& sh
 
 template <>
 std::vector<Handle<3>> heldHandles<3>(const Project& project, const Shape<3>& shape) {
-    std::vector<Handle<3>> handles = std::get<Design<3>>(project.design).handles;
+    std::vector<Handle<3>> handles = designOf<3>(project).handles;
     if (!shape.cage) return handles;
     for (Handle<3>& handle : handles)
         if (const auto* vertices = std::get_if<std::vector<int>>(&handle.at))

@@ -230,6 +230,10 @@ MeshField tagsOf(const FaultKind& kind, const std::vector<int>& suspects) {
 
 }  // namespace
 
+MeshInspection inspectFile(const std::string& path) {
+    return inspect(readMeshFile(path));
+}
+
 MeshInspection inspect(const MeshFile& file) {
     MeshInspection inspection;
     inspection.vertices = static_cast<int>(file.points.cols());

@@ -40,6 +40,7 @@ struct MeshInspection {
 /// Looks at everything, where requireValid stops at the first. The file's indices are valid and its
 /// coordinates finite.
 MeshInspection inspect(const MeshFile& file);
+MeshInspection inspectFile(const std::string& path);
 
 /// The suspects alone, as a mesh: only their vertices, and fields "vertex" and "cell" with the numbers that
 /// they have in the file; of a surface also one per kind of fault, 1 at the triangles that have it. There

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/design.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/session/held_border.h"
 #include "core/mesh/shape_size.h"
@@ -21,11 +21,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFramesPerUnit = 24;
 constexpr int kMostFrames = 480;
 constexpr std::chrono::milliseconds kLookUp(2);  // from waiting, for a wish to stop
-
-template <int Dim>
-const Design<Dim>& designOf(const Project& project) {
-    return std::get<Design<Dim>>(project.design);
-}
 
 template <int Dim>
 State<Dim> restOf(const Shape<Dim>& shape) {
@@ -46,8 +41,8 @@ double firstDifference(const std::vector<SettleWindow>& a, const std::vector<Set
 
 /// The end counts where equal steps are spread over it.
 bool sameIntegration(const Project& a, const Project& b) {
-    return sameSettings(a, b, Makes::Motion) && (a.integration.steps == 0 || a.end == b.end) &&
-           a.integration.threads == b.integration.threads;
+    const IntegrationOptions p = integrationOf(a), q = integrationOf(b);
+    return sameSettings(a, b, Makes::Motion) && (p.steps == 0 || p.end == q.end) && p.threads == q.threads;
 }
 
 }  // namespace
@@ -71,14 +66,15 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     const double end = motionEnd(*project);
     const bool sameFlow = m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
                           sameIntegration(*m_project, *project);
-    const bool fits = sameFlow && project->integration.steps == 0 && m_project->settle == project->settle;
+    const bool isFree = integrationOf(*project).steps == 0;
+    const bool fits = sameFlow && isFree && settlingOf(*m_project) == settlingOf(*project);
     if (sameFlow) {
         const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
         const double scale = timeScale<Dim>(before, after);
         // Steps of fixed number lie elsewhere on the way when the clock changes.
-        if (scale == 1 || project->integration.steps == 0)
+        if (scale == 1 || isFree)
             kept = {scale, std::min(firstDifference(before, after, scale),
-                                    firstDifference(m_project->settle, project->settle, scale))};
+                                    firstDifference(settlingOf(*m_project), settlingOf(*project), scale))};
     }
     const bool same = kept.upTo == kInfinity && kept.timeScale == 1 && end == m_end;
     m_shape = shape;
@@ -186,7 +182,7 @@ std::vector<double> MotionPass<Dim>::breakpoints() const {
         for (const Motion<Dim>& motion : handle.motions)
             times.insert(times.end(), {motion.start, motion.end});
     }
-    for (const SettleWindow& window : m_project->settle)
+    for (const SettleWindow& window : settlingOf(*m_project))
         times.insert(times.end(), {window.start, window.end});
     std::erase_if(times, [this](double t) { return !(t >= 0 && t <= m_end); });
     return times;

@@ -4,7 +4,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/session/flat_shape.h"
 #include "app/session/program_files.h"
 #include "core/mesh/error.h"

@@ -1,7 +1,5 @@
 #include "app/session/pose_watch.h"
 
-#include "app/session/shape.h"
-
 namespace wend {
 
 namespace {

@@ -1,9 +1,9 @@
 #include "app/session/run_options.h"
 
-#include "app/document/project.h"
 #include "app/document/rgb_text.h"
 #include "app/session/flat_shape.h"
 
+#include "core/integration/integration_options.h"
 #include "core/mesh/error.h"
 #include "warp/image_formats.h"
 #include "warp/warp.h"
@@ -66,8 +66,8 @@ WarpOptions warpOptionsOf(const Project& project, const RunOptions& options) {
     warp.filter = options.filter;
     warp.outside = options.outside;
     warp.colour = options.colour;
-    warp.restMargin = restMarginOf(project.domain);
-    warp.threads = project.integration.threads;
+    warp.restMargin = restMarginOf(domainOf(project));
+    warp.threads = integrationOf(project).threads;
     return warp;
 }
 

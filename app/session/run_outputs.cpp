@@ -2,8 +2,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/document/domain.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 #include "app/session/material_picture.h"
 #include "app/session/output_set.h"
 #include "app/session/run.h"
@@ -16,8 +16,8 @@ namespace wend {
 namespace {
 
 void requirePicture(const Project& project, const std::string& path) {
-    const Domain& domain = project.domain;
-    if (project.dimension() == 3)
+    const Domain& domain = domainOf(project);
+    if (dimensionOf(project) == 3)
         throw InputError(path,
                          "a picture of a solid is written by the window only; here its mesh can be, with "
                          "--mesh or --frames");
@@ -27,7 +27,7 @@ void requirePicture(const Project& project, const std::string& path) {
 
 void requireMaterialPicture(const Project& project, const std::string& path) {
     if (path.empty()) return;
-    if (project.dimension() == 3)
+    if (dimensionOf(project) == 3)
         throw InputError(path, "a solid's material goes with its mesh, as values of cells: --mesh FILE.vtu");
     if (path != "-" && !canWriteImage(path))
         throw InputError(path, "is in no picture format that can be written");
@@ -42,7 +42,7 @@ void requireFrames(const Project& project, const std::string& path) {
     if (!isAnimation(path) && path.find('#') == std::string::npos)
         throw InputError(path, "the name of a sequence needs #### in the place of the number");
     if (pictures) return requirePicture(project, path);
-    requireShapeFormat(path, lowerExtension(path), project.dimension());
+    requireShapeFormat(path, lowerExtension(path), dimensionOf(project));
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
             throw InputError(outputs.image, "is in no picture format that can be written");
     }
     if (!outputs.mesh.empty())
-        requireShapeFormat(outputs.mesh, extensionOf(outputs.mesh, ".vtu"), project.dimension());
+        requireShapeFormat(outputs.mesh, extensionOf(outputs.mesh, ".vtu"), dimensionOf(project));
     if (!outputs.velocity.empty() && !isOneOf(extensionOf(outputs.velocity, ".csv"), {".csv", ".vtu"}))
         throw InputError(outputs.velocity, "a velocity field is written as .csv or .vtu");
     if (!outputs.stMap.empty()) {

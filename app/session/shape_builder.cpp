@@ -18,7 +18,7 @@ constexpr std::size_t kKept = 2;
 
 template <int Dim>
 const Design<Dim>& designOf(const ShapeInputs& inputs) {
-    return std::get<Design<Dim>>(inputs.project->design);
+    return wend::designOf<Dim>(*inputs.project);
 }
 
 bool sameOutline(const Project& a, const Project& b) {

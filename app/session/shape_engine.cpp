@@ -4,9 +4,7 @@
 #include <chrono>
 
 #include "app/document/design.h"
-#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/session/held_border.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/printable.h"
@@ -138,7 +136,7 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
 
 template <int Dim>
 const std::vector<Handle<Dim>>& ShapeEngineOf<Dim>::handles() const {
-    return std::get<Design<Dim>>(m_project->design).handles;
+    return designOf<Dim>(*m_project).handles;
 }
 
 template <int Dim>

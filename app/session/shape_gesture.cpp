@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/document/film_time.h"
-#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
 #include "app/document/project.h"

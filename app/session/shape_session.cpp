@@ -91,14 +91,11 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     return handle;
 }
 
-int ShapeSession::addSolidHandle(const std::vector<int>& vertices, const std::string& kind) {
-    return vertices.empty() ? -1 : addHandle<3>(m_pins.placementOf(vertices), kind);
-}
-
-void ShapeSession::changeHandle(int handle, const std::vector<int>& vertices) {
+template <int Dim>
+void ShapeSession::changeHandle(int handle, Placement<Dim> at) {
     if (!mayChange(handle)) return;
     m_document.changeDesign(tr("Change %1").arg(nameOf({handle})),
-                            withHandlePlace<3>(m_document.design<3>(), handle, m_pins.placementOf(vertices)));
+                            withHandlePlace<Dim>(m_document.design<Dim>(), handle, std::move(at)));
 }
 
 void ShapeSession::removeSelected() {
@@ -112,10 +109,11 @@ void ShapeSession::removeSelected() {
     m_document.changeDesign(name, withoutHandles(m_document.design(), handles, time));
 }
 
-#define WEND_INSTANTIATE(Dim)                                                    \
-    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                     \
-    template int ShapeSession::addPin<Dim>(const std::optional<Location<Dim>>&); \
-    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&)
+#define WEND_INSTANTIATE(Dim)                                                      \
+    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                       \
+    template int ShapeSession::addPin<Dim>(const std::optional<Location<Dim>>&);   \
+    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&); \
+    template void ShapeSession::changeHandle<Dim>(int, Placement<Dim>)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

@@ -98,10 +98,11 @@ class ShapeSession : public QObject {
     /// A handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
     template <int Dim>
     int addHandle(Placement<Dim> at, const std::string& kind);
-    /// Vertices of a solid as one handle: by number where the mesh is a file's, by their places where it is
-    /// made and may be made anew.
-    int addSolidHandle(const std::vector<int>& vertices, const std::string& kind);
-    void changeHandle(int handle, const std::vector<int>& vertices);
+    template <int Dim>
+    void changeHandle(int handle, Placement<Dim> at);
+    /// Vertices of a solid as what a handle holds: by number where the mesh is a file's, by their places
+    /// where it is made and may be made anew.
+    Placement<3> placementOf(const std::vector<int>& vertices) const { return m_pins.placementOf(vertices); }
     /// The vertices that a handle of a solid holds, increasing.
     std::vector<int> verticesOf(int handle) const { return m_pins.verticesOf(handle); }
     void removeSelected();

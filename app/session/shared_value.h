@@ -32,6 +32,13 @@ class SharedValue : public Changing {
         m_now = next;
         emit changed();
     }
+    /// One member of it, by its pointer.
+    template <class Member, class Part>
+    void change(Member member, const Part& part) {
+        Value next = m_now;
+        next.*member = part;
+        set(next);
+    }
 
   private:
     Value m_now;

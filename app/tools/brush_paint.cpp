@@ -156,4 +156,8 @@ template std::string layerFor<3>(const Design<3>&, const BrushSettings&, const C
 template QString placeName<2>(const ShapeSession&, const Vec<2>&, const std::string&);
 template QString placeName<3>(const ShapeSession&, const Vec<3>&, const std::string&);
 
+std::optional<Measure> paintedMap(const Workbench& on, int) {
+    return on.brush->now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;
+}
+
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include "app/document/material_edits.h"
 #include "app/session/brush.h"
 #include "app/session/shape_session.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -30,6 +31,8 @@ std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, cons
 /// empty far from all of them.
 template <int Dim>
 QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer);
+/// What is coloured while one paints: what the brush changes.
+std::optional<Measure> paintedMap(const Workbench& on, int dimension);
 /// The brush would make something as stiff as it is everywhere: what the user can do about it.
 bool paintsNothing(const BrushSettings& brush);
 QString nothingToPaint();

@@ -218,4 +218,10 @@ void CropTool::paint(QPainter& painter) const {
                QStringLiteral("%1 × %2").arg(locale.toString(part->width), locale.toString(part->height)));
 }
 
+ToolKind cropTool() {
+    return toolKind("crop", "crop", QT_TRANSLATE_NOOP("Tools", "&Crop"),
+                    QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
+                    "C", Mode::Export, picturesOnly<CropTool>(&Workbench::crop));
+}
+
 }  // namespace wend

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/session/crop.h"
-#include "app/tools/shape_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -46,5 +46,7 @@ class CropTool : public ShapeTool<2> {
     Vec<2> m_from = Vec<2>::Zero();  // where it was pressed, in pixels of the picture
     QPointF m_at;
 };
+
+ToolKind cropTool();
 
 }  // namespace wend

@@ -26,7 +26,8 @@ QString DepthTool::strokeHint() const {
 
 double DepthTool::order() const {
     if (modifiers() & Qt::ControlModifier) return 0;
-    return modifiers() & Qt::ShiftModifier ? -m_order.now() : m_order.now();
+    const double chosen = brush().order().now();
+    return modifiers() & Qt::ShiftModifier ? -chosen : chosen;
 }
 
 QColor DepthTool::colour() const {
@@ -50,6 +51,13 @@ void DepthTool::paint(QPainter& painter) const {
         paintDepths(painter, *frame, *orders, [this](const Vec<2>& p) { return surface().toWidget(p); });
     }
     StrokeTool<2>::paint(painter);
+}
+
+ToolKind depthTool() {
+    return toolKind("depth", "depth", QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
+                    QT_TRANSLATE_NOOP("Tools", "Brush over what lies in front where the shape covers itself"),
+                    "O", Mode::Paint, picturesOnly<DepthTool>(&Workbench::brush),
+                    {ToolOption::Order, ToolOption::BrushSize});
 }
 
 }  // namespace wend

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/session/depth.h"
-#include "app/tools/outline_settings.h"
 #include "app/tools/stroke_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -11,8 +11,7 @@ namespace wend {
 /// order is hatched, and told by a badge.
 class DepthTool : public StrokeTool<2> {
   public:
-    DepthTool(ToolSurface& surface, Brush& brush, const PenValue& order)
-        : StrokeTool<2>(surface, brush), m_order(order) {}
+    using StrokeTool<2>::StrokeTool;
 
     void paint(QPainter& painter) const override;
 
@@ -22,10 +21,12 @@ class DepthTool : public StrokeTool<2> {
     QColor colour() const override;
 
   private:
+    /// Greater than 0 in front, less behind.
     double order() const;
 
-    const PenValue& m_order;  // greater than 0 in front, less behind
     mutable CellDepths m_orders{cellOrders};
 };
+
+ToolKind depthTool();
 
 }  // namespace wend

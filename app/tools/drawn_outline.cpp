@@ -1,5 +1,6 @@
 #include "app/tools/drawn_outline.h"
 
+#include <QPainterPathStroker>
 #include <algorithm>
 
 #include "app/session/accent.h"
@@ -11,11 +12,42 @@ namespace wend {
 namespace {
 
 constexpr double kLargestBrush = 200;  // pixels
+constexpr double kClick = 4;
 
 }  // namespace
 
+double distanceToLine(const QPointF& p, const QPointF& a, const QPointF& b) {
+    const QPointF along = b - a;
+    const double size = QPointF::dotProduct(along, along);
+    const double t = size > 0 ? QPointF::dotProduct(p - a, along) / size : 0;
+    return QLineF(p, a + std::clamp(t, 0.0, 1.0) * along).length();
+}
+
+QPainterPath insideOf(const QPolygonF& line) {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    path.addPolygon(line);
+    path.closeSubpath();
+    return path;
+}
+
+QPainterPath brushedAlong(const QPolygonF& line, double radius) {
+    QPainterPath path, way;
+    path.setFillRule(Qt::WindingFill);
+    way.addPolygon(line);
+    QPainterPathStroker stroker;
+    stroker.setWidth(2 * radius);
+    stroker.setCapStyle(Qt::RoundCap);
+    stroker.setJoinStyle(Qt::RoundJoin);
+    if (way.length() > 0)
+        path.addPath(stroker.createStroke(way));
+    else
+        path.addEllipse(line.first(), radius, radius);
+    return path;
+}
+
 void DrawnOutline::begin(const QPointF& at) {
-    m_line = {at};
+    m_line = {at, at};
     m_end = at;
 }
 
@@ -24,17 +56,29 @@ void DrawnOutline::goOn(const QPointF& at) {
     m_end = at;
 }
 
+QPainterPath DrawnOutline::area() const {
+    if (m_kind == Kind::Lasso) return insideOf(m_line);
+    if (m_kind == Kind::Brush) return brushedAlong(m_line, m_radius);
+    QPainterPath path;
+    path.addRect(box());
+    return path;
+}
+
 bool DrawnOutline::contains(const QPointF& p) const {
-    switch (m_kind) {
-        case Kind::Lasso:
-            return m_line.containsPoint(p, Qt::OddEvenFill);
-        case Kind::Brush:
-            return std::any_of(m_line.begin(), m_line.end(),
-                               [&](const QPointF& at) { return QLineF(at, p).length() <= m_radius; });
-        case Kind::Rectangle:
-            break;
-    }
-    return QRectF(m_line.first(), m_end).normalized().contains(p);
+    if (m_kind == Kind::Lasso) return m_line.containsPoint(p, Qt::WindingFill);
+    if (m_kind == Kind::Rectangle) return box().contains(p);
+    return std::adjacent_find(m_line.begin(), m_line.end(), [&](const QPointF& a, const QPointF& b) {
+               return distanceToLine(p, a, b) <= m_radius;
+           }) != m_line.end();
+}
+
+bool DrawnOutline::isNewlyBrushed(const QPointF& p) const {
+    return distanceToLine(p, m_line[m_line.size() - 2], m_line.last()) <= m_radius;
+}
+
+bool DrawnOutline::isClick() const {
+    const auto stays = [this](const QPointF& p) { return QLineF(m_line.first(), p).length() < kClick; };
+    return m_kind != Kind::Brush && stays(m_end) && std::all_of(m_line.begin(), m_line.end(), stays);
 }
 
 bool DrawnOutline::key(const QKeyEvent& event) {
@@ -48,7 +92,7 @@ void DrawnOutline::paint(QPainter& painter) const {
     const QColor line(kAccent), fill(line.red(), line.green(), line.blue(), 40);
     painter.setPen(QPen(line, marked(1)));
     painter.setBrush(fill);
-    if (m_kind == Kind::Rectangle) painter.drawRect(QRectF(m_line.first(), m_end).normalized());
+    if (m_kind == Kind::Rectangle) painter.drawRect(box());
     if (m_kind == Kind::Lasso) painter.drawPolygon(m_line);
     if (m_kind != Kind::Brush) return;
     painter.setPen(QPen(fill, 2 * m_radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

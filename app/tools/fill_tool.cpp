@@ -96,4 +96,17 @@ void FillTool<Dim>::paint(QPainter& painter) const {
 template class FillTool<2>;
 template class FillTool<3>;
 
+ToolKind fillTool() {
+    return toolKind("fill", "fill", QT_TRANSLATE_NOOP("Tools", "&Fill"),
+                    QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"), "Shift+G",
+                    Mode::Paint, both<FillTool>(&Workbench::brush, FillDeed::Fill), {ToolOption::Target},
+                    paintedMap);
+}
+
+ToolKind eyedropperTool() {
+    return toolKind("eyedropper", "pick", QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
+                    QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"), "I", Mode::Paint,
+                    both<FillTool>(&Workbench::brush, FillDeed::Pick), {}, paintedMap);
+}
+
 }  // namespace wend

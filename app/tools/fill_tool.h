@@ -2,18 +2,20 @@
 
 #include "app/document/project_fwd.h"
 #include "app/tools/key_cross.h"
-#include "app/tools/shape_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
 class Brush;
+
+enum class FillDeed { Fill, Pick };
 
 /// A click on the shape with what the brush paints: fills the part that hangs together there, with Shift the
 /// whole shape; or picks up what is there.
 template <int Dim>
 class FillTool : public ShapeTool<Dim> {
   public:
-    enum class Deed { Fill, Pick };
+    using Deed = FillDeed;
     FillTool(SurfaceOf<Dim>& view, Brush& brush, Deed deed)
         : ShapeTool<Dim>(view), m_brush(brush), m_deed(deed) {}
 
@@ -45,5 +47,8 @@ class FillTool : public ShapeTool<Dim> {
 
 extern template class FillTool<2>;
 extern template class FillTool<3>;
+
+ToolKind fillTool();
+ToolKind eyedropperTool();
 
 }  // namespace wend

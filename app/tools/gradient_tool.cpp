@@ -211,4 +211,10 @@ void GradientTool<Dim>::paint(QPainter& painter) const {
 template class GradientTool<2>;
 template class GradientTool<3>;
 
+ToolKind gradientTool() {
+    return toolKind("gradient", "gradient", QT_TRANSLATE_NOOP("Tools", "&Gradient"),
+                    QT_TRANSLATE_NOOP("Tools", "Drag: what is there changes evenly into what is chosen"), "G",
+                    Mode::Paint, both<GradientTool>(&Workbench::brush), {ToolOption::Target}, paintedMap);
+}
+
 }  // namespace wend

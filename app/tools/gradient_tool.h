@@ -2,7 +2,7 @@
 
 #include "app/document/design.h"
 #include "app/document/project_fwd.h"
-#include "app/tools/shape_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -55,5 +55,7 @@ class GradientTool : public ShapeTool<Dim> {
 
 extern template class GradientTool<2>;
 extern template class GradientTool<3>;
+
+ToolKind gradientTool();
 
 }  // namespace wend

@@ -126,4 +126,10 @@ void MeasureTool<Dim>::paint(QPainter& painter) const {
 template class MeasureTool<2>;
 template class MeasureTool<3>;
 
+ToolKind measureTool() {
+    return toolKind("measure", "measure", QT_TRANSLATE_NOOP("Tools", "M&easure"),
+                    QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
+                    "E; Shift+E", Modes::all().without(Mode::Export), both<MeasureTool>());
+}
+
 }  // namespace wend

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/shape_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -34,5 +34,7 @@ class MeasureTool : public ShapeTool<Dim> {
 
 extern template class MeasureTool<2>;
 extern template class MeasureTool<3>;
+
+ToolKind measureTool();
 
 }  // namespace wend

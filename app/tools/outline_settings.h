@@ -21,7 +21,4 @@ class OutlinePen : public SharedValue<OutlineSettings> {
     using SharedValue::SharedValue;
 };
 
-/// The one number that a brush lays down.
-using PenValue = SharedValue<double>;
-
 }  // namespace wend

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <QCoreApplication>
-#include <QPainterPathStroker>
 #include <algorithm>
 
 #include "app/document/domain.h"
@@ -11,6 +10,7 @@
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
 #include "app/session/mark_size.h"
+#include "app/tools/drawn_outline.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
 #include "core/meshing/outline_simplify.h"
@@ -35,8 +35,8 @@ QString said(const char* text) {
 
 }  // namespace
 
-OutlineTool::OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen)
-    : m_surface(surface), m_shape(shape), m_pen(pen) {
+OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
+    : ShapeTool<2>(view), m_shape(shape), m_pen(pen) {
     QObject::connect(&m_pen, &OutlinePen::changed, &m_listener, [this] { takeAgain(); });
 }
 
@@ -111,7 +111,7 @@ void OutlineTool::press(const QMouseEvent& event) {
         m_line = {m_at};
         m_active = true;
     }
-    m_surface.redraw();
+    surface().redraw();
 }
 
 void OutlineTool::move(const QMouseEvent& event) {
@@ -120,7 +120,7 @@ void OutlineTool::move(const QMouseEvent& event) {
     m_over = isReady();
     m_modifiers = event.modifiers();
     if (m_active && isDrawn()) m_line << m_at;
-    m_surface.redraw();
+    surface().redraw();
 }
 
 void OutlineTool::release(const QMouseEvent& event) {
@@ -128,7 +128,7 @@ void OutlineTool::release(const QMouseEvent& event) {
     m_at = event.position();
     m_line << m_at;
     finish(event.modifiers());
-    m_surface.redraw();
+    surface().redraw();
 }
 
 /// The press before it has set the last corner.
@@ -137,7 +137,7 @@ void OutlineTool::doubleClick(const QMouseEvent& event) {
         finish(event.modifiers());
     else
         press(event);
-    m_surface.redraw();
+    surface().redraw();
 }
 
 bool OutlineTool::ownsKey(const QKeyEvent& event) const {
@@ -147,7 +147,7 @@ bool OutlineTool::ownsKey(const QKeyEvent& event) const {
 }
 
 bool OutlineTool::key(const QKeyEvent& event) {
-    if (m_shape == Shape::Wand && m_cross.clicks<2>(event, m_surface, *this)) return true;
+    if (m_shape == Shape::Wand && m_cross.clicks<2>(event, surface(), *this)) return true;
     const bool smaller = event.text() == QStringLiteral("["), larger = event.text() == QStringLiteral("]");
     if (event.key() == Qt::Key_Escape && m_active) {
         cancel();
@@ -161,7 +161,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
     } else {
         return false;
     }
-    m_surface.redraw();
+    surface().redraw();
     return true;
 }
 
@@ -182,34 +182,16 @@ void OutlineTool::cancel() {
 
 /// On the screen.
 QPainterPath OutlineTool::area() const {
-    QPainterPath path;
-    if (m_line.isEmpty()) return path;
-    if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) {
-        path.setFillRule(Qt::WindingFill);
-        path.addPolygon(m_line);
-        path.closeSubpath();
-        return path;
-    }
-    const double width = m_shape == Shape::Cut ? kCut : 2 * m_pen.now().radius;
-    QPainterPath way(m_line.first());
-    for (const QPointF& p : m_line) way.lineTo(p);
-    QPainterPathStroker stroker;
-    stroker.setWidth(width);
-    stroker.setCapStyle(Qt::RoundCap);
-    stroker.setJoinStyle(Qt::RoundJoin);
-    path.setFillRule(Qt::WindingFill);
-    if (way.length() > 0)
-        path.addPath(stroker.createStroke(way));
-    else if (m_shape == Shape::Brush)
-        path.addEllipse(m_line.first(), width / 2, width / 2);
-    return path;
+    if (m_line.isEmpty()) return {};
+    if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) return insideOf(m_line);
+    return brushedAlong(m_line, m_shape == Shape::Cut ? kCut / 2 : m_pen.now().radius);
 }
 
 Outline OutlineTool::inPicture(const QPainterPath& area) const {
     Outline outline;
     for (const QPolygonF& polygon : area.simplified().toSubpathPolygons()) {
         auto& loop = outline.loops.emplace_back();
-        for (const QPointF& p : polygon) loop.push_back(m_surface.toShape(p));
+        for (const QPointF& p : polygon) loop.push_back(surface().toShape(p));
         if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
     }
     std::erase_if(outline.loops, [](const auto& loop) { return loop.size() < 3; });
@@ -219,7 +201,7 @@ Outline OutlineTool::inPicture(const QPainterPath& area) const {
 /// What is drawn as a band of the width kSlit. A corner's normal is the mean of those of its sides.
 Outline OutlineTool::slit(double tolerance) const {
     std::vector<Vec<2>> way;
-    for (const QPointF& p : m_line) way.push_back(m_surface.toShape(p));
+    for (const QPointF& p : m_line) way.push_back(surface().toShape(p));
     way = wend::simplified<2>(way, tolerance);
     if (way.size() < 2) return {};
     const auto side = [&](std::size_t i) { return Vec<2>((way[i + 1] - way[i]).unitOrthogonal()); };
@@ -234,7 +216,7 @@ Outline OutlineTool::slit(double tolerance) const {
 }
 
 Outline OutlineTool::piece() const {
-    const double pixel = (m_surface.toShape({1, 0}) - m_surface.toShape({0, 0})).norm();
+    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
     if (m_shape == Shape::Cut) return slit(kDetail * pixel);
     const Outline clean = combined(inPicture(area()), {}, OutlineOperation::Add);
     return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
@@ -247,7 +229,7 @@ bool OutlineTool::isThin(const Outline& drawn) const {
     for (const auto& loop : drawn.loops)
         for (std::size_t i = 0; i < loop.size(); ++i)
             length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-    const double pixel = (m_surface.toShape({1, 0}) - m_surface.toShape({0, 0})).norm();
+    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
     return 2 * areaOf(drawn) < kThin * pixel * length;
 }
 
@@ -278,7 +260,7 @@ void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
 
 void OutlineTool::takeColour(const QMouseEvent& event) {
     Document& document = session().document();
-    m_taken = Taken{m_surface.toShape(event.position()), takesAway(event.modifiers()),
+    m_taken = Taken{surface().toShape(event.position()), takesAway(event.modifiers()),
                     QStringLiteral("wand %1").arg(document.undoStack()->index()), document.project(),
                     document.project()};
     takeAgain();
@@ -296,7 +278,7 @@ void OutlineTool::takeAgain() {
         outlineOfColour(*session().document().picture(), m_taken->at, m_pen.now().tolerance);
     if (!found.loops.empty()) apply(*m_taken->before, found, m_taken->takesAway, m_taken->key);
     m_taken->after = session().document().project();
-    m_surface.redraw();
+    surface().redraw();
 }
 
 void OutlineTool::apply(const Project& project, const Outline& piece, bool takesAway, const QString& key) {
@@ -335,14 +317,14 @@ void OutlineTool::paintOutline(QPainter& painter) const {
     QPainterPath path;
     for (const auto& loop : outlineOf(session().document().project()->domain).loops) {
         QPolygonF polygon;
-        for (const Vec<2>& p : loop) polygon << m_surface.toWidget(p);
+        for (const Vec<2>& p : loop) polygon << surface().toWidget(p);
         path.addPolygon(polygon);
         path.closeSubpath();
     }
     const Image& picture = *session().document().picture();
     QPainterPath all;
     all.addRect(
-        QRectF(m_surface.toWidget({0, 0}), m_surface.toWidget(Vec<2>(picture.width, picture.height))));
+        QRectF(surface().toWidget({0, 0}), surface().toWidget(Vec<2>(picture.width, picture.height))));
     all.addPath(path);  // by even and odd: what is left out
     painter.setPen(Qt::NoPen);
     painter.setBrush(kLeftOut);

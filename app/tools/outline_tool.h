@@ -6,8 +6,7 @@
 #include "app/document/domain.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/outline_settings.h"
-#include "app/tools/tool.h"
-#include "app/tools/tool_surface.h"
+#include "app/tools/tool_kind.h"
 #include "core/meshing/outline.h"
 #include "warp/outline.h"
 
@@ -17,10 +16,10 @@ namespace wend {
 /// the wand what has the colour under the pointer, which follows its tolerance until something else is done;
 /// a cut parts what touches. Where the whole picture bends, what is drawn first becomes the outline. Works on
 /// the shape at rest: takes the time there, and back when another tool is chosen.
-class OutlineTool : public Tool {
+class OutlineTool : public ShapeTool<2> {
   public:
     enum class Shape { Lasso, Polygon, Brush, Wand, Cut };
-    OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen);
+    OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen);
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -41,7 +40,6 @@ class OutlineTool : public Tool {
     void paint(QPainter& painter) const override;
 
   private:
-    ShapeSession& session() const { return m_surface.session(); }
     bool isReady();
     bool takesAway(Qt::KeyboardModifiers modifiers) const;
     bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
@@ -59,7 +57,6 @@ class OutlineTool : public Tool {
     void paintOutline(QPainter& painter) const;
     void scale(double factor);
 
-    ToolSurface& m_surface;
     Shape m_shape;
     KeyCross m_cross;
     OutlinePen& m_pen;
@@ -88,5 +85,11 @@ class OutlineTool : public Tool {
     std::optional<Taken> m_taken;
     QObject m_listener;  // to the pen
 };
+
+ToolKind outlineLassoTool();
+ToolKind outlinePolygonTool();
+ToolKind outlineBrushTool();
+ToolKind outlineWandTool();
+ToolKind cutStrokeTool();
 
 }  // namespace wend

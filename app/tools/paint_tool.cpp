@@ -315,4 +315,25 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
 template class PaintTool<2>;
 template class PaintTool<3>;
 
+ToolKind paintTool() {
+    return toolKind("paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),
+                    QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"), "B; A", Mode::Paint,
+                    both<PaintTool>(&Workbench::brush, PaintDeed::Paint),
+                    {ToolOption::Target, ToolOption::Separator, ToolOption::Tip}, paintedMap, Mode::Paint);
+}
+
+ToolKind combTool() {
+    return toolKind("comb", "comb", QT_TRANSLATE_NOOP("Tools", "&Comb"),
+                    QT_TRANSLATE_NOOP("Tools", "Comb the direction along which it is stiff"), "N",
+                    Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Paint),
+                    {ToolOption::Target, ToolOption::Separator, ToolOption::Tip}, paintedMap);
+}
+
+ToolKind eraserTool() {
+    return toolKind("eraser", "eraser", QT_TRANSLATE_NOOP("Tools", "E&raser"),
+                    QT_TRANSLATE_NOOP("Tools", "Take paint off: what is brushed is as everywhere again"), "E",
+                    Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Erase), {ToolOption::Tip},
+                    paintedMap);
+}
+
 }  // namespace wend

@@ -2,8 +2,11 @@
 
 #include "app/document/design.h"
 #include "app/tools/stroke_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
+
+enum class PaintDeed { Paint, Erase, Smooth };
 
 /// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
 /// in one layer and as one undo step. Ctrl takes away what all layers have painted there, Shift smooths,
@@ -12,7 +15,7 @@ namespace wend {
 template <int Dim>
 class PaintTool : public StrokeTool<Dim> {
   public:
-    enum class Deed { Paint, Erase, Smooth };
+    using Deed = PaintDeed;
     /// Paint: what is held says what it does; Erase: it always does.
     PaintTool(SurfaceOf<Dim>& view, Brush& tip, Deed deed) : StrokeTool<Dim>(view, tip), m_deed(deed) {}
 
@@ -61,5 +64,9 @@ class PaintTool : public StrokeTool<Dim> {
 
 extern template class PaintTool<2>;
 extern template class PaintTool<3>;
+
+ToolKind paintTool();
+ToolKind combTool();
+ToolKind eraserTool();
 
 }  // namespace wend

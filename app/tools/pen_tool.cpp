@@ -251,4 +251,10 @@ void PenTool<Dim>::paintJoints(QPainter& painter) const {
 template class PenTool<2>;
 template class PenTool<3>;
 
+ToolKind penTool() {
+    return toolKind("pen", "pen", QT_TRANSLATE_NOOP("Tools", "Pe&n"),
+                    QT_TRANSLATE_NOOP("Tools", "Draw the path of a pin, point by point"), "P", Mode::Animate,
+                    both<PenTool>());
+}
+
 }  // namespace wend

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/document/bezier_edits.h"
-#include "app/tools/shape_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -57,5 +57,7 @@ class PenTool : public ShapeTool<Dim> {
 
 extern template class PenTool<2>;
 extern template class PenTool<3>;
+
+ToolKind penTool();
 
 }  // namespace wend

@@ -5,6 +5,7 @@
 #include "app/document/design.h"
 #include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
+#include "app/tools/drawn_outline.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {
@@ -21,13 +22,6 @@ constexpr double kSame = 1e-3;     // of the shape's size: what is seen there is
 template <int Dim>
 bool isArea(const PinView<Dim>& pin) {
     return pin.region || pin.points.size() > 1;
-}
-
-double distanceToLine(const QPointF& p, const QPointF& a, const QPointF& b) {
-    const QPointF along = b - a;
-    const double size = QPointF::dotProduct(along, along);
-    const double t = size > 0 ? QPointF::dotProduct(p - a, along) / size : 0;
-    return QLineF(p, a + std::clamp(t, 0.0, 1.0) * along).length();
 }
 
 }  // namespace

@@ -35,15 +35,23 @@ Vec<3> nudgeOf(SolidSurface& surface, const Vec<3>& p, const QPointF& by) {
 }  // namespace
 
 template <int Dim>
-void PinTool<Dim>::setGrip(Grip::Kind kind) {
-    m_gizmo.setGrip(kind);
+PinTool<Dim>::PinTool(SurfaceOf<Dim>& view, const PinChoice& choice, bool adds)
+    : ShapeTool<Dim>(view), m_curve(view), m_choice(choice), m_adds(adds) {
+    QObject::connect(&choice, &PinChoice::changed, &m_listener, [this] { takeChoice(); });
+    takeChoice();
+}
+
+template <int Dim>
+void PinTool<Dim>::takeChoice() {
+    m_gizmo.setGrip(m_choice.now().grip);
+    m_outline.setKind(m_choice.now().selectBy);
     surface().redraw();
 }
 
 template <int Dim>
 int PinTool<Dim>::handleAt(const QPointF& widget) const {
     const int pin = pinAt(widget);
-    return pin >= 0 ? pin : partUnder<Dim>(surface(), widget, m_through);
+    return pin >= 0 ? pin : partUnder<Dim>(surface(), widget, takesHidden());
 }
 
 /// The end of the curve lies under its pin, which comes first until that point is chosen.
@@ -279,17 +287,12 @@ void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
 template <int Dim>
 int PinTool<Dim>::addPin(const QPointF& at) {
     auto touched = surface().touch(at);
-    const bool snaps = m_snaps && touched && !session().template frame<Dim>()->built->hidesVertices();
-    if constexpr (Dim == 3)
-        if (snaps)
-            return session().addSolidHandle({surface().pick(at).vertex},
-                                            ShapeSession::tr("Pin").toStdString());
     if (!touched) return session().template addPin<Dim>(std::optional<Location<Dim>>());
-    Location<Dim>& place = touched->place;
+    const bool snaps = m_choice.now().snaps && !session().template frame<Dim>()->built->hidesVertices();
     Eigen::Index corner = 0;
-    place.weights.maxCoeff(&corner);
-    if (snaps) place.weights.setUnit(corner);
-    return session().template addPin<Dim>(std::optional(place));
+    touched->place.weights.maxCoeff(&corner);
+    if (snaps) touched->place.weights.setUnit(corner);
+    return session().template addPin<Dim>(std::optional(touched->place));
 }
 
 /// If its mark lies inside, or any point of it; of a solid only what is seen, unless through.
@@ -298,7 +301,7 @@ bool PinTool<Dim>::isTaken(const PinView<Dim>& pin) const {
     const bool many = pin.points.size() > 1;
     if (many && m_outline.contains(surface().toWidget(pin.centre))) return true;  // the mark is never hidden
     for (std::size_t i = 0; i < pin.points.size(); ++i) {
-        const bool isSeen = Dim == 2 || m_through || !isCovered<Dim>(surface(), pin, i);
+        const bool isSeen = Dim == 2 || takesHidden() || !isCovered<Dim>(surface(), pin, i);
         if (isSeen && m_outline.contains(surface().toWidget(pin.points[i]))) return true;
     }
     return false;
@@ -317,12 +320,6 @@ void PinTool<Dim>::doubleClick(const QMouseEvent& event) {
     const QPointF at = event.position();
     const bool isTaken = curvePointAt(at) > 0 || pinAt(at) >= 0 || partAt(at);
     if (event.button() != Qt::LeftButton || isTaken || !m_curve.insertAt(at)) press(event);
-}
-
-template <int Dim>
-void PinTool<Dim>::leave() {
-    m_over = false;
-    m_hovered = -1;
 }
 
 template <int Dim>

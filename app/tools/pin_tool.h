@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/tools/curve_editor.h"
-#include "app/tools/drawn_outline.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/pin_picking.h"
+#include "app/tools/tool_kind.h"
 #include "app/tools/typed_number.h"
 
 namespace wend {
@@ -17,15 +17,7 @@ class PinTool : public ShapeTool<Dim> {
   public:
     /// What is drawn beside pins to select all in it.
     using Outline = DrawnOutline::Kind;
-    PinTool(SurfaceOf<Dim>& view, bool adds) : ShapeTool<Dim>(view), m_curve(view), m_adds(adds) {}
-
-    /// What a drag does with what is selected.
-    void setGrip(Grip::Kind kind);
-    void setOutline(Outline outline) { m_outline.setKind(outline); }
-    /// Selects also what something hides.
-    void setThrough(bool through) { m_through = through; }
-    /// New pins sit on corners of the mesh, instead of where one clicks.
-    void setSnaps(bool snaps) { m_snaps = snaps; }
+    PinTool(SurfaceOf<Dim>& view, const PinChoice& choice, bool adds);
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -37,7 +29,10 @@ class PinTool : public ShapeTool<Dim> {
     bool key(const QKeyEvent& event) override;
     void cancel() override;
     void doubleClick(const QMouseEvent& event) override;
-    void leave() override;
+    void leave() override {
+        m_over = false;
+        m_hovered = -1;
+    }
     bool ownsKey(const QKeyEvent& event) const override;
     MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }
@@ -52,13 +47,15 @@ class PinTool : public ShapeTool<Dim> {
     using ShapeTool<Dim>::session;
     enum class Gesture { None, Pressed, Drag, Widen, Marquee, Curve, OnCurve };
 
-    int pinAt(const QPointF& widget) const { return markUnder<Dim>(surface(), widget, m_through); }
+    bool takesHidden() const { return m_choice.now().through; }
+    int pinAt(const QPointF& widget) const { return markUnder<Dim>(surface(), widget, takesHidden()); }
     int curvePointAt(const QPointF& at) const;
     std::optional<Part> partAt(const QPointF& at) const;
     std::optional<Part> litPart() const;
     bool isSelected(int handle) const { return handle >= 0 && session().selection().contains(handle); }
     bool placeGizmo() const;
     void takePointer(const QMouseEvent& event);
+    void takeChoice();
     void hover();
     void select(int handle, bool extend);
     void begin();
@@ -84,8 +81,8 @@ class PinTool : public ShapeTool<Dim> {
     CurveEditor<Dim> m_curve;
     KeyCross m_cross;
     DrawnOutline m_outline;
+    const PinChoice& m_choice;
     bool m_adds;
-    bool m_through = false, m_snaps = false;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
     bool m_over = false;           // the pointer is over the view
@@ -96,9 +93,13 @@ class PinTool : public ShapeTool<Dim> {
     bool m_sets = false;         // the pin that is dragged is new
     Amount m_amount = Amount::Zero();
     TypedNumber m_typed;
+    QObject m_listener;  // to the choice
 };
 
 extern template class PinTool<2>;
 extern template class PinTool<3>;
+
+ToolKind pinTool();
+ToolKind selectTool();
 
 }  // namespace wend

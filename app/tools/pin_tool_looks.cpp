@@ -1,4 +1,4 @@
-// What the pin tool says and draws, and which pointer it shows.
+// What the pin tool says and draws, which pointer it shows, and how the window offers it.
 #include <QCoreApplication>
 
 #include "app/session/accent.h"
@@ -137,5 +137,21 @@ void PinTool<Dim>::paintWidened(QPainter& painter) const {
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE
+
+ToolKind pinTool() {
+    return toolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
+                    QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins,
+                    both<PinTool>(&Workbench::pins, true),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
+                     ToolOption::Snap},
+                    {}, Mode::Pins);
+}
+
+ToolKind selectTool() {
+    return toolKind("select", "select", QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+                    QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"), "V",
+                    Modes::all(), both<PinTool>(&Workbench::pins, false),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through});
+}
 
 }  // namespace wend

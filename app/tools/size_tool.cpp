@@ -38,7 +38,8 @@ QString SizeTool<Dim>::strokeHint() const {
 template <int Dim>
 double SizeTool<Dim>::factor() const {
     if (modifiers() & Qt::ControlModifier) return 1;
-    return modifiers() & Qt::ShiftModifier ? 1 / m_factor() : m_factor();
+    const double chosen = brush().edges().now();
+    return modifiers() & Qt::ShiftModifier ? 1 / chosen : chosen;
 }
 
 template <int Dim>
@@ -66,10 +67,20 @@ void SizeTool<Dim>::paint(QPainter& painter) const {
     if constexpr (Dim == 2) paintMesh(painter, surface());
     StrokeTool<Dim>::paint(painter);
     if constexpr (Dim == 3)
-        paintRegions(painter, surface(), m_shown, QPen(this->colour(), marked(1.5), Qt::DashLine));
+        paintRegions(painter, surface(), brush().regions().now(),
+                     QPen(this->colour(), marked(1.5), Qt::DashLine));
 }
 
 template class SizeTool<2>;
 template class SizeTool<3>;
+
+ToolKind detailBrushTool() {
+    return toolKind("sizes", "sizes", QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
+                    QT_TRANSLATE_NOOP("Tools", "Brush where the mesh is to be finer or coarser"), "Shift+A",
+                    Mode::Mesh, both<SizeTool>(&Workbench::brush), {ToolOption::Edges, ToolOption::BrushSize},
+                    [](const Workbench&, int dimension) {
+                        return dimension == 3 ? std::optional(Measure::CellSize) : std::nullopt;
+                    });
+}
 
 }  // namespace wend

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/tools/stroke_tool.h"
+#include "app/tools/tool_kind.h"
 
 namespace wend {
 
@@ -10,10 +11,9 @@ namespace wend {
 template <int Dim>
 class SizeTool : public StrokeTool<Dim> {
   public:
-    SizeTool(SurfaceOf<Dim>& view, Brush& brush, std::function<double()> factor)
-        : StrokeTool<Dim>(view, brush), m_factor(std::move(factor)) {}
-
-    void setShown(const std::vector<Region<Dim>>& regions) { m_shown = regions; }
+    SizeTool(SurfaceOf<Dim>& view, Brush& tip) : StrokeTool<Dim>(view, tip) {
+        QObject::connect(&tip.regions(), &Changing::changed, &m_listener, [&view] { view.redraw(); });
+    }
 
     void paint(QPainter& painter) const override;
 
@@ -24,16 +24,18 @@ class SizeTool : public StrokeTool<Dim> {
     QColor colour() const override { return QColor(0x2a, 0x8a, 0x7a); }
 
   private:
+    using StrokeTool<Dim>::brush;
     using StrokeTool<Dim>::modifiers;
     using StrokeTool<Dim>::session;
     using StrokeTool<Dim>::surface;
     double factor() const;
 
-    std::function<double()> m_factor;
-    std::vector<Region<Dim>> m_shown;
+    QObject m_listener;  // to the brush
 };
 
 extern template class SizeTool<2>;
 extern template class SizeTool<3>;
+
+ToolKind detailBrushTool();
 
 }  // namespace wend

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "app/session/mark_size.h"
-#include "app/session/solid_places.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

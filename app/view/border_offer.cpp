@@ -1,9 +1,9 @@
 #include "app/view/border_offer.h"
 
+#include "app/document/design.h"
 #include "app/document/document.h"
 #include "app/document/domain.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/view/info_banner.h"
 #include "warp/convert.h"

@@ -17,8 +17,11 @@ BrushActions::BrushActions(Brush& brush, Toolbox& tools, QObject* parent)
     m_menu->addSeparator();
     makeStops();
     makeTip();
+    makeNumbers();
     connect(&m_tools, &Toolbox::changed, this, &BrushActions::refresh);
-    connect(&m_brush, &Brush::changed, this, &BrushActions::showBrush);
+    for (const Changing* value :
+         std::initializer_list<Changing*>{&m_brush, &m_brush.order(), &m_brush.edges()})
+        connect(value, &Changing::changed, this, &BrushActions::showBrush);
     refresh();
     showBrush();
 }
@@ -84,6 +87,21 @@ void BrushActions::makeTip() {
             [this](bool on) { change([&](BrushSettings& brush) { brush.pressure = on; }); });
 }
 
+void BrushActions::makeNumbers() {
+    order = new NumberAction(
+        tr("Order"), tr("What is brushed lies in front where it is greater than 0, behind where it is less"),
+        {}, this);
+    order->box().setRange(-99, 99);
+    edges = new NumberAction(tr("Edges"),
+                             tr("How long the edges of the mesh are where it is brushed, of those elsewhere"),
+                             tr(" %"), this);
+    edges->box().setRange(10, 400);
+    edges->box().setSingleStep(10);
+    connect(&order->box(), &QSpinBox::valueChanged, this, [this](int value) { m_brush.order().set(value); });
+    connect(&edges->box(), &QSpinBox::valueChanged, this,
+            [this](int percent) { m_brush.edges().set(percent / 100.0); });
+}
+
 void BrushActions::showBrush() {
     const BrushSettings& brush = m_brush.now();
     const std::array targets{keep, stiffness, direction};
@@ -91,6 +109,8 @@ void BrushActions::showBrush() {
     size->put(2 * brush.radius);
     hardness->put(100 * brush.hardness);
     amount->put(100 * brush.amount);
+    order->put(m_brush.order().now());
+    edges->put(100 * m_brush.edges().now());
     pressure->setChecked(brush.pressure);
 }
 

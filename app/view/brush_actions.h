@@ -21,6 +21,7 @@ class BrushActions : public ActionMaker {
 
     QAction *keep = nullptr, *stiffness = nullptr, *direction = nullptr;
     NumberAction *amount = nullptr, *size = nullptr, *hardness = nullptr;
+    NumberAction *order = nullptr, *edges = nullptr;  // that the depth and the detail brush lay down
     QAction* pressure = nullptr;
 
     QMenu* menu() const { return m_menu.get(); }
@@ -31,6 +32,7 @@ class BrushActions : public ActionMaker {
     void makeStops();
     void makeTargets();
     void makeTip();
+    void makeNumbers();
     void showBrush();
     void refresh();
     void choose(int stop);

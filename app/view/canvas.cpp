@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/document/depth_region.h"
 #include "app/document/in_background.h"
 #include "app/session/shape.h"
 #include "core/energy/distortion.h"

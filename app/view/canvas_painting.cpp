@@ -4,7 +4,6 @@
 #include "app/tools/velocity_arrows.h"
 #include "app/view/canvas.h"
 #include "app/view/shape/shape_painter.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 

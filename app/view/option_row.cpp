@@ -31,10 +31,8 @@ void OptionRow::showTool() {
     title->setProperty("role", "title");
     title->setContentsMargins(8, 0, 8, 0);
     addWidget(title);
-    m_options.dimension = m_tools.dimension();
-    const QList<QAction*> options = kind->options ? kind->options(m_options) : QList<QAction*>();
     bool any = false;
-    for (QAction* option : options) {
+    for (QAction* option : m_options.of(*kind)) {
         option ? addAction(option) : static_cast<void>(addSeparator());
         any = any || (option && option->isVisible());
     }

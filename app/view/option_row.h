@@ -2,7 +2,7 @@
 
 #include <QToolBar>
 
-#include "app/view/tool_table.h"
+#include "app/view/tool_options.h"
 
 namespace wend {
 

@@ -21,9 +21,6 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
         tr("Tolerance"), tr("How far colours may be apart, of what was clicked last too; also [ and ]"),
         tr(" %"), this);
     tolerance->box().setRange(1, 100);
-    snap =
-        addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
-    makeBrushes();
     const auto set = [this](auto change) {
         OutlineSettings next = m_pen.now();
         change(next);
@@ -36,23 +33,6 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
             [set](int percent) { set([percent](auto& s) { s.tolerance = percent / 100.0; }); });
     connect(&m_pen, &OutlinePen::changed, this, &PictureActions::showPen);
     showPen();
-}
-
-void PictureActions::makeBrushes() {
-    order = new NumberAction(
-        tr("Order"), tr("What is brushed lies in front where it is greater than 0, behind where it is less"),
-        {}, this);
-    order->box().setRange(-99, 99);
-    order->put(m_depth.now());
-    edges = new NumberAction(tr("Edges"),
-                             tr("How long the edges of the mesh are where it is brushed, of those elsewhere"),
-                             tr(" %"), this);
-    edges->box().setRange(10, 400);
-    edges->box().setSingleStep(10);
-    edges->put(100 * m_fineness.now());
-    connect(&order->box(), &QSpinBox::valueChanged, this, [this](int value) { m_depth.set(value); });
-    connect(&edges->box(), &QSpinBox::valueChanged, this,
-            [this](int percent) { m_fineness.set(percent / 100.0); });
 }
 
 void PictureActions::showPen() {

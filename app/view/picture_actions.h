@@ -6,8 +6,7 @@
 
 namespace wend {
 
-/// What stands beside the tools of pictures: pins, those of the outline, and the brushes for depth and
-/// detail.
+/// What stands beside the tools that draw the outline of a picture.
 class PictureActions : public ActionMaker {
     Q_OBJECT
 
@@ -16,19 +15,13 @@ class PictureActions : public ActionMaker {
 
     QAction *adds, *takesAway;
     NumberAction *size, *tolerance;
-    NumberAction *order, *edges;
-    QAction* snap;
 
     OutlinePen& pen() { return m_pen; }
-    const PenValue& depth() const { return m_depth; }
-    const PenValue& fineness() const { return m_fineness; }
 
   private:
-    void makeBrushes();
     void showPen();
 
     OutlinePen m_pen;
-    PenValue m_depth{1}, m_fineness{0.5};
 };
 
 }  // namespace wend

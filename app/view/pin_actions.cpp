@@ -50,6 +50,8 @@ void PinActions::makeGrips() {
     auto* grips = new QActionGroup(this);
     for (QAction* grip : {move, turn, grow}) grips->addAction(grip);
     move->setChecked(true);
+    using enum Grip::Kind;
+    choose(&PinSettings::grip, {{move, Move}, {turn, Turn}, {grow, Grow}});
 }
 
 void PinActions::makeOutlines() {
@@ -60,6 +62,22 @@ void PinActions::makeOutlines() {
     auto* outlines = new QActionGroup(this);
     for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
     selectRectangle->setChecked(true);
+    using enum DrawnOutline::Kind;
+    choose(&PinSettings::selectBy,
+           {{selectRectangle, Rectangle}, {selectLasso, Lasso}, {selectBrush, Brush}});
+    snap =
+        addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
+    connect(snap, &QAction::toggled, this, [this](bool on) { m_choice.change(&PinSettings::snaps, on); });
+}
+
+/// What a switch of several chooses.
+template <class Value>
+void PinActions::choose(Value PinSettings::*value,
+                        std::initializer_list<std::pair<QAction*, Value>> choices) {
+    for (const auto& [action, choice] : choices)
+        connect(action, &QAction::toggled, this, [this, value, choice = choice](bool on) {
+            if (on) m_choice.change(value, choice);
+        });
 }
 
 void PinActions::makeActions() {

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <memory>
 
+#include "app/tools/pin_settings.h"
 #include "app/view/action_maker.h"
 
 namespace wend {
@@ -18,18 +19,22 @@ class PinActions : public ActionMaker {
 
     QAction *move, *turn, *grow;
     QAction *selectRectangle, *selectLasso, *selectBrush;  // what is drawn beside pins
+    QAction* snap;
     QAction *lock, *hide, *showAll;
     QAction *group, *ungroup, *link;
     QAction *mirror, *mirrorMotion;
     QAction* holdThroughout;
 
     QMenu* menu() const { return m_menu.get(); }
+    PinChoice& choice() { return m_choice; }
     /// What a pin's own menu holds of it.
     void fill(QMenu& menu) const;
 
   private:
     void makeGrips();
     void makeOutlines();
+    template <class Value>
+    void choose(Value PinSettings::*value, std::initializer_list<std::pair<QAction*, Value>> choices);
     void makeActions();
     void makeColours();
     void connectActions();
@@ -39,6 +44,7 @@ class PinActions : public ActionMaker {
     void askColour();
 
     ShapeSession& m_session;
+    PinChoice m_choice;
     std::unique_ptr<QMenu> m_menu, m_colours;
 };
 

@@ -58,7 +58,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_paint(new PaintPanel(session, m_brush)),
       m_layers(new LayerPanel(session, m_brush.layer())),
       m_facts(new FactsPanel(session)),
-      m_sizes(new SizePanel(session)),
+      m_sizes(new SizePanel(session, m_brush)),
       m_detailRegions(new RegionList(session, RegionsOf::Detail)),
       m_depthRegions(new RegionList(session, RegionsOf::Depth)),
       m_surface(new SurfacePanel),

@@ -5,7 +5,7 @@
 
 #include "app/session/brush.h"
 #include "app/session/shape_session.h"
-#include "app/view/mode.h"
+#include "app/tools/mode.h"
 
 class QAction;
 class QScrollArea;
@@ -49,7 +49,6 @@ class Properties : public QWidget {
     MeasurePanel& measure() { return *m_measure; }
     Brush& brush() { return m_brush; }
     LayerPanel& layers() { return *m_layers; }
-    SizePanel& sizes() { return *m_sizes; }
     RegionList& detailRegions() { return *m_detailRegions; }
     RegionList& depthRegions() { return *m_depthRegions; }
     SurfacePanel& surface() { return *m_surface; }

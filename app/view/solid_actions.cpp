@@ -13,29 +13,18 @@ QKeySequence keypad(const char* keys) {
 
 }  // namespace
 
-SolidActions::SolidActions(Toolbox& tools, QObject* parent) : ActionMaker(parent), m_menu(new QMenu) {
-    takeTools(tools);
+SolidActions::SolidActions(Toolbox& tools, QObject* parent)
+    : ActionMaker(parent), sizes(tools.action(QStringLiteral("sizes"))), m_menu(new QMenu) {
+    makeGrabbing();
     makeView();
     makeMenu();
     setShown(false);
 }
 
-void SolidActions::takeTools(const Toolbox& tools) {
-    for (const auto& [action, id] : {std::pair{&rectangle, "rectangle"},
-                                     {&lasso, "lasso"},
-                                     {&brush, "grabBrush"},
-                                     {&ball, "ball"},
-                                     {&box, "block"},
-                                     {&half, "side"},
-                                     {&sizes, "sizes"},
-                                     {&measure, "measure"}})
-        *action = tools.action(QString::fromLatin1(id));
+void SolidActions::makeGrabbing() {
     through = addToggle(
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
-    snap =
-        addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
-    snap->setChecked(true);
     holdBeyond =
         add({tr("Grab Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));

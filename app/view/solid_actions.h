@@ -19,9 +19,8 @@ class SolidActions : public ActionMaker {
   public:
     SolidActions(Toolbox& tools, QObject* parent);
 
-    // of the tools, those that something else here speaks of
-    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *sizes, *measure;
-    QAction *through, *snap, *holdBeyond;
+    QAction* sizes;  // of the tools
+    QAction *through, *holdBeyond;
     QAction *detail, *flat, *orthographic;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     std::array<QAction*, 3> upAxes;  // x, y, z
@@ -42,7 +41,7 @@ class SolidActions : public ActionMaker {
     void resetView();
 
   private:
-    void takeTools(const Toolbox& tools);
+    void makeGrabbing();
     void makeView();
     void makeMenu();
 

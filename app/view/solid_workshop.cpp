@@ -18,7 +18,6 @@
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
 #include "app/view/actions.h"
-#include "app/view/backdrop_choice.h"
 #include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/properties.h"
@@ -237,7 +236,8 @@ void SolidWorkshop::holdBeyondCut() {
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
-    m_around.session.addSolidHandle(beyond, tr("Area").toStdString());
+    ShapeSession& session = m_around.session;
+    if (!beyond.empty()) session.addHandle<3>(session.placementOf(beyond), tr("Area").toStdString());
 }
 
 }  // namespace wend

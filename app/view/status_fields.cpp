@@ -1,5 +1,4 @@
 #include "app/view/status_fields.h"
-#include "core/energy/distortion.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -9,52 +9,42 @@
 
 namespace wend {
 
-template <bool Adds>
-QList<QAction*> pinOptions(const ToolOptions& o) {
-    const PinActions& a = o.pins;
-    QList<QAction*> all = {a.move, a.turn, a.grow, nullptr, a.selectRectangle, a.selectLasso, a.selectBrush};
-    if (o.dimension == 3) all << o.solids.through;
-    if (Adds) all << (o.dimension == 3 ? o.solids.snap : o.pictures.snap);
+QList<QAction*> ToolOptions::of(const ToolKind& kind) const {
+    QList<QAction*> all;
+    for (const ToolOption option : kind.options) all << of(option);
     return all;
 }
 
-template QList<QAction*> pinOptions<true>(const ToolOptions&);
-template QList<QAction*> pinOptions<false>(const ToolOptions&);
-
-QList<QAction*> throughOptions(const ToolOptions& o) {
-    return {o.solids.through};
-}
-
-QList<QAction*> outlineOptions(const ToolOptions& o) {
-    return {o.pictures.adds, o.pictures.takesAway};
-}
-
-QList<QAction*> outlineBrushOptions(const ToolOptions& o) {
-    return outlineOptions(o) << o.pictures.size;
-}
-
-QList<QAction*> wandOptions(const ToolOptions& o) {
-    return outlineOptions(o) << o.pictures.tolerance;
-}
-
-QList<QAction*> sizeOptions(const ToolOptions& o) {
-    return o.dimension == 2 ? QList<QAction*>{o.pictures.edges, o.brush.size} : QList<QAction*>{o.brush.size};
-}
-
-QList<QAction*> targetOptions(const ToolOptions& o) {
-    return {o.brush.keep, o.brush.stiffness, o.brush.direction};
-}
-
-QList<QAction*> tipOptions(const ToolOptions& o) {
-    return {o.brush.size, o.brush.hardness, o.brush.amount, o.brush.pressure};
-}
-
-QList<QAction*> paintOptions(const ToolOptions& o) {
-    return targetOptions(o) << nullptr << tipOptions(o);
-}
-
-QList<QAction*> depthOptions(const ToolOptions& o) {
-    return {o.pictures.order, o.brush.size};
+QList<QAction*> ToolOptions::of(ToolOption option) const {
+    switch (option) {
+        case ToolOption::Grip:
+            return {pins.move, pins.turn, pins.grow};
+        case ToolOption::SelectBy:
+            return {pins.selectRectangle, pins.selectLasso, pins.selectBrush};
+        case ToolOption::Through:
+            return {solids.through};
+        case ToolOption::Snap:
+            return {pins.snap};
+        case ToolOption::AddsOrTakes:
+            return {outline.adds, outline.takesAway};
+        case ToolOption::PenSize:
+            return {outline.size};
+        case ToolOption::Tolerance:
+            return {outline.tolerance};
+        case ToolOption::Edges:
+            return {brush.edges};
+        case ToolOption::Target:
+            return {brush.keep, brush.stiffness, brush.direction};
+        case ToolOption::BrushSize:
+            return {brush.size};
+        case ToolOption::Tip:
+            return {brush.size, brush.hardness, brush.amount, brush.pressure};
+        case ToolOption::Order:
+            return {brush.order};
+        case ToolOption::Separator:
+            break;
+    }
+    return {nullptr};
 }
 
 }  // namespace wend

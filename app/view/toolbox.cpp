@@ -56,7 +56,7 @@ QAction* Toolbox::action(const QString& id) const {
 }
 
 bool Toolbox::fits(const ToolKind& kind) const {
-    return m_dimension == 3 ? kind.solid != nullptr : kind.picture != nullptr;
+    return kind.make.of(m_dimension) != nullptr;
 }
 
 const ToolKind* Toolbox::current() const {

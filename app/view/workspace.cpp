@@ -2,6 +2,7 @@
 
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
+#include "app/view/picture_actions.h"
 #include "app/view/pin_actions.h"
 #include "app/view/properties.h"
 #include "app/view/solid_workshop.h"
@@ -13,19 +14,20 @@ namespace wend {
 Workspace::Workspace(const Parts& parts)
     : m_parts(parts),
       m_map(parts.properties.distortion(), *parts.actions.showMap),
-      m_bench{parts.picture,
-              parts.solids.actions(),
-              parts.outline,
-              parts.pins,
-              parts.properties.brush(),
-              parts.crop,
-              parts.properties.sizes(),
+      m_bench{&parts.picture,
+              nullptr,
+              &parts.properties.brush(),
+              &parts.pins.choice(),
+              &parts.outline.pen(),
+              &parts.crop,
               [select = parts.actions.selectTool] { select->trigger(); }} {
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
     // Who chooses how to select wants to select.
     for (const QAction* action : {parts.pins.selectRectangle, parts.pins.selectLasso, parts.pins.selectBrush})
         connect(action, &QAction::triggered, parts.actions.selectTool, &QAction::trigger);
-    connect(&m_bench.brush, &Brush::changed, this, &Workspace::takeBrush);
+    connect(parts.solids.actions().through, &QAction::toggled, m_bench.pins,
+            [pins = m_bench.pins](bool on) { pins->change(&PinSettings::through, on); });
+    connect(m_bench.brush, &Brush::changed, this, &Workspace::takeBrush);
     show();
 }
 
@@ -37,7 +39,7 @@ Workspace::~Workspace() {
 Tool* Workspace::toolOf(const ToolKind& kind) {
     const int dimension = m_parts.tools.dimension();
     auto& tool = m_tools[{&kind, dimension}];
-    if (!tool) tool = (dimension == 3 ? kind.solid : kind.picture)(m_bench);
+    if (!tool) tool = kind.make.of(dimension)(m_bench);
     return tool.get();
 }
 
@@ -53,14 +55,14 @@ void Workspace::show() {
 
 /// The comb is the brush that changes directions.
 void Workspace::takeTool() {
-    BrushSettings brush = m_bench.brush.now();
+    BrushSettings brush = m_bench.brush->now();
     if (m_parts.tools.isChosen("comb")) brush.target = BrushTarget::Direction;
     if (m_parts.tools.isChosen("paint")) brush.target = m_painted;
-    m_bench.brush.set(brush);
+    m_bench.brush->set(brush);
 }
 
 void Workspace::takeBrush() {
-    const BrushTarget target = m_bench.brush.now().target;
+    const BrushTarget target = m_bench.brush->now().target;
     const bool combs = target == BrushTarget::Direction;
     if (!combs) m_painted = target;
     if (m_parts.tools.isChosen(combs ? "paint" : "comb"))

@@ -31,7 +31,7 @@ class Workspace : public QObject {
         SolidWorkshop& solids;
         Properties& properties;
         PictureActions& outline;
-        const PinActions& pins;
+        PinActions& pins;
         Crop& crop;
     };
     explicit Workspace(const Parts& parts);

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <QtTest>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 
 using namespace wend;
@@ -59,7 +59,7 @@ class TestCliErrors : public QObject {
 
 void TestCliErrors::putMeshes() {
     const std::string base = path().toStdString();
-    writeMeshFile(base + "/strip.obj", toMeshFile<2>(stripMesh(10, 2)));
+    writeMesh<2>(base + "/strip.obj", stripMesh(10, 2));
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
     put(path(), "tetrahedron.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");  // a tetrahedron
@@ -458,7 +458,7 @@ void TestCliErrors::foldedOver() {
     QCOMPARE(report["flips"].toInt(), 0);
 
     QCOMPARE(runCli(path(), {"run", "fold.wend", "--mesh", "kept.obj", "--partial"}).code, 4);
-    QCOMPARE(readMeshFile((path() + "/kept.obj").toStdString()).points.cols(), Eigen::Index(33));
+    QCOMPARE(readMesh<2>((path() + "/kept.obj").toStdString()).points.cols(), Eigen::Index(33));
 }
 
 void TestCliErrors::interrupted() {

@@ -7,7 +7,8 @@
 #include "app/document/free_name.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/document/timing_edits.h"
 #include "core/motion/trajectory.h"
 

@@ -11,7 +11,7 @@
 #include "app/session/shape_engine.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/window_fixture.h"
 
@@ -568,9 +568,9 @@ template <int Dim>
 void TestCompute::openMoved() {
     const std::string name = m_folder->path().toStdString() + (Dim == 2 ? "/strip.obj" : "/bar.mesh");
     if constexpr (Dim == 2)
-        writeMeshFile(name, toMeshFile<2>(stripMesh(6, 2)));
+        writeMesh<2>(name, stripMesh(6, 2));
     else
-        writeMeshFile(name, toMeshFile<3>(barMesh(4)));
+        writeMesh<3>(name, barMesh(4));
     m_session->document().open(openFile(QString::fromStdString(name)));
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<Dim>();

@@ -9,7 +9,7 @@
 
 #include "app/document/depth_edits.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
@@ -19,7 +19,6 @@
 #include "app/view/canvas.h"
 #include "app/view/ground.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/mesh_file.h"
 #include "kernels/opencl_devices.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warped_picture.h"
@@ -381,8 +380,8 @@ void TestDepth::orderIsUndone() {
 void TestDepth::brushed() {
     setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, 1}});  // over the body
     Brush brush;
-    const PenValue order(2);
-    DepthTool tool(m_canvas, brush, order);
+    brush.order().set(2);
+    DepthTool tool(m_canvas, brush);
     m_canvas.zoomTo(1);
     m_canvas.viewport().set(&Looks::hidden, false);
     m_canvas.viewport().setTool(&tool);
@@ -448,7 +447,8 @@ void TestDepth::pinsInFrontArePicked() {
     const int steps = m_session.document().undoStack()->count();
     const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
     QVERIFY(settle(m_session));
-    PinTool<2> tool(m_canvas, false);
+    const PinChoice choice;
+    PinTool<2> tool(m_canvas, choice, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
         setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});

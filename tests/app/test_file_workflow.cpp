@@ -6,7 +6,8 @@
 #include <QSignalSpy>
 
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project.h"
+#include "app/document/project_writer.h"
 #include "app/session/opening.h"
 #include "app/view/file_card.h"
 #include "app/view/file_workflow.h"

@@ -7,7 +7,8 @@
 #include <fstream>
 
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/document/text_file.h"
 #include "app/view/actions.h"
 #include "app/view/export_dialog.h"
@@ -15,6 +16,7 @@
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
+#include "tests/support/bar_project.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/window_fixture.h"
 

@@ -1,7 +1,8 @@
 #include <QSignalSpy>
 
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/session/drag_gesture.h"
 #include "app/session/held_border.h"
 #include "app/session/opening.h"

@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/run.h"

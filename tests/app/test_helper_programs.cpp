@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <csignal>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 
 using namespace wend;
@@ -66,7 +66,7 @@ bool lives(pid_t process) {
 
 void TestHelperPrograms::initTestCase() {
     put(path(), "hanging.icd", WEND_TEST_DRIVER_FILE "\n");
-    writeMeshFile((path() + "/strip.obj").toStdString(), toMeshFile<2>(stripMesh(4, 2)));
+    writeMesh<2>((path() + "/strip.obj").toStdString(), stripMesh(4, 2));
     putProject(path(), "strip.wend", "'domain': {'mesh': 'strip.obj'}");
 }
 

@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 
 class TestLittleMemory : public QObject {
@@ -22,7 +22,7 @@ class TestLittleMemory : public QObject {
 
 /// A mesh in the plane, and a project that bends it.
 QString TestLittleMemory::writeStrip() const {
-    writeMeshFile(m_folder.filePath("strip.obj").toStdString(), toMeshFile<2>(stripMesh(40, 8)));
+    writeMesh<2>(m_folder.filePath("strip.obj").toStdString(), stripMesh(40, 8));
     putProject(m_folder.path(), "strip.wend",
                "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'points': [[1, 1]]}}, {'at': {'points': "
                "[[39, 7]]}, 'motion': [{'kind': 'translate', 'by': [0, 9]}]}]");

@@ -8,7 +8,7 @@
 #include "app/session/shape_builder.h"
 #include "app/session/shape_session.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "kernels/back_end_choice.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/window_fixture.h"
@@ -161,7 +161,7 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
     Project project;
     project.domain.kind = DomainKind::Mesh;
     project.domain.path = folder.filePath(QStringLiteral("bar.mesh")).toStdString();
-    writeMeshFile(project.domain.path, toMeshFile<3>(sliced(slices)));
+    writeMesh<3>(project.domain.path, sliced(slices));
     Design<3> design;
     design.material.phi = phi;
     design.handles = ends();

@@ -7,7 +7,8 @@
 
 #include "app/document/material_edits.h"
 #include "app/document/named_files.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/document/text_file.h"
 #include "app/panels/layer_panel.h"
 #include "app/session/material_picture.h"

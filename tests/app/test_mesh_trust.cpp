@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/inspection.h"
 #include "app/session/report.h"
 #include "app/session/run.h"

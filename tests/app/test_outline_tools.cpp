@@ -9,7 +9,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_writer.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/option_field.h"
 #include "app/session/opening.h"
@@ -437,7 +437,7 @@ void TestOutlineTools::drawnAtRest() {
 void TestOutlineTools::finerWhereItIsBrushed() {
     Brush brush;
     brush.set({.radius = 80, .hardness = 1});  // 40 pixels of the picture
-    SizeTool<2> tool(*m_canvas, brush, [] { return 0.5; });
+    SizeTool<2> tool(*m_canvas, brush);
     m_canvas->viewport().setTool(&tool);
     const auto meanEdge = [&](bool within) {
         const auto& rest = *m_session->frame<2>()->rest;

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 #include "core/integration/deformer.h"

@@ -23,6 +23,8 @@ class TestPinGestures : public QObject {
     void viewsThatTheLeftButtonTurnsAreTurned();
     void outlinesChoosePins_data();
     void outlinesChoosePins();
+    void partsAreGrabbed_data() { outlinesChoosePins_data(); }
+    void partsAreGrabbed();
     void pinsAreWidened_data() { dimensions(); }
     void pinsAreWidened();
     void pointsNeitherRotateNorScale_data() { dimensions(); }
@@ -60,6 +62,8 @@ class TestPinGestures : public QObject {
     template <int Dim>
     void choose(DrawnOutline::Kind kind);
     template <int Dim>
+    void grab(DrawnOutline::Kind kind);
+    template <int Dim>
     void widen();
     template <int Dim>
     void refuse();
@@ -80,7 +84,6 @@ template <int Dim>
 bool TestPinGestures::open(const std::vector<double>& places) {
     if (!Bar<Dim>::open(*m_f)) return false;
     m_f->tool("pin")->trigger();
-    m_f->actions().snap->setChecked(false);
     for (const double u : places) {
         press(at<Dim>(u));
         if (!let(at<Dim>(u))) return false;
@@ -254,6 +257,56 @@ void TestPinGestures::choose(DrawnOutline::Kind kind) {
     QCOMPARE(session().selection().contains(1), kind == Rectangle);
     if (kind == Brush) QCOMPARE(session().selection().handles(), std::vector<int>{2});
     QCOMPARE(session().handleCount(), 3);
+}
+
+void TestPinGestures::partsAreGrabbed() {
+    QFETCH(DrawnOutline::Kind, kind);
+    QFETCH(int, dimension);
+    dimension == 2 ? grab<2>(kind) : grab<3>(kind);
+}
+
+/// What is drawn over is one handle, there to be dragged; with Shift more joins it, with Ctrl that leaves it.
+/// Where nothing of the shape is drawn over that is told, and nothing changes.
+template <int Dim>
+void TestPinGestures::grab(DrawnOutline::Kind kind) {
+    using enum DrawnOutline::Kind;
+    QVERIFY(open<Dim>({-1.5}));
+    const QPoint reach = Dim == 2 ? QPoint(30, 20) : QPoint(90, 60), along(reach.x(), 0);
+    const auto draw = [&](const QPoint& middle, Qt::KeyboardModifiers with = {}) {
+        m_f->tool(kind == Rectangle ? "rectangle" : kind == Lasso ? "lasso" : "grabBrush")->trigger();
+        const QPoint across(reach.x(), -reach.y());
+        QList<QPoint> way = {middle - reach, middle + across, middle + reach, middle - across};
+        if (kind == Rectangle) way = {middle - reach, middle + reach};
+        press(way[0], with);
+        for (int i = 1; i < way.size(); ++i) moveBy(way[i - 1], way[i] - way[i - 1], with);
+        return let(way.last(), with);
+    };
+    const QPoint middle = at<Dim>(0.2);
+    const auto held = [this] {
+        std::size_t count = 0;
+        for (const auto& view : session().pins<Dim>())
+            if (view.handle == 1) count = view.points.size();
+        return count;
+    };
+    QVERIFY(draw(middle));
+    QCOMPARE(session().handleCount(), 2);
+    QVERIFY(m_f->tool("select")->isChecked());
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    const std::size_t first = held();
+    QVERIFY(first >= 3);
+    QVERIFY(draw(middle + along, Qt::ShiftModifier));
+    QVERIFY(held() > first);
+    QVERIFY(draw(middle + along, Qt::ControlModifier));
+    QVERIFY(held() < first);
+    QCOMPARE(session().handleCount(), 2);
+    const int steps = undo().count();
+    QVERIFY(draw(at<Dim>(0.2, 1.4)));
+    QCOMPARE(undo().count(), steps);
+    QVERIFY(m_f->window().statusBar()->currentMessage().contains(QStringLiteral("nothing of the shape")));
+    const Vec<Dim> before = pin<Dim>(1);
+    m_f->tool("select")->trigger();
+    QVERIFY(drag(Bar<Dim>::canvas(*m_f).toWidget(before).toPoint(), {0, -30}));
+    QVERIFY((pin<Dim>(1) - before).norm() > 10 * Bar<Dim>::canvas(*m_f).pixelSize(before));
 }
 
 void TestPinGestures::pinsAreWidened() {

@@ -3,7 +3,7 @@
 
 #include "app/panels/distortion_panel.h"
 #include "app/panels/marks.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/bar.h"
 
@@ -71,7 +71,7 @@ SimplicialMesh<Dim> pair() {
 template <int Dim>
 bool TestPoseWatch::open(const std::string& motion) {
     const char* name = Dim == 2 ? "pair.obj" : "pair.mesh";
-    writeMeshFile(m_folder.filePath(name).toStdString(), toMeshFile<Dim>(pair<Dim>()));
+    writeMesh<Dim>(m_folder.filePath(name).toStdString(), pair<Dim>());
     const auto part = [&](const char* from, const char* to) {
         return Dim == 3 ? std::string("{'at': {'region': {'box': {'min': [") + from + ", -1, -1], 'max': [" +
                               to + ", 3, 3]}}}"

@@ -14,7 +14,8 @@
 #include "app/document/curve_edits.h"
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project.h"
+#include "app/document/project_writer.h"
 #include "app/document/timing_edits.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/handle_panel.h"
@@ -28,6 +29,7 @@
 #include "app/view/pin_actions.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/time_strip.h"
+#include "app/view/toolbox.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -294,7 +296,7 @@ void TestPosing::regionsAreDraggedFromInside() {
 /// Whichever was made first; a rectangle takes them by any of their points.
 void TestPosing::smallestRegionIsTaken() {
     const auto box = [this](const Vec<2>& from, const Vec<2>& to) {
-        m_window->solids().actions().rectangle->trigger();
+        m_window->tools().action(QStringLiteral("rectangle"))->trigger();
         QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(from));
         QTest::mouseMove(&canvas(), at(to));
         release(at(to));
@@ -621,7 +623,7 @@ void TestPosing::partsAreHeldByOutlines() {
 
 void TestPosing::partsGrowAndShrink() {
     const auto box = [this](const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers) {
-        m_window->solids().actions().rectangle->trigger();
+        m_window->tools().action(QStringLiteral("rectangle"))->trigger();
         QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
         QTest::mouseMove(&canvas(), at(to));
         release(at(to), modifiers);
@@ -633,7 +635,7 @@ void TestPosing::partsGrowAndShrink() {
     QVERIFY(box({90, 50}, {140, 110}, Qt::ControlModifier) < first);
     QCOMPARE(handles().size(), std::size_t(3));
     session().selection().clear();
-    m_window->solids().actions().rectangle->trigger();
+    m_window->tools().action(QStringLiteral("rectangle"))->trigger();
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, at({2, 2}));
     QTest::mouseMove(&canvas(), at({12, 12}));
     release(at({12, 12}));

@@ -6,7 +6,8 @@
 
 #include "app/document/named_files.h"
 #include "app/document/options.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/document/settings.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"

@@ -6,7 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/document/text_file.h"
 #include "core/energy/material.h"
 #include "tests/support/quoted.h"

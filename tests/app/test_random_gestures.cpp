@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project_reader.h"
 #include "app/panels/pin_list.h"
 #include "tests/support/bar.h"
 #include "tests/support/dialogs.h"

@@ -5,7 +5,7 @@
 
 #include "app/document/free_name.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/document/recovery.h"
 
 using namespace wend;

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/flat_shape.h"
 #include "app/session/held_border.h"
 #include "app/session/material_raster.h"
@@ -10,7 +10,7 @@
 #include "app/session/shape_builder.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 
 using namespace wend;
@@ -40,7 +40,7 @@ class TestShape : public QObject {
     void initTestCase() {
         m_base = m_folder.path().toStdString();
         writeImage(m_base + "/disc.png", discPicture(200, 80));
-        writeMeshFile(m_base + "/grid.obj", toMeshFile<2>(grid(4)));
+        writeMesh<2>(m_base + "/grid.obj", grid(4));
     }
 
     void frame() {

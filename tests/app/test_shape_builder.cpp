@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/document/settings.h"
 #include "app/session/flat_shape.h"
 #include "app/session/shape_builder.h"

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
 #include "app/session/solid.h"

@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <map>
 
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"

@@ -8,6 +8,7 @@
 #include "app/view/actions.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
+#include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
 #include "tests/support/surfaces.h"
@@ -342,7 +343,7 @@ void TestSolidLooks::anotherDocumentIsSeenAsItIs() {
     common.showMap->setChecked(true);
     common.showMesh->setChecked(true);
     a.detail->setChecked(false);
-    a.lasso->setChecked(true);
+    m_window->tools().action(QStringLiteral("lasso"))->setChecked(true);
     QVERIFY(!isRed(colourAt({0.3, -0.4, 0.1})));
     open(project("inside.obj"));
     QVERIFY(!common.showMap->isChecked() && !common.showMesh->isChecked());

@@ -6,7 +6,7 @@
 #include <QJsonObject>
 #include <QWheelEvent>
 
-#include "app/document/project_file.h"
+#include "app/document/project_writer.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/folding_section.h"
 #include "tests/support/solid_fixture.h"

@@ -28,7 +28,7 @@
 #include "app/view/work_note.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 
@@ -104,8 +104,8 @@ void TestSolidWindow::init() {
 /// Both ends of the bar by rectangle, all through: two handles.
 void TestSolidWindow::holdEnds() {
     m_f->actions().through->setChecked(true);
-    m_f->actions().rectangle->trigger();
     for (const double x : {-2.0, 2.0}) {
+        m_f->tool("rectangle")->trigger();
         const QPoint centre = m_f->at({x, 0, 0}),
                      reach(12, m_f->at({0, 0, -0.5}).y() - m_f->at({0, 0, 0}).y() + 40);
         m_f->drag(centre - reach, centre + reach);
@@ -123,7 +123,7 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
     QVERIFY(m_f->canvas().isVisible() && !m_f->actions().front->toolTip().isEmpty());
     SimplicialMesh<3> mesh = *frame->rest;
     const QString path = m_f->folder().filePath(QStringLiteral("bar.vtu"));
-    writeMeshFile(path.toStdString(), toMeshFile<3>(mesh));
+    writeMesh<3>(path.toStdString(), mesh);
     m_f->window().session().document().undoStack()->setClean();
     m_f->window().openPath(path);
     QVERIFY(QTest::qWaitFor(
@@ -284,7 +284,7 @@ void TestSolidWindow::turningTwistsTheBar() {
 
 void TestSolidWindow::areasAreOneHandle() {
     QVERIFY(m_f->open());
-    m_f->actions().lasso->trigger();
+    m_f->tool("lasso")->trigger();
     const QPoint c = m_f->at({1.4, -0.5, 0});
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, c + QPoint(60, 0));
     for (int i = 1; i <= 12; ++i)
@@ -302,9 +302,11 @@ void TestSolidWindow::areasAreOneHandle() {
 
 void TestSolidWindow::shiftAndControlChangeAnArea() {
     QVERIFY(m_f->open());
-    m_f->actions().brush->trigger();
+    m_f->tool("grabBrush")->trigger();
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({1.33, -0.5, 0.17}));
     QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->tool("select")->isChecked());  // to drag it
+    m_f->tool("grabBrush")->trigger();
     QCOMPARE(m_f->handles().size(), std::size_t(1));
     const auto first = m_f->session().verticesOf(0);
     QVERIFY(!first.empty());
@@ -330,9 +332,9 @@ void TestSolidWindow::throughTakesWhatIsHidden() {
 
 void TestSolidWindow::ballsAndBoxesAreRegions() {
     QVERIFY(m_f->open());
-    m_f->actions().ball->trigger();
+    m_f->tool("ball")->trigger();
     m_f->drag(m_f->at({1.5, -0.5, 0}), m_f->at({1.5, -0.5, 0}) + QPoint(60, 0));
-    m_f->actions().box->trigger();
+    m_f->tool("block")->trigger();
     m_f->drag(m_f->at({-1.5, -0.5, 0}), m_f->at({-1.5, -0.5, 0}) + QPoint(60, 0));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->handles().size(), std::size_t(2));
@@ -490,7 +492,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
 
 void TestSolidWindow::measuresLengthAndAngle() {
     QVERIFY(m_f->open());
-    m_f->actions().measure->trigger();
+    m_f->tool("measure")->trigger();
     const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().viewport().tool());
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({-1.99, -0.5, 0.49}));
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({-1.99, -0.5, -0.49}));

@@ -156,7 +156,7 @@ void TestSpaceAreas::keysLockAxes() {
 
 void TestSpaceAreas::halfSpacesAreHeld() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_P, Qt::ShiftModifier);
-    QVERIFY(m_f->actions().half->isChecked());
+    QVERIFY(m_f->tool("side")->isChecked());
     const QPoint from = m_f->at({1.2, -0.5, 0});
     m_f->press(from);
     m_f->moveTo(from, from + QPoint(60, 0));
@@ -216,7 +216,7 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
 void TestSpaceAreas::regionsChangeTheSelectedHandle() {
     QVERIFY(m_f->holdEnds());
     const auto before = m_f->session().verticesOf(1);
-    m_f->actions().ball->trigger();
+    m_f->tool("ball")->trigger();
     const QPoint from = m_f->at({1.2, -0.5, 0});
     m_f->drag(from, from + QPoint(60, 0), Qt::ShiftModifier);
     QVERIFY(settle(m_f->session()));
@@ -230,7 +230,7 @@ void TestSpaceAreas::regionsChangeTheSelectedHandle() {
 void TestSpaceAreas::controlClickTakesOneVertexAway() {
     QVERIFY(m_f->holdEnds());
     const std::size_t before = m_f->session().verticesOf(1).size();
-    m_f->actions().rectangle->trigger();
+    m_f->tool("rectangle")->trigger();
     const QPoint corner = m_f->at({1.99, -0.5, 0.49});
     m_f->click(corner, Qt::ControlModifier);
     QVERIFY(settle(m_f->session()));
@@ -241,7 +241,7 @@ void TestSpaceAreas::controlClickTakesOneVertexAway() {
 }
 
 void TestSpaceAreas::measuresAtAnyPoint() {
-    m_f->actions().measure->trigger();
+    m_f->tool("measure")->trigger();
     const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().viewport().tool());
     const Vec<3> a(-1.13, -0.5, 0.11), b(0.71, -0.5, -0.23);  // no vertices
     m_f->click(m_f->at(a));
@@ -259,7 +259,7 @@ void TestSpaceAreas::measuresAtAnyPoint() {
 void TestSpaceAreas::sizesAndValuesAreTold() {
     QVERIFY(m_f->holdEnds());
     m_f->session().selection().set({0, 1});
-    m_f->actions().measure->trigger();
+    m_f->tool("measure")->trigger();
     auto* panel = m_f->window().findChild<MeasurePanel*>();
     QVERIFY(panel && panel->isVisible());
     const auto text = [&](const char* name) {

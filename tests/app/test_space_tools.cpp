@@ -212,7 +212,7 @@ void TestSpaceTools::outlinesShowTheirMode() {
     QAction* select = m_f->window().actions().selectTool;
     const QPoint over = m_f->at({0, -0.5, 0});
     const auto choose = [&](Qt::Key key) {
-        m_f->actions().ball->trigger();
+        m_f->tool("ball")->trigger();
         QTest::keyClick(&m_f->canvas(), key, Qt::ShiftModifier);
         QTest::mouseMove(&m_f->canvas(), over + QPoint(3, 0));
         QTest::mouseMove(&m_f->canvas(), over);
@@ -248,7 +248,7 @@ void TestSpaceTools::hiddenPinsAreSelectedThrough() {
         const Vec<3> p = frame->pose.col(v);
         if (std::abs(p.y() - 0.5) < 1e-9 && (back < 0 || p.norm() < frame->pose.col(back).norm())) back = v;
     }
-    m_f->session().addSolidHandle({back}, "Pin");
+    m_f->session().addHandle<3>(m_f->session().placementOf({back}), "Pin");
     QVERIFY(settle(m_f->session()));
     m_f->session().selection().clear();
     m_f->window().actions().selectTool->trigger();

@@ -85,14 +85,8 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     fine.domain.vertices = 1200;
     m_f->session().document().change(QStringLiteral("Fine"), fine);
     QVERIFY(settle(m_f->session()));
-    SolidActions& a = m_f->actions();
-    a.through->setChecked(true);
-    (tool == "rectangle" ? a.rectangle
-     : tool == "lasso"   ? a.lasso
-     : tool == "brush"   ? a.brush
-     : tool == "ball"    ? a.ball
-                         : m_f->tool("paint"))
-        ->trigger();
+    m_f->actions().through->setChecked(true);
+    m_f->tool(tool == "brush" ? "grabBrush" : qPrintable(tool))->trigger();
     const QPoint from = m_f->at({1.9, -0.5, 0.4}), to = m_f->at({0.5, -0.5, -0.4});
     m_f->press(from);
     m_f->moveTo(from, to);
@@ -194,7 +188,7 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
 void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {
     QVERIFY(m_f->holdEnds());
     const std::size_t before = m_f->session().verticesOf(1).size();
-    m_f->actions().lasso->trigger();
+    m_f->tool("lasso")->trigger();
     m_f->actions().through->setChecked(true);
     const QPoint c = m_f->at({0, -0.5, 0});
     const auto around = [&](int i) {
@@ -209,7 +203,7 @@ void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {
 
 void TestSpaceUpsets::takingAwayFromNothingIsTold() {
     QSignalSpy notices(&m_f->session(), &ShapeSession::notice);
-    m_f->actions().ball->trigger();
+    m_f->tool("ball")->trigger();
     m_f->drag(m_f->at({1.5, -0.5, 0}), m_f->at({1.5, -0.5, 0}) + QPoint(60, 0), Qt::ControlModifier);
     QCOMPARE(notices.count(), 1);
     QVERIFY(m_f->handles().empty());

@@ -7,7 +7,7 @@
 
 #include <QtTest>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/printable.h"
 #include "tests/app/cli_harness.h"
 
@@ -49,7 +49,7 @@ class TestStrangeFiles : public QObject {
 };
 
 void TestStrangeFiles::initTestCase() {
-    writeMeshFile(file("strip.obj").toStdString(), toMeshFile<2>(stripMesh(10, 2)));
+    writeMesh<2>(file("strip.obj").toStdString(), stripMesh(10, 2));
     put(path(), "tetrahedron.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
     writeImage(file("disc.png").toStdString(), discPicture(64, 24));

@@ -3,7 +3,8 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/project.h"
-#include "app/document/project_file.h"
+#include "app/document/project_reader.h"
+#include "app/document/project_writer.h"
 #include "app/document/timing_edits.h"
 #include "app/session/drag_gesture.h"
 #include "core/mesh/segments.h"

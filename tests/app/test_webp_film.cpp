@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/webp_frames.h"
 
@@ -40,7 +40,7 @@ class TestWebpFilm : public QObject {
 void TestWebpFilm::initTestCase() {
     writeImage(file("disc.png").toStdString(), discPicture(200, 80));
     writeImage(file("disc.webp").toStdString(), discPicture(200, 80));
-    writeMeshFile(file("bar.mesh").toStdString(), toMeshFile<3>(barMesh(6)));
+    writeMesh<3>(file("bar.mesh").toStdString(), barMesh(6));
     const std::string rest =
         "'outline': {'from': 'alpha'}, 'vertices': 400}, 'handles': [{'at': {'points': [[60, 100]]}},"
         "{'at': {'points': [[140, 100]]}, 'motion': [{'kind': 'translate', 'by': [20, 10], 'time': [0, "

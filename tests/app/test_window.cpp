@@ -28,7 +28,7 @@
 #include "app/view/main_window.h"
 #include "app/view/properties.h"
 #include "app/view/toolbox.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/window_test.h"
 #include "warp/warp.h"
@@ -560,7 +560,7 @@ void TestWindow::exportedMeshIsThatOfTheWindow() {
     exportNextTo(path);
     m_window->actions().exportMesh->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
-    QCOMPARE(readMeshFile(path.toStdString()).points.cols(), 4);
+    QCOMPARE(readMesh<2>(path.toStdString()).points.cols(), 4);
 }
 
 void TestWindow::whatIsNotComputedYetIsNotExported() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/energy/distortion.h"
 #include "core/mesh/error.h"
 #include "tests/core/test_strip.h"
 
@@ -373,7 +374,7 @@ class TestIntegrationDeformer : public QObject {
                      .match(message)
                      .hasMatch(),
                  qPrintable(message));
-        QCOMPARE(samples::flips<Dim>(*bend.mesh, deformer.state().points), 0);
+        QCOMPARE(distortion<Dim>(*bend.mesh, deformer.state().points).flips, 0);
         QVERIFY(deformer.statistics().rejected > 0);
         QVERIFY(deformer.statistics().constraintError <= 1e-12);
     }
@@ -386,7 +387,7 @@ class TestIntegrationDeformer : public QObject {
         typename Deformer<Dim>::Watch watch;
         for (int i = 0; i <= 30; ++i) watch.frames.push_back(i / 30.0);
         watch.onFrame = [&](const State<Dim>& state) {
-            flips += samples::flips<Dim>(*bend.mesh, state.points);
+            flips += distortion<Dim>(*bend.mesh, state.points).flips;
         };
         const AdvanceResult result = deformer.advance(1, watch);
         QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());

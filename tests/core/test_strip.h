@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
 
 namespace wend::samples {
@@ -89,11 +88,6 @@ struct Bend {
 template <class A, class B>
 double distance(const A& a, const B& b) {
     return (a - b).colwise().norm().maxCoeff();
-}
-
-template <int Dim>
-int flips(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) {
-    return distortion<Dim>(rest, pose).flips;
 }
 
 }  // namespace wend::samples

@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QTextStream>
 
-#include "app/document/project_file.h"
+#include "app/document/project_writer.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
@@ -11,6 +11,7 @@
 #include "app/view/solid_workshop.h"
 #include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
+#include "tests/support/bar_project.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
 
@@ -106,7 +107,7 @@ class SolidFixture {
             std::vector<int> end;
             for (int v = 0; v < frame->vertices; ++v)
                 if (std::abs(frame->rest->points(0, v) - x) < 1e-9) end.push_back(v);
-            session().addSolidHandle(end, "End");
+            session().addHandle<3>(session().placementOf(end), "End");
         }
         session().selection().set({1});
         m_window.actions().selectTool->trigger();

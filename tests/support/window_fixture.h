@@ -7,7 +7,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/document/project.h"
 #include "app/session/shape_session.h"
 
 namespace wend::test {
@@ -28,16 +27,6 @@ inline QString writeCutOut(const QTemporaryDir& folder, const QString& name = QS
     const QString path = folder.filePath(name);
     image.save(path);
     return path;
-}
-
-/// A project of that picture with a coarse mesh, for speed.
-inline Project barProject(const QString& picture) {
-    Project project;
-    project.domain.kind = DomainKind::Image;
-    project.domain.path = picture.toStdString();
-    project.domain.outline = OutlineKind::Alpha;
-    project.domain.vertices = 400;
-    return project;
 }
 
 /// Waits until nothing is being computed and the frame shows what the document says; tells what is missing.

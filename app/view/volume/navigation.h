@@ -21,7 +21,6 @@ class Navigation {
     Drag dragFor(const QMouseEvent& event) const;
     Drag drag() const { return m_drag; }
     bool isGoingOn() const { return m_drag != Drag::None; }
-    const QPointF& pressedAt() const { return m_pressed; }
     /// True if the pointer is where it was pressed.
     bool isClick(const QMouseEvent& event) const;
 

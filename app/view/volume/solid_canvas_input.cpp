@@ -3,7 +3,6 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "app/session/fields.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {

@@ -6,7 +6,6 @@
 #include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_canvas.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 

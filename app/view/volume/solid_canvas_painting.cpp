@@ -2,7 +2,6 @@
 #include "app/panels/legend.h"
 #include "app/view/shape/shape_painter.h"
 #include "app/view/volume/solid_canvas.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 

@@ -1,0 +1,36 @@
+#include "app/tools/pan_tool.h"
+
+#include <QCoreApplication>
+
+namespace wend {
+
+namespace {
+
+/// Moves the view: the view itself does so, as it does while the space bar is held.
+template <int Dim>
+class PanTool : public ShapeTool<Dim> {
+  public:
+    using ShapeTool<Dim>::ShapeTool;
+
+    QString hint() const override {
+        return QCoreApplication::translate("PanTool", "Drag to move the view; the wheel zooms");
+    }
+    QCursor cursor() const override { return Qt::OpenHandCursor; }
+    bool pans() const override { return true; }
+    void press(const QMouseEvent&) override {}
+    void move(const QMouseEvent&) override {}
+    void release(const QMouseEvent&) override {}
+    bool key(const QKeyEvent&) override { return false; }
+    void cancel() override {}
+};
+
+}  // namespace
+
+ToolKind panTool() {
+    return toolKind(
+        "pan", "pan", QT_TRANSLATE_NOOP("Tools", "Pa&n"),
+        QT_TRANSLATE_NOOP("Tools", "Drag the view to another place; in every step the space bar does so"),
+        "Q", Mode::Export, both<PanTool>());
+}
+
+}  // namespace wend
