@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/document/depth_region.h"
+#include "app/document/domain.h"
 #include "app/document/in_background.h"
 #include "app/session/shape.h"
 #include "core/energy/distortion.h"
@@ -190,6 +191,8 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.filter = filter;
     const double pixels = request.ratio * request.ratio * width() * height();
     if (filter == Filter::Bilinear) request.coarseness = m_pace.coarseness(pixels);
+    const auto& document = m_session.document();
+    request.cutOut = !document.isEmpty() && document.domain().outline == OutlineKind::Alpha;
     const bool isShape = request.frame != m_unbent;
     request.mesh = isShape && (looks.mesh || !m_picture) && !looks.hidden;
     request.map = isShape && m_viewport.showsMap();
@@ -199,7 +202,11 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.smooth = looks.colours.smooth;
     if (request.map) request.plain = plainValue(m_session, request.measure);
     if (request.map) request.velocity = fieldOf<2>(m_session, request.measure);
-    request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
+    const Theme theme = Theme::of(palette());
+    request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
+    request.ground = !m_picture                 ? theme.workspace
+                     : looks.backdrop.isValid() ? looks.backdrop
+                                                : theme.checkerA;
     request.line = QColor(24, 28, 44);
     return request;
 }

@@ -238,9 +238,10 @@ void TestCanvas::cellsAreFilledOnce() {
     for (QImage* one : {&image, &expected}) one->fill(qRgba(10, 200, 90, 255));
     Points<2> points(2, 5);
     points << -5, 4, 4, -5, 0.3, 2, 2, 8, 8, 4.7;  // to be doubled
-    CellFiller filler(image, points, QTransform::fromScale(2, 3));
-    for (const Cell<2>& cell : {Cell<2>{0, 1, 4}, Cell<2>{2, 1, 4}, Cell<2>{4, 2, 3}, Cell<2>{3, 0, 4}})
-        filler.fill(cell, qRgba(250, 20, 130, 209));
+    const SimplicialMesh<2> fan{points, {{0, 1, 4}, {2, 1, 4}, {4, 2, 3}, {3, 0, 4}}};
+    CellFiller filler(image.size(), PaintingPlan(fan, {}), points, QTransform::fromScale(2, 3));
+    for (const Cell<2>& cell : fan.cells) filler.fill(cell, qRgba(250, 20, 130, 209));
+    filler.layOver(image, CellFiller::Extent::Shape);
     QPainter painter(&expected);
     painter.fillRect(QRect(QPoint(0, 6), QPoint(7, 23)), QColor(250, 20, 130, 209));
     painter.end();
