@@ -51,7 +51,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
         over.pins(m_viewport.animation(), m_viewport.hovered());
         if (Tool* tool = m_viewport.tool()) tool->paint(painter);
     }
-    m_viewport.paintLegend(painter);
+    m_viewport.paintLegend(painter, size());
 }
 
 void ShapeCanvas::paintEvent(QPaintEvent*) {

@@ -34,7 +34,7 @@ void paintMarks(QImage& rows, int top, SolidCanvas& canvas, const PictureChoice&
     const double scale = choice.size.height() / static_cast<double>(canvas.height());
     painter.translate(0, -top);
     painter.scale(scale, scale);
-    if (choice.legend) canvas.paintLegend(painter);
+    if (choice.legend) canvas.viewport().paintLegend(painter, (QSizeF(choice.size) / scale).toSize());
     painter.translate((choice.size.width() / scale - canvas.width()) / 2, 0);
     if (choice.marks) canvas.paintMarks(painter);
 }

@@ -360,11 +360,17 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     QVERIFY(viewPicture(canvas, choice) == bare);  // no map, nothing to explain
     m_window->actions().showMap->setChecked(true);
     const QImage legend = viewPicture(canvas, choice);
-    QVERIFY(qAlpha(bare.pixel(60, 32)) == 0 && qAlpha(legend.pixel(60, 32)) > 200);
+    // Where the window has it, as large against the solid: at the lower right, and nowhere else.
+    const double scale = 600.0 / canvas.height();
+    const QRect card = QRectF(QPointF(800, 600) - scale * QPointF(228, 68), scale * QSizeF(216, 56)).toRect();
+    const QPoint inside = card.center();
+    QVERIFY(qAlpha(bare.pixel(inside)) == 0 && qAlpha(legend.pixel(inside)) > 200);
+    QVERIFY(qAlpha(legend.pixel(card.topLeft() - QPoint(3, 3))) == 0);
+    QVERIFY(qAlpha(legend.pixel(60, 32)) == 0);
     choice.legend = false;
     choice.marks = true;
     const QImage marks = viewPicture(canvas, choice);
-    QVERIFY(qAlpha(marks.pixel(60, 32)) == 0 && marks != bare);
+    QVERIFY(qAlpha(marks.pixel(inside)) == 0 && marks != bare);
     if (qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) {
         choice.size = {1600, 1000};
         choice.transparent = false;

@@ -76,8 +76,6 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     bool hasLegend() const { return m_viewport.showsMap(); }
     /// While held, what is shown stays as it is, whatever is computed: rows of one picture are drawn.
     void setHeld(bool held);
-    /// The map's, at the top left.
-    void paintLegend(QPainter& painter) const;
 
   public slots:
     /// The same look from the same place as another canvas of that size, cut as it is.
@@ -115,6 +113,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;
     void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
+    void addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const;
     void applyTheme();
     Vec<3> normalToViewer() const;
     bool isCutOff(const Vec<3>& p) const { return cut() != CutKind::None && plane().height(p) > 1e-9; }
