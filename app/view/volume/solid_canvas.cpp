@@ -46,7 +46,9 @@ bool isEmbeddedInCage(const PosedFrame<3>& frame) {
 SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     : VolumeView(parent),
       m_session(session),
-      m_cutTool(*this, [this](const CutPlane& plane) { setCutPlane(plane); }),
+      m_cutTool(
+          *this, [this](const CutPlane& plane) { setCutPlane(plane); },
+          [this] { return m_viewport.tool() && m_viewport.tool()->hasManipulator(); }),
       m_overlay(new Overlay(*this)),
       m_viewport(*this, *this, *m_overlay, session, 3, &m_cutTool) {
     setMinimumSize(320, 240);

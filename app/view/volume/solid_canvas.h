@@ -40,6 +40,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     std::optional<Vec<3>> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
+    bool showsManipulators() const override { return !m_cutTool.comesFirst(); }
 
     // Viewport::View
     void showLooks() override;
