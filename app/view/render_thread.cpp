@@ -129,28 +129,26 @@ void fillCells(QImage& image, const RenderRequest& request) {
     filler.layOver(image, request.picture && request.cutOut ? Extent::Picture : Extent::Shape);
 }
 
-/// How light an image is around each of its pixels, on a ground: the means of squares, so that the grain of
-/// a picture does not break lines that go by it.
+/// How light an image is around each of its pixels, on a ground: smoothed, so that the grain of a picture
+/// does not break lines that go by it.
 class Lightness {
   public:
     Lightness(const QImage& image, const QColor& ground)
-        : m_small(image.scaled(std::max(1, image.width() / kSquare), std::max(1, image.height() / kSquare),
-                               Qt::IgnoreAspectRatio, Qt::SmoothTransformation)),
-          m_ground(qGray(ground.rgb())),
-          m_across(double(m_small.width()) / image.width()),
-          m_down(double(m_small.height()) / image.height()) {}
+        : m_smooth(image
+                       .scaled(std::max(1, image.width() / kReach), std::max(1, image.height() / kReach),
+                               Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                       .scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)),
+          m_ground(qGray(ground.rgb())) {}
     /// From 0 to 255.
     int at(int x, int y) const {
-        const QRgb mean =
-            reinterpret_cast<const QRgb*>(m_small.constScanLine(int(y * m_down)))[int(x * m_across)];
+        const QRgb mean = reinterpret_cast<const QRgb*>(m_smooth.constScanLine(y))[x];
         return qGray(mean) + (255 - qAlpha(mean)) * m_ground / 255;
     }
 
   private:
-    static constexpr int kSquare = 8;
-    QImage m_small;
+    static constexpr int kReach = 10;
+    QImage m_smooth;
     int m_ground;
-    double m_across, m_down;
 };
 
 QImage edgesOf(const RenderRequest& request, const QSize& size) {

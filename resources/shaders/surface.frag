@@ -74,7 +74,7 @@ vec4 surfaceColour(float blur) {
 }
 
 #ifdef EDGES
-const float kDarkGround = 0.42;
+const float kDarkGround = 0.36;
 
 // Lines are seen on what is dark, too: by the colours around, so that a grained picture does not break them.
 vec3 lineColour(float light) {
