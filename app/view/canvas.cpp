@@ -211,6 +211,18 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     return request;
 }
 
+QImage ShapeCanvas::smallView(const QSize& size) const {
+    const auto frame = m_session.frame<2>();
+    if (!frame || !m_picture || m_viewport.looks().standIn) return {};  // whose mesh the plan is of
+    RenderRequest small = request(Filter::Ewa);
+    small.frame = frame;
+    small.mesh = small.map = small.allOfPicture = false;
+    small.ratio = 1;
+    small.size = size;
+    small.view.fit(boxOf(frame->pose), size, 0);
+    return RenderThread::render(small);
+}
+
 void ShapeCanvas::render() {
     m_viewport.showLegendLock();
     if (drawnFrame() && (m_picture || !m_session.document().picture())) {
