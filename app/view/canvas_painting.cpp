@@ -4,7 +4,6 @@
 #include "app/tools/velocity_arrows.h"
 #include "app/view/canvas.h"
 #include "app/view/shape/shape_painter.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -35,7 +34,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
     const Theme theme = Theme::of(palette());
     const Measure measure = looks.colours.measure;
     ShapePainter<2> over(painter, *this, theme);
-    if (looks.map && isDistortion(measure)) over.worst(*frame, worstOf(*frame->distortion, measure).cell);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
     if (looks.map && m_faults && !looks.rest && !looks.standIn)
         paintFaults(painter, *this, *frame, *m_faults);
     if (looks.marks || (looks.map && measure == Measure::Stiffness))

@@ -1,7 +1,6 @@
 // What lies over a solid.
 #include "app/view/shape/shape_painter.h"
 #include "app/view/volume/solid_canvas.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -55,7 +54,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (looks.hidden || !frame) return;
     const Theme theme = Theme::of(palette());
     ShapePainter<3> over(painter, *this, theme);
-    if (looks.map && isDistortion(measure)) over.worst(*frame, worstOf(*frame->distortion, measure).cell);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
     if (m_pointedOf == frame->shape) over.worst(*frame, m_pointedCell);
     m_onion.setShown(looks.onionSkin);
     m_onion.paintOutlines(painter, *this);
