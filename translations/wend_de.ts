@@ -995,6 +995,18 @@
         <source>What is kept</source>
         <translation>Was bleibt</translation>
     </message>
+    <message>
+        <source>Stretched too far here · %1</source>
+        <translation>Hier zu weit gedehnt · %1</translation>
+    </message>
+    <message>
+        <source>Grown too far here · %1</source>
+        <translation>Hier zu weit gewachsen · %1</translation>
+    </message>
+    <message>
+        <source>Shrunk too far here · %1</source>
+        <translation>Hier zu weit geschrumpft · %1</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

@@ -995,6 +995,18 @@
         <source>What is kept</source>
         <translation>Lo que se conserva</translation>
     </message>
+    <message>
+        <source>Stretched too far here · %1</source>
+        <translation>Demasiado estirado aquí · %1</translation>
+    </message>
+    <message>
+        <source>Grown too far here · %1</source>
+        <translation>Demasiado agrandado aquí · %1</translation>
+    </message>
+    <message>
+        <source>Shrunk too far here · %1</source>
+        <translation>Demasiado encogido aquí · %1</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

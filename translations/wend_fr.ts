@@ -995,6 +995,18 @@
         <source>What is kept</source>
         <translation>Ce qui est gardé</translation>
     </message>
+    <message>
+        <source>Stretched too far here · %1</source>
+        <translation>Trop étiré ici · %1</translation>
+    </message>
+    <message>
+        <source>Grown too far here · %1</source>
+        <translation>Trop agrandi ici · %1</translation>
+    </message>
+    <message>
+        <source>Shrunk too far here · %1</source>
+        <translation>Trop rétréci ici · %1</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

@@ -995,6 +995,18 @@
         <source>What is kept</source>
         <translation>保たれるもの</translation>
     </message>
+    <message>
+        <source>Stretched too far here · %1</source>
+        <translation>ここは伸ばしすぎ · %1</translation>
+    </message>
+    <message>
+        <source>Grown too far here · %1</source>
+        <translation>ここは広がりすぎ · %1</translation>
+    </message>
+    <message>
+        <source>Shrunk too far here · %1</source>
+        <translation>ここは縮みすぎ · %1</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

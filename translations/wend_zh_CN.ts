@@ -995,6 +995,18 @@
         <source>What is kept</source>
         <translation>保持的内容</translation>
     </message>
+    <message>
+        <source>Stretched too far here · %1</source>
+        <translation>此处拉伸过度 · %1</translation>
+    </message>
+    <message>
+        <source>Grown too far here · %1</source>
+        <translation>此处放大过度 · %1</translation>
+    </message>
+    <message>
+        <source>Shrunk too far here · %1</source>
+        <translation>此处缩小过度 · %1</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

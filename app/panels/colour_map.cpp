@@ -299,4 +299,19 @@ QString worstText(const Distortion& distortion, Measure measure, int dimension) 
         .arg(number);
 }
 
+QString worstWarning(const Distortion& distortion, Measure measure) {
+    constexpr double kTwice = 2;
+    const double value = worstOf(distortion, measure).value;
+    const char* words = nullptr;
+    if (measure == Measure::Length && value > (kTwice - 1) * (kTwice - 1))
+        words = QT_TRANSLATE_NOOP("Measure", "Stretched too far here · %1");
+    if (measure == Measure::Area && value > kTwice)
+        words = QT_TRANSLATE_NOOP("Measure", "Grown too far here · %1");
+    if (measure == Measure::Area && value < 1 / kTwice)
+        words = QT_TRANSLATE_NOOP("Measure", "Shrunk too far here · %1");
+    const bool isKnown = words && worstOf(distortion, measure).cell >= 0;
+    return isKnown ? QCoreApplication::translate("Measure", words).arg(measureText(measure, value))
+                   : QString();
+}
+
 }  // namespace wend

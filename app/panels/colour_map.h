@@ -71,5 +71,8 @@ struct WorstPlace {
 WorstPlace worstOf(const Distortion& distortion, Measure measure);
 /// Its value and what that is, such as "area ×1.38".
 QString worstText(const Distortion& distortion, Measure measure, int dimension = 2);
+/// Where that is more than twice as long or large as at rest, or less than half as large, in words with the
+/// value, such as "Stretched too far here · 12.3"; else, and by other measures, null.
+QString worstWarning(const Distortion& distortion, Measure measure);
 
 }  // namespace wend

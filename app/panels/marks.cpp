@@ -167,7 +167,7 @@ void Marks::name(const QPointF& at, const QString& text) {
 
 void Marks::drawName(const QPointF& at, const QString& text) {
     const QFontMetricsF metrics(m_painter.font());
-    const QRectF box(at.x() + 14, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14,
+    const QRectF box(at.x() + 20, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14,
                      metrics.height() + 6);
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(QColor(28, 30, 38, 225));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/document/design.h"
 #include "app/panels/liveliness.h"
@@ -10,8 +11,8 @@
 namespace wend {
 namespace {
 
-constexpr int kDrop = 120, kTremble = 200;  // milliseconds
-constexpr double kHeight = 14, kWay = 3;    // pixels that it falls, and trembles to either side
+constexpr int kDrop = 120, kTremble = 200, kNameAfter = 300;  // milliseconds
+constexpr double kHeight = 14, kWay = 3;  // pixels that it falls, and trembles to either side
 constexpr double kSquash = 0.3;
 
 std::size_t pinCount(const Document& document) {
@@ -28,6 +29,12 @@ PinAnimation::PinAnimation(ShapeSession& session) : m_session(session) {
         animation->setEndValue(1.0);
         connect(animation, &QVariantAnimation::valueChanged, this, &PinAnimation::changed);
     }
+    m_nameDue.setSingleShot(true);
+    m_nameDue.setInterval(kNameAfter);
+    connect(&m_nameDue, &QTimer::timeout, this, [this] {
+        m_named = m_hovered;
+        emit changed();
+    });
     const Document& document = session.document();
     connect(&document, &Document::opened, this, [this, &document] {
         m_drop.stop(), m_tremble.stop();
@@ -42,6 +49,12 @@ void PinAnimation::begin(QVariantAnimation& animation, std::vector<int> pins) {
     m_drop.stop(), m_tremble.stop();
     m_pins = std::move(pins);
     animation.start();
+}
+
+void PinAnimation::hover(int handle) {
+    if (std::exchange(m_hovered, handle) == handle) return;
+    m_named = -1;
+    handle < 0 ? m_nameDue.stop() : m_nameDue.start();
 }
 
 void PinAnimation::takeProject() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QTimer>
 #include <QVariantAnimation>
 #include <vector>
 
@@ -9,7 +10,7 @@
 namespace wend {
 
 /// Two small movements of pins in a view: a new one drops onto the shape, and what is dragged trembles once
-/// when it can go no further.
+/// when it can go no further. And when the name of one that is pointed at appears.
 class PinAnimation : public QObject {
     Q_OBJECT
 
@@ -22,6 +23,9 @@ class PinAnimation : public QObject {
         double squash = 0;
     };
     Look of(int handle) const;
+    /// The pin under the pointer, −1 for none; its name is seen after a while.
+    void hover(int handle);
+    int named() const { return m_named; }
 
   signals:
     void changed();
@@ -36,6 +40,8 @@ class PinAnimation : public QObject {
     std::vector<int> m_pins;              // that move
     std::size_t m_count = 0;              // of the document's pins
     bool m_stopped = false;
+    QTimer m_nameDue;
+    int m_hovered = -1, m_named = -1;
 };
 
 }  // namespace wend

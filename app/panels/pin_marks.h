@@ -74,7 +74,10 @@ struct PinScene {
         }
         painter.setOpacity(1);
         for (const auto& view : pins)
-            if (view.handle == hovered) marks.name(toWidget(view.centre), view.name);
+            if (isNamed(view)) marks.name(toWidget(view.centre), view.name);
+    }
+    bool isNamed(const PinView<Dim>& view) const {
+        return view.handle == hovered && view.handle == animation.named();
     }
     void paintGhosts(Marks& marks) const {
         const auto ghosts = session.template ghosts<Dim>();
@@ -83,7 +86,7 @@ struct PinScene {
             marks.ghost(toWidget(view.centre), session.selection().contains(view.handle),
                         view.handle == hovered);
         for (const PinView<Dim>& view : ghosts)
-            if (view.handle == hovered)
+            if (isNamed(view))
                 marks.name(toWidget(view.centre),
                            ghostName<Dim>(handles[view.handle], view.name, session.playback().time()));
     }

@@ -11,6 +11,13 @@ bool isPainted(Measure measure);
 template <int Dim>
 std::vector<Eigen::Array4d> softColours(const SimplicialMesh<Dim>& rest, const std::vector<QRgb>& ofCells);
 
+/// But where only two values meet at a corner of a cell the edge between them is sharp: a soft one has many.
+template <int Dim>
+std::vector<bool> sharpCells(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells);
+
+/// How much what is painted covers a picture below it, for the opacity of maps.
+double paintOpacity(double mapOpacity);
+
 /// A map without the edges of its cells: what the cells have is brought to the vertices (vertexMeans), goes
 /// linearly between their places in the range, and has the colour of each place in between.
 ///

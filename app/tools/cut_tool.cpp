@@ -30,7 +30,7 @@ QCursor CutTool::cursor() const {
 }
 
 bool CutTool::wants(const QPointF& at) const {
-    return m_active && (m_dragging || m_manipulator.partAt(surface(), at));
+    return isShown() && (m_dragging || m_manipulator.partAt(surface(), at));
 }
 
 void CutTool::press(const QMouseEvent& event) {
@@ -44,7 +44,7 @@ void CutTool::press(const QMouseEvent& event) {
 
 void CutTool::move(const QMouseEvent& event) {
     if (!m_dragging) {
-        m_part = m_active ? m_manipulator.partAt(surface(), event.position()) : std::nullopt;
+        m_part = isShown() ? m_manipulator.partAt(surface(), event.position()) : std::nullopt;
         surface().redraw();
         return;
     }
@@ -74,10 +74,10 @@ void CutTool::cancel() {
 }
 
 void CutTool::paint(QPainter& painter) const {
-    if (!m_active) return;
+    if (!isShown()) return;
     Manipulator shown = m_manipulator;
     if (m_dragging) {
-        CutTool copy(surface(), {});
+        CutTool copy(surface(), {}, {});
         copy.setPlane(m_plane);
         shown = copy.m_manipulator;
     }

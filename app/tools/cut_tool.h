@@ -6,14 +6,19 @@
 
 namespace wend {
 
-/// The plane that cuts a solid open: an arrow moves it, two rings tilt it. Lies over whatever tool is chosen.
+/// The plane that cuts a solid open: an arrow moves it, two rings tilt it. Lies over whatever tool is chosen,
+/// unless that shows a manipulator of its own: in the step in which solids are cut this one comes first.
 class CutTool : public ShapeTool<3> {
   public:
     using Changed = std::function<void(const CutPlane&)>;
-    CutTool(SolidSurface& surface, Changed changed) : ShapeTool<3>(surface), m_changed(std::move(changed)) {}
+    /// `isBeside`: whether the tool that is chosen has a manipulator.
+    CutTool(SolidSurface& surface, Changed changed, std::function<bool()> isBeside)
+        : ShapeTool<3>(surface), m_changed(std::move(changed)), m_isBeside(std::move(isBeside)) {}
 
     void setActive(bool active) { m_active = active; }
-    bool isActive() const { return m_active; }
+    void setFirst(bool first) { m_first = first; }
+    bool isShown() const { return m_active && (m_dragging || m_first || !m_isBeside()); }
+    bool comesFirst() const { return m_active && m_first; }
     bool isDragging() const { return m_dragging; }
     void setPlane(const CutPlane& plane);
     const CutPlane& plane() const { return m_plane; }
@@ -32,10 +37,11 @@ class CutTool : public ShapeTool<3> {
     void place();
 
     Changed m_changed;
+    std::function<bool()> m_isBeside;
     Manipulator m_manipulator;
     CutPlane m_plane, m_start;
     std::optional<Manipulator::Part> m_part;
-    bool m_active = false, m_dragging = false;
+    bool m_active = false, m_dragging = false, m_first = false;
 };
 
 }  // namespace wend

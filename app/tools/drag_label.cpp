@@ -10,9 +10,9 @@ namespace {
 constexpr double kHeight = 24, kDot = 5;  // pixels
 
 /// The ground of a label; the room that is left for its text.
-QRectF paintGround(QPainter& painter, const QString& text, double before) {
+QRectF paintGround(QPainter& painter, const QString& text, double before, bool isLeft = false) {
     const double width = painter.fontMetrics().horizontalAdvance(text) + before + 16;
-    const QRectF box(0, 0, width, kHeight);
+    const QRectF box(isLeft ? -width : 0, 0, width, kHeight);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(28, 30, 38, 225));
     painter.drawRoundedRect(box, 5, 5);
@@ -21,9 +21,9 @@ QRectF paintGround(QPainter& painter, const QString& text, double before) {
 
 }  // namespace
 
-void paintLabel(QPainter& painter, const QPointF& at, const QString& text) {
+void paintLabel(QPainter& painter, const QPointF& at, const QString& text, bool isLeft) {
     enlarged(painter, at, [&] {
-        const QRectF room = paintGround(painter, text, 0);
+        const QRectF room = paintGround(painter, text, 0, isLeft);
         painter.setPen(Qt::white);
         painter.drawText(room, Qt::AlignCenter, text);
     });

@@ -18,8 +18,9 @@ void enlarged(QPainter& painter, const QPointF& at, const Draw& draw) {
     painter.restore();
 }
 
-/// What stands beside the pointer while something is dragged: a number, how many …
-void paintLabel(QPainter& painter, const QPointF& at, const QString& text);
+/// What stands beside the pointer while something is dragged: a number, how many … From a place on to the
+/// right, or to the left.
+void paintLabel(QPainter& painter, const QPointF& at, const QString& text, bool isLeft = false);
 
 /// When an event of the pointer happened, by the clock of the system that sent it.
 inline double secondsOf(const QMouseEvent& event) {

@@ -83,6 +83,7 @@ bool PinTool<Dim>::wants(const QPointF& at) const {
 template <int Dim>
 bool PinTool<Dim>::placeGizmo() const {
     if (m_gesture == Gesture::Drag) return true;
+    if (!surface().showsManipulators()) return false;
     std::vector<Vec<Dim>> centres;
     std::size_t points = 0;
     for (const auto& pin : session().template pins<Dim>()) {

@@ -37,6 +37,7 @@ class PinTool : public ShapeTool<Dim> {
     MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }
     void paint(QPainter& painter) const override;
+    bool hasManipulator() const override { return placeGizmo(); }
 
     /// The handle within reach of a point of the widget, or around it, or −1.
     int handleAt(const QPointF& widget) const;

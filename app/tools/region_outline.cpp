@@ -75,16 +75,44 @@ std::vector<Vec<2>> borderOf(const Endless&) {
     return {};
 }
 
+/// The part of a polygon where n·p ≤ d.
+std::vector<Vec<2>> clipped(const std::vector<Vec<2>>& polygon, const Vec<2>& n, double d) {
+    std::vector<Vec<2>> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec<2>&p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        const double from = d - n.dot(p), to = d - n.dot(q);
+        if (from >= 0) part.push_back(p);
+        if ((from < 0) != (to < 0)) part.emplace_back(p + from / (from - to) * (q - p));
+    }
+    return part;
+}
+
+/// What was drawn around a part may be far larger than that: it is seen no farther from what it holds than
+/// its vertices are from each other.
+std::vector<Vec<2>> aroundHeld(std::vector<Vec<2>> border, const std::vector<Vec<2>>& held) {
+    if (held.empty()) return border;
+    Vec<2> low = held.front(), high = low;
+    for (const Vec<2>& p : held) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    const double spacing = std::sqrt((high - low).prod() / static_cast<double>(held.size()));
+    for (const int k : {0, 1}) {
+        border = clipped(border, Vec<2>::Unit(k), high[k] + spacing);
+        border = clipped(border, -Vec<2>::Unit(k), spacing - low[k]);
+    }
+    return border;
+}
+
 }  // namespace
 
 std::vector<Vec<2>> regionBorder(const Handle<2>& handle, const PinView<2>& view,
                                  const PosedFrame<2>& frame) {
     const auto* region = std::get_if<Region<2>>(&handle.at);
-    std::vector<Vec<2>> border;
+    std::vector<Vec<2>> border, held;
+    if (region)
+        for (const int v : verticesInside<2>(*region, *frame.rest)) held.push_back(frame.rest->points.col(v));
     if (region) border = std::visit([](const auto& shape) { return borderOf(shape); }, *region);
+    const bool isRound = region && std::holds_alternative<Ball<2>>(*region);
+    if (!isRound) border = aroundHeld(std::move(border), held);
     if (border.empty()) return convexHull(view.points);
-    std::vector<Vec<2>> held;
-    for (const int v : verticesInside<2>(*region, *frame.rest)) held.push_back(frame.rest->points.col(v));
     const auto carry = carryingBetween<2>(held, view.points);
     for (Vec<2>& p : border) p = carry(p);
     return border;

@@ -33,6 +33,8 @@ class ShapeSurface {
     /// the next change brings.
     virtual void showMaterial(std::shared_ptr<const Material<Dim>> painted, bool lasts = false) = 0;
     virtual void redraw() = 0;
+    /// Whether manipulators of tools are shown: there is one at a time.
+    virtual bool showsManipulators() const { return true; }
 
     /// How hard a pen is pressed, in ]0, 1]; 1 for what tells no pressure.
     double pressure() const { return m_pressure; }

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "app/session/mark_size.h"
 #include "app/tools/drag_label.h"
@@ -15,6 +17,9 @@ constexpr double kSpacing = 0.3;  // of the radius
 constexpr double kHardnessStep = 0.1;
 constexpr double kClick = 3;          // pixels of the screen
 constexpr double kHardnessWay = 200;  // pixels from wholly soft to wholly hard
+constexpr double kFace = 3;           // pixels between places that tell how a face lies
+constexpr double kSteepest = 5;       // times as long as on the screen; more is an edge
+constexpr int kRingParts = 72;
 
 QString said(const char* text) {
     return QCoreApplication::translate("StrokeTool", text);
@@ -255,6 +260,46 @@ void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
                         locale.toString(100 * m_brush.now().hardness, 'f', 0)));
 }
 
+/// Two directions across the face of a solid that is under the pointer, of one length, and the place; nothing
+/// beside it or where a few pixels on something else is seen.
+template <int Dim>
+std::optional<Mat<3>> StrokeTool<Dim>::facing(const QPointF& at) const {
+    if constexpr (Dim == 3) {
+        const auto middle = surface().touch(at), right = surface().touch(at + QPointF(kFace, 0)),
+                   below = surface().touch(at + QPointF(0, kFace));
+        if (!middle || !right || !below) return {};
+        const Vec<3> u = right->point - middle->point, v = below->point - middle->point;
+        const Vec<3> normal = u.cross(v).normalized();
+        const double most = kSteepest * kFace * surface().pixelSize(middle->point);
+        if (!normal.allFinite() || normal.isZero() || u.norm() > most || v.norm() > most) return {};
+        Mat<3> face;
+        face << u.normalized(), normal.cross(u.normalized()), middle->point;
+        return face;
+    } else
+        return {};
+}
+
+/// So many pixels around: on the face of a solid where it lies, elsewhere on the screen.
+template <int Dim>
+QPainterPath StrokeTool<Dim>::ringAt(const QPointF& at, double radius) const {
+    QPainterPath ring;
+    const auto face = facing(at);
+    if (!face) ring.addEllipse(at, radius, radius);
+    if constexpr (Dim == 3)
+        if (face) {
+            const Vec<3> middle = face->col(2);
+            const double length = radius * surface().pixelSize(middle);
+            QPolygonF line;
+            for (int i = 0; i <= kRingParts; ++i) {
+                const double angle = 2 * std::numbers::pi * i / kRingParts;
+                line << surface().toWidget(
+                    middle + length * (std::cos(angle) * face->col(0) + std::sin(angle) * face->col(1)));
+            }
+            ring.addPolygon(line);
+        }
+    return ring;
+}
+
 /// The brush: the whole of it, how far it is hard, and what it does.
 template <int Dim>
 void StrokeTool<Dim>::paint(QPainter& painter) const {
@@ -265,7 +310,7 @@ void StrokeTool<Dim>::paint(QPainter& painter) const {
     const double radius = m_brush.now().radius, hard = m_brush.now().hardness * radius;
     const auto ring = [&](double r, const QPen& pen) {
         painter.setPen(pen);
-        painter.drawEllipse(m_at, r, r);
+        painter.drawPath(ringAt(m_at, r));
     };
     painter.setBrush(Qt::NoBrush);
     ring(radius, QPen(QColor(255, 255, 255, 217), marked(3.5)));

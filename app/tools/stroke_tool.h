@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPainterPath>
 
 #include "app/session/brush.h"
 #include "app/tools/key_cross.h"
@@ -81,6 +82,8 @@ class StrokeTool : public ShapeTool<Dim> {
     std::optional<QPointF> lineStart() const;
     void drawLine();
     void paintLine(QPainter& painter) const;
+    std::optional<Mat<3>> facing(const QPointF& at) const;
+    QPainterPath ringAt(const QPointF& at, double radius) const;
 
     Brush& m_brush;
     KeyCross m_cross;

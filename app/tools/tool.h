@@ -68,6 +68,8 @@ class Tool {
     virtual CurveEditing* curve() { return nullptr; }
     /// A drag of the left button moves the view, as with the space bar.
     virtual bool pans() const { return false; }
+    /// Whether it shows something around what is selected, to be dragged.
+    virtual bool hasManipulator() const { return false; }
     /// Whether it wants to see all of the picture, also what the shape leaves out.
     virtual bool showsPicture() const { return false; }
     /// It is chosen, and later another one is.

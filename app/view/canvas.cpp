@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/document/domain.h"
 #include "app/document/in_background.h"
 #include "app/session/shape.h"
 #include "core/energy/distortion.h"
@@ -189,6 +190,8 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.filter = filter;
     const double pixels = request.ratio * request.ratio * width() * height();
     if (filter == Filter::Bilinear) request.coarseness = m_pace.coarseness(pixels);
+    const auto& document = m_session.document();
+    request.cutOut = !document.isEmpty() && document.domain().outline == OutlineKind::Alpha;
     const bool isShape = request.frame != m_unbent;
     request.mesh = isShape && (looks.mesh || !m_picture) && !looks.hidden;
     request.map = isShape && m_viewport.showsMap();
@@ -198,9 +201,25 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.smooth = looks.colours.smooth;
     if (request.map) request.plain = plainValue(m_session, request.measure);
     if (request.map) request.velocity = fieldOf<2>(m_session, request.measure);
-    request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
+    const Theme theme = Theme::of(palette());
+    request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
+    request.ground = !m_picture                 ? theme.workspace
+                     : looks.backdrop.isValid() ? looks.backdrop
+                                                : theme.checkerA;
     request.line = QColor(24, 28, 44);
     return request;
+}
+
+QImage ShapeCanvas::smallView(const QSize& size) const {
+    const auto frame = m_session.frame<2>();
+    if (!frame || !m_picture || m_viewport.looks().standIn) return {};  // whose mesh the plan is of
+    RenderRequest small = request(Filter::Ewa);
+    small.frame = frame;
+    small.mesh = small.map = small.allOfPicture = false;
+    small.ratio = 1;
+    small.size = size;
+    small.view.fit(boxOf(frame->pose), size, 0);
+    return RenderThread::render(small);
 }
 
 void ShapeCanvas::render() {

@@ -31,6 +31,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
     /// True if what was drawn last is what there is to show, at full quality.
     bool isSettled() const;
+    /// The whole shape as large as fits, without what lies over it; null before there is one.
+    QImage smallView(const QSize& size) const;
 
     // ToolSurface
     ShapeSession& session() override { return m_session; }

@@ -34,7 +34,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
     const Theme theme = Theme::of(palette());
     const Measure measure = looks.colours.measure;
     ShapePainter<2> over(painter, *this, theme);
-    if (looks.map && isDistortion(measure)) over.worst(*frame, worstOf(*frame->distortion, measure).cell);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
     if (looks.map && m_faults && !looks.rest && !looks.standIn)
         paintFaults(painter, *this, *frame, *m_faults);
     if (looks.marks || (looks.map && measure == Measure::Stiffness))
@@ -50,7 +50,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
         over.pins(m_viewport.animation(), m_viewport.hovered());
         if (Tool* tool = m_viewport.tool()) tool->paint(painter);
     }
-    m_viewport.paintLegend(painter);
+    m_viewport.paintLegend(painter, size());
 }
 
 void ShapeCanvas::paintEvent(QPaintEvent*) {

@@ -3,21 +3,25 @@
 #include <QImage>
 #include <QTransform>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
+#include "warp/outline_pixels.h"
 
 namespace wend {
 
-/// Fills triangles, without smooth borders: every pixel whose centre a triangle covers, so
-/// that neighbours share none. QPainter makes a path of each triangle, which takes several times as long.
+/// A layer of triangles in colours, which is laid over an image: every pixel has the colour of the last
+/// triangle that covers its centre, so that neighbours share none and leave none open; those that the outline
+/// passes through have as much of each as is seen there. QPainter makes a path of each triangle, which takes
+/// several times as long.
 class CellFiller {
   public:
-    /// Onto an image of premultiplied colours, which must not be touched otherwise in its life; `points` are
-    /// brought to pixels by `toPixels`.
-    CellFiller(QImage& image, const Points<2>& points, const QTransform& toPixels);
+    /// For an image of that size; `points` are brought to its pixels by `toPixels`.
+    CellFiller(const QSize& size, const PaintingPlan& plan, const Points<2>& points,
+               const QTransform& toPixels);
 
-    /// Over what is there. The colour is not premultiplied.
+    /// The colour is not premultiplied.
     void fill(const Cell<2>& cell, QRgb colour);
     /// The same in colours of the corners (red, green, blue, alpha, premultiplied, from 0 to 255) and what
     /// lies between them.
@@ -26,14 +30,30 @@ class CellFiller {
     /// The same in the colours of a ramp (premultiplied), in which the corners have places from 0 to 1.
     void fill(const Cell<2>& cell, const std::array<double, 3>& places, const std::vector<QRgb>& ramp);
 
+    /// On the whole shape, or where the image, which shows a picture on it, has something already.
+    enum class Extent { Shape, Picture };
+    void layOver(QImage& image, Extent extent);
+
   private:
+    /// What of one of the outline's pixels a triangle covers.
+    struct Piece {
+        int band, pixel;
+        std::uint64_t samples;
+        QRgb colour;
+    };
     template <class Value, class ColourOf>
     void fillBetween(const Cell<2>& cell, const std::array<Value, 3>& corners, const ColourOf& colourOf);
+    template <class ColourAt>
+    void addPieces(const TriangleRows& rows, const ColourAt& colourAt);
+    template <class Run>
+    void forRows(const TriangleRows& rows, const Run& run);
+    void layOutline(QImage& image, Extent extent);
 
-    QRgb* m_first;
-    std::ptrdiff_t m_stride;
-    int m_width, m_height;
-    Points<2> m_points;
+    QPoint m_at;  // of the layer in the image
+    QImage m_layer;
+    Points<2> m_points;  // in the layer's pixels
+    OutlinePixels m_outline;
+    std::vector<Piece> m_pieces;
 };
 
 }  // namespace wend

@@ -74,6 +74,7 @@ void ExportPanel::connectAll() {
     connect(m_write, &QPushButton::clicked, this, [this] { m_exporter.writeAs(*m_form); });
     connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
     connect(&m_exporter.crop(), &Crop::changed, this, &ExportPanel::ask);
+    connect(&m_exporter, &Exporter::viewTurned, this, &ExportPanel::ask);
     connect(&m_session, &ShapeSession::frameChanged, this, &ExportPanel::ask);
     connect(&m_session, &ShapeSession::busyChanged, this, &ExportPanel::ask);
     connect(&m_session, &ShapeSession::problem, this, &ExportPanel::ask);

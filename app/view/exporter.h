@@ -58,6 +58,8 @@ class Exporter : public QObject {
     void exportMaterial(MaterialPart part);
 
   signals:
+    /// What the preview of a solid shows is another view of it.
+    void viewTurned();
     void failed(QString text);
     /// Something else is to be done, or has been: what failed before no longer counts.
     void begun();

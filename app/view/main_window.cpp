@@ -48,6 +48,7 @@
 #include "app/view/space_tap.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
+#include "app/view/thumbnail.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
 #include "app/view/track_view.h"
@@ -206,6 +207,11 @@ void MainWindow::connectFiles() {
     connect(a.exportView, &QAction::triggered, m_solids, &SolidWorkshop::exportView);
     m_exporter->setLooks({[this](const QSize& size) { return m_solids->smallView(size); },
                           [this] { return m_canvas->screenPicture(); }});
+    constexpr QSize kCard(720, 720);
+    connect(&m_session.document(), &Document::saved, this, [this, kCard] {
+        keepThumbnail(m_session.document().path(),
+                      m_solids->isActive() ? m_solids->smallView(kCard) : m_canvas->smallView(kCard));
+    });
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
@@ -301,6 +307,7 @@ void MainWindow::connectView() {
     connect(m_solids, &SolidWorkshop::viewportMade, this, [this](Viewport& view) {
         connectViewport(view);
         m_fields->delay().watch(*m_solids->canvas(), [this] { return m_session.frame(); });
+        connect(m_solids->canvas(), &VolumeView::cameraChanged, m_exporter, &Exporter::viewTurned);
     });
 }
 

@@ -51,8 +51,6 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     return request.picture->warped(*restOf(request), poseOf(request), view, options);
 }
 
-constexpr double kPaintOpacity = 0.55;  // of what is painted on a picture, where maps have kMapOpacity
-
 QTransform toPixels(const RenderRequest& request) {
     return request.view.matrix() * QTransform::fromScale(request.scale(), request.scale());
 }
@@ -61,8 +59,7 @@ int alphaAt(const RenderRequest& request, double position) {
     if (!request.picture) return 255;
     if (!request.plain) return static_cast<int>(std::lround(255 * request.opacity));
     const double part = paintedPart(position, positionIn(request.range, request.measure, *request.plain));
-    const double most = std::min(1.0, request.opacity * kPaintOpacity / kMapOpacity);
-    return static_cast<int>(std::lround(255 * most * part));
+    return static_cast<int>(std::lround(255 * paintOpacity(request.opacity) * part));
 }
 
 /// What is painted has soft edges: corners have the mean colour of their cells.
@@ -115,27 +112,54 @@ void fillCells(QImage& image, const RenderRequest& request) {
     };
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
     if (request.map && request.picture && !request.plain) takeColours(image);
-    CellFiller filler(image, frame.pose, toPixels(request));
     const auto plan =
         request.plan ? request.plan : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
+    CellFiller filler(image.size(), *plan, frame.pose, toPixels(request));
     if (request.map && isPainted(request.measure)) {
         fillSoftly(filler, *frame.rest, plan->order, colourOf);
-        return;
-    }
-    if (request.map && request.smooth) {
+    } else if (request.map && request.smooth) {
         fillSmoothly(filler, request, plan->order, values);
-        return;
+    } else {
+        for (const int cell : plan->order) {
+            const auto c = static_cast<std::size_t>(cell);
+            filler.fill(frame.rest->cells[c], request.map ? colourOf(c) : request.fill.rgba());
+        }
     }
-    for (const int cell : plan->order) {
-        const auto c = static_cast<std::size_t>(cell);
-        filler.fill(frame.rest->cells[c], request.map ? colourOf(c) : request.fill.rgba());
-    }
+    using Extent = CellFiller::Extent;
+    filler.layOver(image, request.picture && request.cutOut ? Extent::Picture : Extent::Shape);
 }
 
-void drawEdges(QPainter& painter, const RenderRequest& request) {
+/// How light an image is around each of its pixels, on a ground: smoothed, so that the grain of a picture
+/// does not break lines that go by it.
+class Lightness {
+  public:
+    Lightness(const QImage& image, const QColor& ground)
+        : m_smooth(image
+                       .scaled(std::max(1, image.width() / kReach), std::max(1, image.height() / kReach),
+                               Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                       .scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)),
+          m_ground(qGray(ground.rgb())) {}
+    /// From 0 to 255.
+    int at(int x, int y) const {
+        const QRgb mean = reinterpret_cast<const QRgb*>(m_smooth.constScanLine(y))[x];
+        return qGray(mean) + (255 - qAlpha(mean)) * m_ground / 255;
+    }
+
+  private:
+    static constexpr int kReach = 10;
+    QImage m_smooth;
+    int m_ground;
+};
+
+QImage edgesOf(const RenderRequest& request, const QSize& size) {
     const PosedFrame<2>& frame = *request.frame;
     const double edge = frame.diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) *
                         request.view.zoom();  // about, on the screen
+    QImage drawn(size, QImage::Format_ARGB32_Premultiplied);
+    drawn.fill(Qt::transparent);
+    QPainter painter(&drawn);
+    painter.setTransform(toPixels(request));
+    painter.setRenderHint(QPainter::Antialiasing);
     QColor colour = request.line;
     colour.setAlphaF(std::clamp(edge / 14, 0.12, 0.55));
     QPen pen(colour, 1);
@@ -147,6 +171,23 @@ void drawEdges(QPainter& painter, const RenderRequest& request) {
         lines << QLineF(frame.pose(0, a), frame.pose(1, a), frame.pose(0, b), frame.pose(1, b));
     }
     painter.drawLines(lines);
+    return drawn;
+}
+
+/// Light ones where it is dark below.
+void drawEdges(QImage& image, const RenderRequest& request) {
+    constexpr int kDark = 112;
+    const QRgb light = request.lightLine.rgb() & RGB_MASK;
+    QImage lines = edgesOf(request, image.size());
+    image.convertTo(QImage::Format_ARGB32_Premultiplied);
+    const Lightness below(image, request.ground);
+    for (int y = 0; y < lines.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(lines.scanLine(y));
+        for (int x = 0; x < lines.width(); ++x)
+            if (line[x] != 0 && below.at(x, y) < kDark)
+                line[x] = qPremultiply(light | static_cast<QRgb>(qAlpha(line[x])) << 24);
+    }
+    QPainter(&image).drawImage(0, 0, lines);
 }
 
 }  // namespace
@@ -216,12 +257,7 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
         image.fill(Qt::transparent);
     }
     if (request.map || !request.picture) fillCells(image, request);
-    if (request.mesh) {
-        QPainter painter(&image);
-        painter.setTransform(toPixels(request));
-        painter.setRenderHint(QPainter::Antialiasing);
-        drawEdges(painter, request);
-    }
+    if (request.mesh) drawEdges(image, request);
     image.setDevicePixelRatio(request.scale());
     return image;
 }

@@ -33,6 +33,7 @@ struct RenderRequest {
     int coarseness = 1;  // device pixels per side of a drawn one
     Filter filter = Filter::Bilinear;
     bool allOfPicture = false;  // also what the shape leaves out
+    bool cutOut = false;        // the outline is the picture's own: a map is seen on what that shows
     bool mesh = false;
     bool map = false;
     Measure measure = Measure::Length;
@@ -42,6 +43,8 @@ struct RenderRequest {
     Points<2> velocity;            // of the vertices, for the map of their speed; or none
     std::optional<double> plain;   // of the map: where it has this value the picture is not coloured
     QColor fill, line;             // of the mesh and, without a picture, of the shape
+    QColor lightLine = QColor(236, 238, 244);  // of the mesh on what is dark …
+    QColor ground = Qt::white;                 // … which this may be, below what is transparent
 
     /// Drawn pixels per widget pixel.
     double scale() const { return ratio / coarseness; }

@@ -26,8 +26,7 @@ QRect opaquePart(const QImage& image) {
     return part;
 }
 
-QImage smallPictureOf(const QString& file) {
-    const QImage image = pictureOfFile(file.toStdString());
+QImage smallPictureOf(const QImage& image) {
     if (image.isNull()) return {};
     const QImage small = image.scaled(720, 720, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     return small.copy(opaquePart(small)).scaled(kLargest, Qt::KeepAspectRatio, Qt::SmoothTransformation);
@@ -38,6 +37,13 @@ QByteArray stampOf(const QString& file) {
     const QFileInfo info(file);
     return file.toUtf8() + '\n' + QByteArray::number(info.size()) + '\n' +
            QByteArray::number(info.lastModified().toMSecsSinceEpoch()) + '\n';
+}
+
+/// Where that of a file is kept.
+QString placeOf(const QString& path, const ProjectLook& look, const QString& folder) {
+    const QByteArray name =
+        QCryptographicHash::hash(stampOf(path) + stampOf(look.picture), QCryptographicHash::Sha1);
+    return QDir(folder).filePath(QString::fromLatin1(name.toHex()) + QStringLiteral(".png"));
 }
 
 /// The newest stay.
@@ -69,16 +75,18 @@ QString thumbnailFolder() {
 Thumbnail thumbnailOf(const QString& path, const QString& folder) {
     const bool project = QFileInfo(path).suffix() == QStringLiteral("wend");
     const ProjectLook look = project ? lookOf(path) : ProjectLook{path};
-    const QString& file = look.picture;
     Thumbnail thumbnail;
     thumbnail.isSolid = look.isSolid;
-    if (file.isEmpty()) return thumbnail;
-    const QByteArray name = QCryptographicHash::hash(stampOf(path) + stampOf(file), QCryptographicHash::Sha1);
-    const QString kept = QDir(folder).filePath(QString::fromLatin1(name.toHex()) + QStringLiteral(".png"));
-    if (thumbnail.picture.load(kept, "PNG")) return thumbnail;
-    thumbnail.picture = smallPictureOf(file);
+    const QString kept = placeOf(path, look, folder);
+    if (thumbnail.picture.load(kept, "PNG") || look.picture.isEmpty()) return thumbnail;
+    thumbnail.picture = smallPictureOf(pictureOfFile(look.picture.toStdString()));
     if (!thumbnail.picture.isNull()) keep(thumbnail.picture, kept);
     return thumbnail;
+}
+
+void keepThumbnail(const QString& project, const QImage& seen, const QString& folder) {
+    const QImage small = smallPictureOf(seen);
+    if (!small.isNull()) keep(small, placeOf(project, lookOf(project), folder));
 }
 
 }  // namespace wend

@@ -17,5 +17,7 @@ QString thumbnailFolder();
 /// The thumbnail of a picture or a project, made when it is asked for first and kept in `folder`, which only
 /// its owner may read, until the file or the picture in it changes. Runs in any thread.
 Thumbnail thumbnailOf(const QString& path, const QString& folder = thumbnailFolder());
+/// From now on, until the file changes, that of a project is this picture: what was last seen of its shape.
+void keepThumbnail(const QString& project, const QImage& seen, const QString& folder = thumbnailFolder());
 
 }  // namespace wend

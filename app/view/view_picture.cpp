@@ -34,7 +34,7 @@ void paintMarks(QImage& rows, int top, SolidCanvas& canvas, const PictureChoice&
     const double scale = choice.size.height() / static_cast<double>(canvas.height());
     painter.translate(0, -top);
     painter.scale(scale, scale);
-    if (choice.legend) canvas.paintLegend(painter);
+    if (choice.legend) canvas.viewport().paintLegend(painter, (QSizeF(choice.size) / scale).toSize());
     painter.translate((choice.size.width() / scale - canvas.width()) / 2, 0);
     if (choice.marks) canvas.paintMarks(painter);
 }
@@ -61,31 +61,21 @@ void copyRows(QImage rows, Image& strip) {
     for (int y = 0; y < strip.height; ++y) std::memcpy(strip.row(y), rows.constScanLine(y), strip.rowBytes());
 }
 
-/// Asks the view's thread, which is not this one, for rows.
-class RowsOfView {
-  public:
-    RowsOfView(SolidCanvas& canvas, const PictureChoice& choice, QProgressDialog& dialog)
-        : m_canvas(canvas), m_choice(choice), m_dialog(dialog) {}
-
-    QImage wait(int top, int rows) const {
-        auto promise = std::make_shared<std::promise<QImage>>();
-        auto answer = promise->get_future();
-        QMetaObject::invokeMethod(&m_canvas, [this, top, rows, promise = std::move(promise)] {
-            try {
-                m_dialog.setValue(top);
-                promise->set_value(viewRows(m_canvas, m_choice, top, rows));
-            } catch (...) {
-                promise->set_exception(std::current_exception());
-            }
-        });
-        return answer.get();  // throws if the view is gone
-    }
-
-  private:
-    SolidCanvas& m_canvas;
-    PictureChoice m_choice;
-    QProgressDialog& m_dialog;
-};
+/// Has the view's thread, which is not this one, draw something, and tell how far that is.
+QImage drawnByView(SolidCanvas& canvas, QProgressDialog& dialog, int progress,
+                   const std::function<QImage()>& draw) {
+    auto promise = std::make_shared<std::promise<QImage>>();
+    auto answer = promise->get_future();
+    QMetaObject::invokeMethod(&canvas, [&dialog, progress, draw, promise = std::move(promise)] {
+        try {
+            dialog.setValue(progress);
+            promise->set_value(draw());
+        } catch (...) {
+            promise->set_exception(std::current_exception());
+        }
+    });
+    return answer.get();  // throws if the view is gone
+}
 
 QString tooLittleMemory(const PictureChoice& choice) {
     return SolidCanvas::tr("the memory does not suffice for a picture of %1 x %2 pixels")
@@ -118,27 +108,38 @@ void runBeside(const std::function<void()>& job) {
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Modal from the start: while rows are drawn nobody turns the view.
-void prepare(QProgressDialog& dialog, const PictureChoice& choice) {
-    dialog.setWindowModality(Qt::WindowModal);
-    dialog.setMinimumDuration(0);
-    dialog.setAutoReset(false);
-    dialog.setAutoClose(false);
-    dialog.setRange(0, choice.size.height());
-    dialog.show();
-}
+/// What runs beside the window, in steps, and can be stopped. Modal from the start: while something is drawn
+/// nobody turns the view.
+class Progress {
+  public:
+    Progress(const QString& what, int steps, SolidCanvas& canvas)
+        : m_dialog(what, SolidCanvas::tr("Cancel"), 0, steps, canvas.window()) {
+        QObject::connect(&m_dialog, &QProgressDialog::canceled, [this] { m_stop.request_stop(); });
+        QObject::connect(&canvas, &QObject::destroyed, &m_dialog, [this] { m_stop.request_stop(); });
+        m_dialog.setWindowModality(Qt::WindowModal);
+        m_dialog.setMinimumDuration(0);
+        m_dialog.setAutoReset(false);
+        m_dialog.setAutoClose(false);
+        m_dialog.show();
+    }
+    QProgressDialog& dialog() { return m_dialog; }
+    void throwIfStopped() const {
+        if (m_stop.stop_requested()) throw Cancelled();
+    }
+
+  private:
+    QProgressDialog m_dialog;
+    std::stop_source m_stop;
+};
 
 void writeStrips(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
-    QProgressDialog dialog(SolidCanvas::tr("Writing the picture …"), SolidCanvas::tr("Cancel"), 0, 1,
-                           canvas.window());
-    std::stop_source stop;
-    QObject::connect(&dialog, &QProgressDialog::canceled, [&stop] { stop.request_stop(); });
-    QObject::connect(&canvas, &QObject::destroyed, &dialog, [&stop] { stop.request_stop(); });
-    prepare(dialog, choice);
-    const RowsOfView rows(canvas, choice, dialog);
+    Progress progress(SolidCanvas::tr("Writing the picture …"), choice.size.height(), canvas);
     const MakeRows makeRows = [&](int top, Image& strip) {
-        if (stop.stop_requested()) throw Cancelled();
-        copyRows(rows.wait(top, strip.height), strip);
+        progress.throwIfStopped();
+        const int rows = strip.height;
+        copyRows(drawnByView(canvas, progress.dialog(), top,
+                             [&, top, rows] { return viewRows(canvas, choice, top, rows); }),
+                 strip);
     };
     runBeside([&] { writeImage(path, headerOf(choice), kStripRows, makeRows, choice.lossy); });
 }
@@ -154,25 +155,31 @@ class TimeKeeper {
     double m_time;
 };
 
+/// Drawn frame by frame in the window's thread, which between them goes on with events; what takes longer is
+/// done beside it.
 void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
-    QProgressDialog dialog(SolidCanvas::tr("Writing the film …"), SolidCanvas::tr("Cancel"), 0, 1,
-                           canvas.window());
-    prepare(dialog, choice);
-    dialog.setRange(0, choice.frames);
+    Progress progress(SolidCanvas::tr("Writing the film …"), choice.frames, canvas);
     Playback& playback = canvas.session().playback();
     playback.setPlaying(false);
     const TimeKeeper keeper(playback);
-    Film film(path, choice.framesPerSecond, choice.lossy);
-    Image frame = headerOf(choice);
-    for (int k = 0; k < choice.frames; ++k) {
-        dialog.setValue(k);
-        if (dialog.wasCanceled()) throw Cancelled();
-        playback.setTime(playback.end() * k / (choice.frames - 1));
-        frame.makePixels();
-        copyRows(viewPicture(canvas, choice), frame);
-        film.add(frame);
-    }
-    writeWhole(path, [&film](const std::string& temporary) { film.write(temporary); });
+    const auto drawn = [&](int k) {
+        return drawnByView(canvas, progress.dialog(), k, [&, k] {
+            playback.setTime(playback.end() * k / (choice.frames - 1));
+            return viewPicture(canvas, choice);
+        });
+    };
+    runBeside([&] {
+        Film film(path, choice.framesPerSecond, choice.lossy);
+        Image frame = headerOf(choice);
+        for (int k = 0; k < choice.frames; ++k) {
+            progress.throwIfStopped();
+            frame.makePixels();
+            copyRows(drawn(k), frame);
+            film.add(frame);
+        }
+        progress.throwIfStopped();
+        writeWhole(path, [&film](const std::string& temporary) { film.write(temporary); });
+    });
 }
 
 /// What is seen stays as it is while this lives.

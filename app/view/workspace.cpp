@@ -47,6 +47,7 @@ void Workspace::show() {
     const ToolKind* kind = m_parts.tools.current();
     SolidCanvas* solid = m_parts.solids.canvas();
     m_bench.solid = solid;
+    if (solid) solid->cutTool().setFirst(m_parts.tools.mode() == Mode::Mesh);
     takeTool();
     if (Viewport* view = viewport(); view && kind) view->setTool(toolOf(*kind));
     if (solid) solid->viewport().set(&Looks::values, m_parts.tools.isChosen("measure"));

@@ -8,7 +8,7 @@ in Vertex {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    vec3 place;
+    vec4 place;
 } corners[];
 
 out Edged {
@@ -16,7 +16,7 @@ out Edged {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    vec3 place;
+    vec4 place;
     vec3 barycentric;
 } vertex;
 

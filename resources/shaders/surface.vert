@@ -3,7 +3,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texturePoint;
 layout(location = 3) in vec4 colour;
-layout(location = 4) in vec3 place;
+layout(location = 4) in vec4 place;
 
 uniform mat4 view;
 uniform mat4 projection;
@@ -14,7 +14,7 @@ out Vertex {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
-    vec3 place;
+    vec4 place;
 } vertex;
 
 void main() {

@@ -5,11 +5,14 @@
 #include <QWheelEvent>
 #include <set>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project.h"
 #include "app/panels/legend.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
+#include "app/tools/pin_tool.h"
+#include "app/tools/region_outline.h"
 #include "app/view/canvas.h"
 #include "app/view/cell_filler.h"
 #include "core/energy/distortion.h"
@@ -47,6 +50,8 @@ class TestCanvas : public QObject {
     void shearIsTheRightAngleThatChangesMost();
     void everyMeasureIsComplete();
     void worstPlaceIsMarkedWhereItIs();
+    void namesOfPinsWaitForAMoment();
+    void partsAreFramedWhereTheyAre();
     void edgesAreThoseOfThePose();
     void restIsShown();
     void legendTellsItsEnds();
@@ -238,9 +243,10 @@ void TestCanvas::cellsAreFilledOnce() {
     for (QImage* one : {&image, &expected}) one->fill(qRgba(10, 200, 90, 255));
     Points<2> points(2, 5);
     points << -5, 4, 4, -5, 0.3, 2, 2, 8, 8, 4.7;  // to be doubled
-    CellFiller filler(image, points, QTransform::fromScale(2, 3));
-    for (const Cell<2>& cell : {Cell<2>{0, 1, 4}, Cell<2>{2, 1, 4}, Cell<2>{4, 2, 3}, Cell<2>{3, 0, 4}})
-        filler.fill(cell, qRgba(250, 20, 130, 209));
+    const SimplicialMesh<2> fan{points, {{0, 1, 4}, {2, 1, 4}, {4, 2, 3}, {3, 0, 4}}};
+    CellFiller filler(image.size(), PaintingPlan(fan, {}), points, QTransform::fromScale(2, 3));
+    for (const Cell<2>& cell : fan.cells) filler.fill(cell, qRgba(250, 20, 130, 209));
+    filler.layOver(image, CellFiller::Extent::Shape);
     QPainter painter(&expected);
     painter.fillRect(QRect(QPoint(0, 6), QPoint(7, 23)), QColor(250, 20, 130, 209));
     painter.end();
@@ -407,7 +413,14 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
     QVERIFY(worstText(distortion, Measure::Length).contains(QLocale().toString(0.75)));
     distortion.metric = {4e-31, 0, 0};  // rounding at rest
     QVERIFY(worstText(distortion, Measure::Length).endsWith(QStringLiteral(" 0")));
+    QVERIFY(worstWarning(distortion, Measure::Length).isEmpty());
+    QVERIFY(worstWarning(distortion, Measure::Angle).isEmpty());
+    QVERIFY(worstWarning(distortion, Measure::Area).contains(measureText(Measure::Area, 0.25)));
+    distortion.ratio = {1.9, 1, 0.6};
+    QVERIFY(worstWarning(distortion, Measure::Area).isEmpty());
     distortion.metric = {2874.6, 0, 0};  // never with an exponent
+    QVERIFY(worstWarning(distortion, Measure::Length).contains(QStringLiteral("Stretched too far here")));
+    QVERIFY(worstWarning(distortion, Measure::Length).contains(QLocale().toString(2875)));
     QVERIFY(worstText(distortion, Measure::Length).endsWith(QLocale().toString(2875)));
     QCOMPARE(measureText(Measure::Length, 287.4), QLocale().toString(287));
 }
@@ -562,6 +575,52 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     QVERIFY((pose - rest).norm() > 40 / m_canvas->view().zoom());
     QVERIFY2(near(pose) > 20, qPrintable(QString::number(near(pose))));
     QCOMPARE(near(rest), 0);
+}
+
+/// The bar lies in [20, 220] × [60, 100], with a margin of two pixels, in cells of about five; what was drawn
+/// around its right end is far larger.
+void TestCanvas::partsAreFramedWhereTheyAre() {
+    for (const Region<2>& drawn :
+         {Region<2>(Box<2>{{170, 10}, {500, 300}}),
+          Region<2>(Polygon{{Vec<2>(170, 10), Vec<2>(500, 10), Vec<2>(500, 300), Vec<2>(170, 300)}})}) {
+        Project next = *m_session->document().project();
+        Handle<2> end;
+        end.at = drawn;
+        std::get<Design<2>>(next.design).handles = {end};
+        m_session->document().change(QStringLiteral("Hold"), next);
+        QVERIFY(settle(*m_session));
+        const auto border = regionBorder(end, m_session->pins<2>().front(), *m_session->frame<2>());
+        QCOMPARE(border.size(), std::size_t(4));
+        double left = 1e9, right = 0;
+        for (const Vec<2>& p : border) {
+            QVERIFY2(p.y() > 45 && p.y() < 115, qPrintable(QString::number(p.y())));
+            left = std::min(left, p.x()), right = std::max(right, p.x());
+        }
+        QVERIFY(left >= 169 && left < 185 && right > 217 && right < 235);
+    }
+}
+
+/// Twenty pixels beside the pin that is pointed at, once the pointer has stayed there, and no longer.
+void TestCanvas::namesOfPinsWaitForAMoment() {
+    PinTool<2> tool(*m_canvas, true);
+    m_canvas->viewport().setTool(&tool);
+    const int pin = m_session->addPin({40, 80});
+    m_session->selection().clear();
+    QTRY_VERIFY(m_canvas->isSettled());
+    const QPoint at = m_canvas->toWidget({40, 80}).toPoint();
+    const auto beside = [&] { return m_canvas->grab(QRect(at + QPoint(22, -6), QSize(8, 12))).toImage(); };
+    const PinAnimation& animation = m_canvas->viewport().animation();
+    QTest::mouseMove(m_canvas.get(), at + QPoint(0, 90));
+    QCoreApplication::processEvents();
+    const QImage nothing = beside();
+    QTest::mouseMove(m_canvas.get(), at);
+    QTRY_COMPARE(tool.hovered(), pin);
+    if (animation.named() < 0) QCOMPARE(beside(), nothing);
+    QTRY_COMPARE(animation.named(), pin);
+    QVERIFY(beside() != nothing);
+    QTest::mouseMove(m_canvas.get(), at + QPoint(0, 90));
+    QTRY_COMPARE(animation.named(), -1);
+    QCOMPARE(beside(), nothing);
 }
 
 void TestCanvas::edgesAreThoseOfThePose() {

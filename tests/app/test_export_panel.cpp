@@ -36,6 +36,7 @@ class TestExportPanel : public QObject {
     void framesLastAsLongAsTheMotion();
     void nothingIsWrittenWithoutAShape();
     void solidIsPreviewedAsFilesGetIt();
+    void solidIsPreviewedAsItIsTurned();
     void cropIsDrawn();
     void cropIsOfAMeshsPictureToo();
     void cropIsChangedByItsParts();
@@ -334,6 +335,24 @@ void TestExportPanel::solidIsPreviewedAsFilesGetIt() {
     QVERIFY(canvas.picture({300, 200}, true) != view);
     kind(QStringLiteral("Mesh"))->click();
     QCOMPARE(seen(), plain);
+}
+
+/// By the mouse, as anywhere: the preview is of the view as it is turned now.
+void TestExportPanel::solidIsPreviewedAsItIsTurned() {
+    QVERIFY(open(true));
+    toExport();
+    QTRY_VERIFY(panel().isVisible() && !seen().isNull());
+    const QImage before = seen();
+    SolidCanvas& canvas = m_f->canvas();
+    const QPoint corner(30, 30);
+    QTest::mousePress(&canvas, Qt::MiddleButton, {}, corner);
+    for (int i = 1; i <= 8; ++i) {
+        const QPointF to = corner + QPointF(20 * i, 6 * i);
+        QMouseEvent move(QEvent::MouseMove, to, canvas.mapToGlobal(to), Qt::NoButton, Qt::MiddleButton, {});
+        QCoreApplication::sendEvent(&canvas, &move);
+    }
+    QTest::mouseRelease(&canvas, Qt::MiddleButton, {}, corner + QPoint(160, 48));
+    QTRY_VERIFY(seen() != before);
 }
 
 void TestExportPanel::cropIsDrawn() {

@@ -36,6 +36,8 @@ class TestPainting : public PaintTest {
     void paintIsSeenAtOnce_data() { dimensions(); }
     void paintIsSeenAtOnce();
     void paintOnSolidsIsSoft();
+    void hardEdgesOnSolidsAreSharp();
+    void unpaintedPartsOfSolidsStayAsTheyAre();
     void combedPartsStretchLess_data() { dimensions(); }
     void combedPartsStretchLess();
     void modifiersEraseSmoothAndPick_data() { dimensions(); }
@@ -58,6 +60,8 @@ class TestPainting : public PaintTest {
     void directionsAreCarriedBackToRest();
 
   private:
+    void paintHalf(double feather);
+    std::vector<Vec<3>> coloursAlong(double v);
     template <int Dim>
     void softRegions();
     template <int Dim>
@@ -185,39 +189,86 @@ void TestPainting::seenAtOnce() {
     QVERIFY(session.frame<Dim>()->material->phi == shown);
 }
 
-/// Across the edge of what is painted the colours mix, without a jump from tetrahedron to tetrahedron and
-/// without a third colour that the row of energies has between them.
-void TestPainting::paintOnSolidsIsSoft() {
-    QVERIFY(Bar<3>::open(*m_f));
+/// The left half of the bar has another energy, and the view shows what is painted.
+void TestPainting::paintHalf(double feather) {
     Project next = m_f->project();
     auto& material = std::get<Design<3>>(next.design).material;
     material.phi = phi::kEquia;
-    material.regions.push_back({"half", Region<3>(Ball<3>{{-3, 0, 0}, 3}), 0, phi::conformal(3), {}});
+    material.regions.push_back({"half", Region<3>(Ball<3>{{-3, 0, 0}, 3}), feather, phi::conformal(3), {}});
     m_f->session().document().change(QStringLiteral("Half"), std::move(next));
     QVERIFY(settle(m_f->session()));
     m_f->tool("paint")->trigger();
+    QTRY_VERIFY(m_f->canvas().isSettled());
+}
+
+/// The colours that are seen along the bar from the left to the right.
+std::vector<Vec<3>> TestPainting::coloursAlong(double v) {
     SolidCanvas& canvas = m_f->canvas();
-    QTRY_VERIFY(canvas.isSettled());
     const QImage seen = canvas.picture(canvas.size(), false);
-    const auto at = [&](double x, double y) {
-        const QColor colour = seen.pixelColor(qRound(x), qRound(y));
-        return Vec<3>(colour.red(), colour.green(), colour.blue());
-    };
+    const QPointF left = canvas.toWidget(Bar<3>::place(-1, v)), right = canvas.toWidget(Bar<3>::place(1, v));
+    std::vector<Vec<3>> colours;
+    for (double x = left.x(); x <= right.x(); ++x) {
+        const QColor colour = seen.pixelColor(qRound(x), qRound(left.y()));
+        colours.emplace_back(colour.red(), colour.green(), colour.blue());
+    }
+    return colours;
+}
+
+/// Across a soft edge of what is painted the colours mix, without a jump from tetrahedron to tetrahedron.
+void TestPainting::paintOnSolidsIsSoft() {
+    QVERIFY(Bar<3>::open(*m_f));
+    paintHalf(1.5);
     for (const double v : {-0.3, -0.1, 0.1, 0.3}) {
-        const QPointF left = canvas.toWidget(Bar<3>::place(-1, v)),
-                      right = canvas.toWidget(Bar<3>::place(1, v));
-        const Vec<3> first = at(left.x(), left.y()), last = at(right.x(), right.y());
+        const auto colours = coloursAlong(v);
+        const Vec<3>&first = colours.front(), &last = colours.back();
         const double whole = (last - first).norm();
         QVERIFY(whole > 100);
         double largest = 0;
-        for (double x = left.x() + 1; x <= right.x(); ++x) {
-            const Vec<3> colour = at(x, left.y());
-            largest = std::max(largest, (colour - at(x - 1, left.y())).norm());
-            const double part = std::clamp((colour - first).dot(last - first) / (whole * whole), 0.0, 1.0);
-            const double aside = (colour - first - part * (last - first)).norm();
-            QVERIFY2(aside < 0.06 * whole, qPrintable(QString::number(aside)));
-        }
+        for (std::size_t i = 1; i < colours.size(); ++i)
+            largest = std::max(largest, (colours[i] - colours[i - 1]).norm());
         QVERIFY2(largest < 0.25 * whole, qPrintable(QString("%1 of %2").arg(largest).arg(whole)));
+    }
+}
+
+/// Pixel by pixel as with another tool, on the surface and on the face of a cut: all of the solid while
+/// nothing is painted, afterwards what lies far from the paint.
+void TestPainting::unpaintedPartsOfSolidsStayAsTheyAre() {
+    QVERIFY(Bar<3>::open(*m_f));
+    SolidCanvas& canvas = m_f->canvas();
+    const auto seenWith = [&](const char* tool) {
+        m_f->tool(tool)->trigger();
+        canvas.setCutKind(CutKind::Exact);
+        return canvas.picture(canvas.size(), false);
+    };
+    canvas.setCutPlane({Vec<3>::Zero(), Vec<3>(0.3, 0.2, 1).normalized()});
+    const QImage plain = seenWith("pin");
+    QVERIFY(seenWith("paint") == plain);
+    paintHalf(0);
+    canvas.setCutPlane({Vec<3>::Zero(), Vec<3>(0.3, 0.2, 1).normalized()});
+    const QImage without = seenWith("pin"), with = seenWith("paint");
+    const int edge = qRound(canvas.toWidget(Bar<3>::place(0.6, 0)).x());
+    const QRect right(QPoint(edge, 0), QPoint(canvas.width() - 1, canvas.height() - 1));
+    QVERIFY(with != without);
+    QVERIFY(with.copy(right) == without.copy(right));
+}
+
+/// Of a region without feather each cell is in or out: there is nothing between the two colours but the
+/// smoothed pixels of the edge, and no third one that the row of energies has between them.
+void TestPainting::hardEdgesOnSolidsAreSharp() {
+    QVERIFY(Bar<3>::open(*m_f));
+    paintHalf(0);
+    for (const double v : {-0.3, -0.1, 0.1, 0.3}) {
+        const auto colours = coloursAlong(v);
+        const double whole = (colours.back() - colours.front()).norm();
+        QVERIFY(whole > 100);
+        const Vec<3> first = colours.front(), way = colours.back() - first;
+        int between = 0;
+        for (const Vec<3>& colour : colours) {
+            const double part = std::clamp((colour - first).dot(way) / (whole * whole), 0.0, 1.0);
+            between += part > 0.1 && part < 0.9;
+            QVERIFY((colour - first - part * way).norm() < 0.06 * whole);
+        }
+        QVERIFY2(between <= 6, qPrintable(QString::number(between)));
     }
 }
 

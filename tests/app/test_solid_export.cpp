@@ -47,6 +47,7 @@ class TestSolidExport : public QObject {
     void picturesAreWrittenInStrips();
     void picturesAreCancelled();
     void viewIsFilmed();
+    void windowLivesWhileAFilmIsWritten();
     void filmIsCancelled();
     void filmIsAtChoiceWhereThereIsMotion();
     void legendAndMarksAreAtChoice();
@@ -315,6 +316,20 @@ void TestSolidExport::viewIsFilmed() {
     }
 }
 
+/// While frames are encoded the window goes on with what else there is to do: far more often than once in
+/// every frame, as it did when it encoded them itself.
+void TestSolidExport::windowLivesWhileAFilmIsWritten() {
+    PictureChoice choice;
+    choice.size = {1600, 1200};
+    choice.frames = 3;
+    int turns = 0;
+    QTimer other;
+    connect(&other, &QTimer::timeout, [&turns] { ++turns; });
+    other.start(0);
+    QVERIFY(writeViewPicture(file(QStringLiteral("alive.webp")), *m_window->solids().canvas(), choice));
+    QVERIFY2(turns > 50 * choice.frames, qPrintable(QString::number(turns)));
+}
+
 void TestSolidExport::filmIsCancelled() {
     SolidCanvas& canvas = *m_window->solids().canvas();
     Playback& playback = m_window->session().playback();
@@ -360,11 +375,17 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     QVERIFY(viewPicture(canvas, choice) == bare);  // no map, nothing to explain
     m_window->actions().showMap->setChecked(true);
     const QImage legend = viewPicture(canvas, choice);
-    QVERIFY(qAlpha(bare.pixel(60, 32)) == 0 && qAlpha(legend.pixel(60, 32)) > 200);
+    // Where the window has it, as large against the solid: at the lower right, and nowhere else.
+    const double scale = 600.0 / canvas.height();
+    const QRect card = QRectF(QPointF(800, 600) - scale * QPointF(228, 68), scale * QSizeF(216, 56)).toRect();
+    const QPoint inside = card.center();
+    QVERIFY(qAlpha(bare.pixel(inside)) == 0 && qAlpha(legend.pixel(inside)) > 200);
+    QVERIFY(qAlpha(legend.pixel(card.topLeft() - QPoint(3, 3))) == 0);
+    QVERIFY(qAlpha(legend.pixel(60, 32)) == 0);
     choice.legend = false;
     choice.marks = true;
     const QImage marks = viewPicture(canvas, choice);
-    QVERIFY(qAlpha(marks.pixel(60, 32)) == 0 && marks != bare);
+    QVERIFY(qAlpha(marks.pixel(inside)) == 0 && marks != bare);
     if (qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) {
         choice.size = {1600, 1000};
         choice.transparent = false;

@@ -21,6 +21,7 @@ class TestSpaceTools : public QObject {
     void curveKindsByMenuAndShortcut();
     void rightClickOpensTheCurvesMenu();
     void twistAndScaleByThePanel();
+    void oneManipulatorIsShown();
     void outlinesSelectByAnyPoint_data();
     void outlinesSelectByAnyPoint();
     void outlinesShowTheirMode();
@@ -177,6 +178,35 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     QVERIFY(std::abs(reach - 0.8 * std::sqrt(2.0) * size) < 1e-6);
     m_f->actions().oblique->trigger();
     m_f->picture(QStringLiteral("frames"));
+}
+
+/// Of the cut and of what is selected: in the step in which solids are cut the cut's, elsewhere that of the
+/// tool, and the cut's again where that has none.
+void TestSpaceTools::oneManipulatorIsShown() {
+    QVERIFY(m_f->holdEnds());
+    Toolbox& tools = *m_f->window().findChild<Toolbox*>();
+    SolidCanvas& canvas = m_f->canvas();
+    const auto shown = [&] {
+        const Tool* tool = canvas.viewport().tool();
+        return std::pair(canvas.cutTool().isShown(), tool && tool->hasManipulator());
+    };
+    tools.setMode(Mode::Pins);
+    m_f->session().selection().set({1});
+    QCOMPARE(shown(), std::pair(false, true));
+    m_f->actions().cut->trigger();
+    QTRY_VERIFY(canvas.cut() != CutKind::None);
+    QCOMPARE(shown(), std::pair(false, true));
+    tools.setMode(Mode::Mesh);
+    m_f->window().actions().selectTool->trigger();
+    tools.setMode(Mode::Mesh);
+    QCOMPARE(shown(), std::pair(true, false));
+    tools.setMode(Mode::Pins);
+    QCOMPARE(shown(), std::pair(false, true));
+    m_f->session().selection().clear();
+    QCOMPARE(shown(), std::pair(true, false));
+    m_f->actions().cut->trigger();
+    QTRY_VERIFY(canvas.cut() == CutKind::None);
+    QCOMPARE(shown(), std::pair(false, false));
 }
 
 void TestSpaceTools::outlinesSelectByAnyPoint_data() {

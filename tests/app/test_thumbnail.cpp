@@ -5,6 +5,7 @@
 #include <QThreadPool>
 
 #include "app/view/file_card.h"
+#include "app/view/main_window.h"
 #include "app/view/thumbnail.h"
 #include "tests/support/window_fixture.h"
 
@@ -26,6 +27,7 @@ class TestThumbnail : public QObject {
     void nothingIsKeptOfWhatCannotBeRead();
     void folderThatCannotBeMadeIsNoHarm();
     void cardsReadOnceTheyAreSeen();
+    void savedProjectShowsWhatWasSeen();
 
   private:
     QString at(const QString& name) const { return m_folder->filePath(name); }
@@ -158,6 +160,36 @@ void TestThumbnail::cardsReadOnceTheyAreSeen() {
     QCOMPARE(keptNow(), 0);
     card.show();
     QTRY_COMPARE(keptNow(), 1);
+}
+
+/// A bar of 200 × 40 whose right end was pulled far up, across the way to where it can be: as wide and high
+/// as the pose that was saved, and as the file is changed by another program, like the picture again.
+void TestThumbnail::savedProjectShowsWhatWasSeen() {
+    MainWindow window;
+    window.resize(1200, 800);
+    window.show();
+    window.openPath(writeCutOut(*m_folder));
+    ShapeSession& session = window.session();
+    QTRY_VERIFY_WITH_TIMEOUT(!session.document().isEmpty(), 20000);
+    QVERIFY(settle(session));
+    session.addPin({40, 80});
+    session.selection().set({session.addPin({200, 80})});
+    session.beginDrag();
+    session.dragTo({60, -120});
+    session.endDrag(0.3);
+    QVERIFY(settle(session));
+    session.document().save(at("bent.wend"));
+    const Thumbnail bent = thumbnailOf(at("bent.wend"));
+    const Points<2>& pose = session.frame<2>()->pose;
+    const Vec<2> size = pose.rowwise().maxCoeff() - pose.rowwise().minCoeff();
+    const double ratio = double(bent.picture.width()) / bent.picture.height();
+    QVERIFY2(std::abs(ratio / (size.x() / size.y()) - 1) < 0.1, qPrintable(QString::number(ratio)));
+    QVERIFY(ratio < 2.5);
+    QFile file(at("bent.wend"));
+    QVERIFY(file.open(QIODevice::Append) && file.write("\n") == 1);
+    file.close();
+    const Thumbnail anew = thumbnailOf(at("bent.wend"));
+    QVERIFY(double(anew.picture.width()) / anew.picture.height() > 4);
 }
 
 QTEST_MAIN(TestThumbnail)

@@ -24,6 +24,7 @@ class TestVolumeView : public QObject {
     void navigationIgnoresWhatIsUnderThePointer();
     void cutShowsTheInside();
     void ridingSurfaceHasItsTexture();
+    void paintLiesOverASkin();
     void ridingSurfaceFollowsAndIsCut();
     void ridingSurfaceIsWhatRaysMeet();
     void hugeAndTinySolidsLookTheSame();
@@ -248,6 +249,54 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
         QVERIFY(std::abs(2 * half.blue() - whole.blue() - gray.blue()) <= 3);
     }
     QVERIFY(seen[2][1].red() > seen[2][0].red() + 15);  // green is lighter than red
+}
+
+namespace {
+
+/// Plain faces in the light, without lines on them.
+SurfaceStyle bare() {
+    SurfaceStyle style;
+    style.edges = false;
+    return style;
+}
+
+}  // namespace
+
+/// White over a plate that is painted on its right: half of it is half way there, light being a factor, and
+/// on the left each pixel is what it was.
+void TestVolumeView::paintLiesOverASkin() {
+    VolumePicture picture = m_picture;
+    picture.skin = plate({});
+    picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
+    picture.materials = true;
+    m_view->setStyle(bare());
+    m_view->look(Camera::Axis::Top);
+    m_view->setPicture(picture, true);
+    const auto seen = [&](const VolumePicture& shown) {
+        m_view->setPicture(shown, false);
+        return m_view->grabFramebuffer();
+    };
+    const QImage plain = seen(picture);
+    picture.paint.opacity = 0.5;
+    picture.paint.own.assign(picture.rest->cells.size(), 0);
+    picture.paint.colours = picture.paint.opacities = Points<3>::Zero(3, picture.pose.cols());
+    QVERIFY(seen(picture) == plain);
+    for (Eigen::Index v = 0; v < picture.pose.cols(); ++v)
+        if (picture.pose(0, v) > 0.01)
+            picture.paint.colours.col(v).setOnes(), picture.paint.opacities(0, v) = 1;
+    const QImage half = seen(picture);
+    picture.paint.opacity = 1;
+    const QImage whole = seen(picture);
+    const Vec<3> left(-0.8, 0, 0.6), right(1.3, 0.1, 0.6);
+    QCOMPARE(at(half, *m_view, left), at(plain, *m_view, left));
+    const auto mean = [](int a, int b) { return (a + b) / 2; };
+    const QColor a = at(plain, *m_view, right), b = at(half, *m_view, right), c = at(whole, *m_view, right);
+    QVERIFY(c.red() == c.green() && c.green() == c.blue() && c.red() > 150);
+    QVERIFY(std::abs(b.red() - mean(a.red(), c.red())) <= 2);
+    QVERIFY(std::abs(b.green() - mean(a.green(), c.green())) <= 2);
+    QVERIFY(std::abs(b.blue() - mean(a.blue(), c.blue())) <= 2);
+    m_view->setPicture(m_picture, true);
+    m_view->setStyle({});
 }
 
 void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
@@ -558,13 +607,6 @@ void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
 }
 
 namespace {
-
-/// Plain faces in the light, without lines on them.
-SurfaceStyle bare() {
-    SurfaceStyle style;
-    style.edges = false;
-    return style;
-}
 
 /// A square across x, as two triangles.
 std::vector<DrawVertex> square(double x, double half, QRgb colour) {

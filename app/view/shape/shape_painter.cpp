@@ -5,6 +5,7 @@
 #include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
 #include "app/session/solid_places.h"
+#include "app/tools/drag_label.h"
 #include "app/tools/pin_picking.h"
 #include "app/tools/region_outline.h"
 #include "app/view/shape/looks.h"
@@ -15,6 +16,7 @@ namespace wend {
 namespace {
 
 constexpr int kFramesAlongCurve = 9;
+constexpr double kBeside = 24, kHalfLabel = 12;  // pixels
 
 /// An axis of the frames that a curve carries along, and how long it is, in pixels.
 struct Axis {
@@ -162,11 +164,15 @@ void ShapePainter<Dim>::pins(const PinAnimation& animation, int hovered) {
 }
 
 template <int Dim>
-void ShapePainter<Dim>::worst(const PosedFrame<Dim>& frame, int cell) {
+void ShapePainter<Dim>::worst(const PosedFrame<Dim>& frame, int cell, const QString& words) {
     if (cell < 0) return;
     std::optional<Vec<Dim>> place = centreOf<Dim>(frame, cell);
     if constexpr (Dim == 3) place = m_surface.placeOf(cell);
-    m_marks.worst(m_surface.toWidget(place ? *place : centreOf<Dim>(frame, cell)), !place);
+    const QPointF at = m_surface.toWidget(place ? *place : centreOf<Dim>(frame, cell));
+    m_marks.worst(at, !place);
+    if (words.isEmpty()) return;
+    const bool isLeft = at.x() > m_painter.viewport().width() / 2.0;  // there is more room beside it
+    paintLabel(m_painter, at + QPointF(isLeft ? -kBeside : kBeside, -kHalfLabel), words, isLeft);
 }
 
 template class ShapePainter<2>;

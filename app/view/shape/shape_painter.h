@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "app/panels/colour_map.h"
 #include "app/panels/marks.h"
 #include "app/panels/pin_animation.h"
 #include "app/panels/theme.h"
@@ -24,7 +25,12 @@ class ShapePainter {
     /// Also, faintly, the handles that do not hold at the time that is shown.
     void pins(const PinAnimation& animation, int hovered);
     /// A cross in the middle of a cell; of a solid where it is seen, or a faint ring over where it is hidden.
-    void worst(const PosedFrame<Dim>& frame, int cell);
+    /// Beside it what it says, if that is not empty.
+    void worst(const PosedFrame<Dim>& frame, int cell, const QString& words = {});
+    /// That of a measure, with a warning where it is too far.
+    void worst(const PosedFrame<Dim>& frame, Measure measure) {
+        worst(frame, worstOf(*frame.distortion, measure).cell, worstWarning(*frame.distortion, measure));
+    }
 
   private:
     ShapeSession& session() const { return m_surface.session(); }

@@ -100,10 +100,10 @@ void Viewport::showLegendLock() {
     if (m_lock) m_lock->setVisible(showsMap() && m_session.frame());
 }
 
-void Viewport::paintLegend(QPainter& painter) const {
+void Viewport::paintLegend(QPainter& painter, const QSize& size) const {
     if (showsMap())
-        paintLegendCard(painter, m_widget.size(), m_looks.colours.measure, m_looks.colours.range,
-                        m_widget.palette(), m_dimension);
+        paintLegendCard(painter, size, m_looks.colours.measure, m_looks.colours.range, m_widget.palette(),
+                        m_dimension);
 }
 
 }  // namespace wend

@@ -65,8 +65,8 @@ class Viewport : public QObject {
     void redraw(int milliseconds);
     void marksPainted() { m_marksDue.stop(); }
     void takeFrame();
-    /// The legend of the map, at the lower right.
-    void paintLegend(QPainter& painter) const;
+    /// The legend of the map, at the lower right of the view or of a picture of that size.
+    void paintLegend(QPainter& painter, const QSize& size) const;
     void showLegendLock();
 
   signals:

@@ -105,6 +105,7 @@ void Viewport::move(QMouseEvent& event) {
     if (!m_active && m_over && tool != m_over) m_over->move(event);
     if (!tool) return;
     tool->move(event);
+    m_animation.hover(hovered());
     useTool(tool);
 }
 
@@ -137,6 +138,7 @@ void Viewport::release(QMouseEvent& event) {
 
 void Viewport::leave() {
     if (m_tool) m_tool->leave();
+    m_animation.hover(hovered());
     m_overlay.update();
     emit pointed({});
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/domain.h"
+#include "app/panels/smooth_map.h"
 #include "app/panels/theme.h"
 #include "app/session/caged_solid.h"
 #include "app/session/shape.h"
@@ -45,7 +46,9 @@ bool isEmbeddedInCage(const PosedFrame<3>& frame) {
 SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     : VolumeView(parent),
       m_session(session),
-      m_cutTool(*this, [this](const CutPlane& plane) { setCutPlane(plane); }),
+      m_cutTool(
+          *this, [this](const CutPlane& plane) { setCutPlane(plane); },
+          [this] { return m_viewport.tool() && m_viewport.tool()->hasManipulator(); }),
       m_overlay(new Overlay(*this)),
       m_viewport(*this, *this, *m_overlay, session, 3, &m_cutTool) {
     setMinimumSize(320, 240);
@@ -150,7 +153,8 @@ void SolidCanvas::refresh() {
     VolumePicture picture = plainPicture(*frame);
     if (m_viewport.showsMap()) addMap(picture, *frame);
     m_style.dimming = m_viewport.isDimmed() && picture.materials ? 0.5 : 0;
-    m_style.mapOpacity = m_viewport.showsMap() && picture.materials ? looks.colours.opacity : 0;
+    const bool hasMap = m_viewport.showsMap() && !isPainted(looks.colours.measure);
+    m_style.mapOpacity = hasMap && picture.materials ? looks.colours.opacity : 0;
     setStyle(m_style);
     const bool isNew = meetsNewDocument();
     if (isNew) {

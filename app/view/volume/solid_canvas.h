@@ -40,6 +40,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     std::optional<Vec<3>> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
+    bool showsManipulators() const override { return !m_cutTool.comesFirst(); }
 
     // Viewport::View
     void showLooks() override;
@@ -76,8 +77,6 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     bool hasLegend() const { return m_viewport.showsMap(); }
     /// While held, what is shown stays as it is, whatever is computed: rows of one picture are drawn.
     void setHeld(bool held);
-    /// The map's, at the top left.
-    void paintLegend(QPainter& painter) const;
 
   public slots:
     /// The same look from the same place as another canvas of that size, cut as it is.
@@ -115,6 +114,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;
     void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
+    void addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const;
     void applyTheme();
     Vec<3> normalToViewer() const;
     bool isCutOff(const Vec<3>& p) const { return cut() != CutKind::None && plane().height(p) > 1e-9; }

@@ -14,50 +14,64 @@ namespace {
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
 
-/// From 0 to 1.
-Points<3> coloursOfVertices(const SimplicialMesh<3>& rest, const std::vector<QRgb>& ofCells) {
-    const auto means = softColours<3>(rest, ofCells);
-    Points<3> colours(3, static_cast<Eigen::Index>(means.size()));
-    for (std::size_t v = 0; v < means.size(); ++v)
-        colours.col(static_cast<Eigen::Index>(v)) = means[v].head<3>() / 255;
-    return colours;
+QRgb withAlpha(QRgb colour, double alpha) {
+    return qRgba(qRed(colour), qGreen(colour), qBlue(colour), static_cast<int>(std::lround(255 * alpha)));
 }
 
-QRgb between(QRgb from, QRgb to, double part) {
-    const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
-    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
+/// Of cells, not premultiplied: edges that are sharp stay so.
+SolidPaint paintOf(const SimplicialMesh<3>& rest, const std::vector<QRgb>& ofCells,
+                   const std::vector<bool>& sharp) {
+    SolidPaint paint;
+    const auto means = softColours<3>(rest, ofCells);
+    paint.colours = paint.opacities = Points<3>::Zero(3, static_cast<Eigen::Index>(means.size()));
+    for (std::size_t v = 0; v < means.size(); ++v) {
+        paint.colours.col(static_cast<Eigen::Index>(v)) = means[v].head<3>() / 255;
+        paint.opacities(0, static_cast<Eigen::Index>(v)) = means[v][3] / 255;
+    }
+    for (std::size_t c = 0; c < ofCells.size(); ++c) {
+        const QRgb visible = (ofCells[c] & RGB_MASK) == 0 ? ofCells[c] | qRgba(1, 1, 1, 0) : ofCells[c];
+        paint.own.push_back(sharp[c] ? visible : 0);
+    }
+    return paint;
 }
 
 }  // namespace
 
 /// What is painted has its colour, the rest of the solid its own.
-void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
+void SolidCanvas::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const {
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
     const auto plain = plainValue(m_session, measure);
     const double plainPlace = plain ? positionIn(range, measure, *plain) : 0;
-    const auto own = [&, plainPlace](QRgb map, double place) {
-        const QRgb colour = m_viewport.isDimmed() ? dimmed(map) : map;
-        return plain ? between(plainColour(), colour, paintedPart(place, plainPlace)) : colour;
-    };
+    const auto values = cellValues<3>(frame, measure, {});
+    std::vector<QRgb> colours;
+    for (const double value : values) {
+        const double place = positionIn(range, measure, value);
+        const QRgb colour = colourAt(measure, place);
+        colours.push_back(withAlpha(m_viewport.isDimmed() ? dimmed(colour) : colour,
+                                    plain ? paintedPart(place, plainPlace) : 1));
+    }
+    picture.paint = paintOf(*frame.rest, colours, sharpCells<3>(*frame.rest, values));
+    const bool hasOwnColours = picture.materials && !picture.skin->materials.empty();
+    picture.paint.opacity = hasOwnColours ? paintOpacity(opacity) : 1;
+}
+
+void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
+    const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
+    if (isPainted(measure)) return addPaint(picture, frame);
+    const auto own = [&](QRgb map) { return m_viewport.isDimmed() ? dimmed(map) : map; };
     const auto values = cellValues<3>(frame, measure, fieldOf<3>(m_session, measure));
     picture.section.reset();
     picture.materials = picture.materials && !picture.skin->materials.empty();
     picture.cellColours.clear();
-    for (const double value : values) {
-        const double place = positionIn(range, measure, value);
-        picture.cellColours.push_back(own(colourAt(measure, place), place));
-    }
-    if (isPainted(measure)) {
-        picture.places = coloursOfVertices(*frame.rest, picture.cellColours);
-    } else if (smooth) {
-        const auto places = smoothPlaces<3>(*frame.rest, values, measure, range);
-        picture.places = Points<3>::Zero(3, frame.pose.cols());
-        picture.places.row(0) =
-            Eigen::Map<const Eigen::RowVectorXd>(places.data(), static_cast<Eigen::Index>(places.size()));
-        picture.ramp = colourRamp(measure);
-        for (std::size_t i = 0; i < picture.ramp.size(); ++i)
-            picture.ramp[i] = own(picture.ramp[i], double(i) / double(picture.ramp.size() - 1));
-    }
+    for (const double value : values)
+        picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
+    if (!smooth) return;
+    const auto places = smoothPlaces<3>(*frame.rest, values, measure, range);
+    picture.places = Points<3>::Zero(3, frame.pose.cols());
+    picture.places.row(0) =
+        Eigen::Map<const Eigen::RowVectorXd>(places.data(), static_cast<Eigen::Index>(places.size()));
+    picture.ramp = colourRamp(measure);
+    std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {

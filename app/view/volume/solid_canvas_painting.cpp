@@ -1,5 +1,4 @@
 // What lies over a solid.
-#include "app/panels/legend.h"
 #include "app/view/shape/shape_painter.h"
 #include "app/view/volume/solid_canvas.h"
 
@@ -41,7 +40,7 @@ void SolidCanvas::paintOver(QPainter& painter) {
         m_cutTool.paint(painter);
         if (const Tool* tool = m_viewport.tool()) tool->paint(painter);
     }
-    m_viewport.paintLegend(painter);
+    m_viewport.paintLegend(painter, size());
 }
 
 void SolidCanvas::paintMarks(QPainter& painter) {
@@ -55,23 +54,13 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (looks.hidden || !frame) return;
     const Theme theme = Theme::of(palette());
     ShapePainter<3> over(painter, *this, theme);
-    if (looks.map && isDistortion(measure)) over.worst(*frame, worstOf(*frame->distortion, measure).cell);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
     if (m_pointedOf == frame->shape) over.worst(*frame, m_pointedCell);
     m_onion.setShown(looks.onionSkin);
     m_onion.paintOutlines(painter, *this);
     if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
     over.paths(m_viewport.hovered());
     over.pins(m_viewport.animation(), m_viewport.hovered());
-}
-
-void SolidCanvas::paintLegend(QPainter& painter) const {
-    if (!hasLegend()) return;
-    const auto& map = m_viewport.looks().colours;
-    const QColor colour = Theme::of(palette()).secondText;
-    painter.setPen(colour);
-    constexpr QRect kBar(24, 24, 240, 40);
-    painter.drawText(kBar.bottomLeft(), measureName(map.measure, 3));
-    wend::paintLegend(painter, kBar, map.measure, map.range, colour);
 }
 
 }  // namespace wend

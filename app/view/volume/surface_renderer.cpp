@@ -96,7 +96,7 @@ void SurfaceRenderer::create(Triangles& triangles) {
     triangles.uv.bind();
     m_gl->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     triangles.places.bind();
-    m_gl->glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    m_gl->glVertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
 void SurfaceRenderer::createGlyphs(Triangles& glyphs) {
@@ -181,11 +181,11 @@ void SurfaceRenderer::setColours(Layer layer, const std::vector<QRgb>& colours) 
     fill(m_layers[layer].colours, colours);
 }
 
-void SurfaceRenderer::setMap(const std::vector<QRgb>& colours) {
-    fill(m_layers[Outer].map, colours);
+void SurfaceRenderer::setMap(Layer layer, const std::vector<QRgb>& colours) {
+    fill(m_layers[layer].map, colours);
 }
 
-void SurfaceRenderer::setPlaces(Layer layer, const std::vector<std::array<float, 3>>& places) {
+void SurfaceRenderer::setPlaces(Layer layer, const std::vector<Place>& places) {
     Triangles& triangles = m_layers[layer];
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
     triangles.isSmooth = !places.empty();
@@ -284,6 +284,7 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("backColour", toVector(style.backColour));
     program.setUniformValue("ownFromBehind", static_cast<float>(style.ownFromBehind));
     program.setUniformValue("edgeColour", toVector(style.edgeColour));
+    program.setUniformValue("lightEdgeColour", toVector(style.lightEdgeColour));
     program.setUniformValue("dimming", static_cast<float>(style.dimming));
     program.setUniformValue("colours", 0);
     program.setUniformValue("picture", 1);
@@ -310,7 +311,9 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
     program.setUniformValue("coloursOfTriangles", true);
     program.setUniformValue("isSmooth", triangles.isSmooth);
     program.setUniformValue("hasRamp", m_ramp != nullptr);
-    program.setUniformValue("mapOpacity", triangles.map ? static_cast<float>(mapOpacity) : 0.0F);
+    program.setUniformValue("isPaint", m_paint > 0);
+    const double opacity = m_paint > 0 ? m_paint : triangles.map ? mapOpacity : 0;
+    program.setUniformValue("mapOpacity", static_cast<float>(opacity));
     for (const DrawMesh::Part& part : triangles.parts) {
         const bool textured = materials && part.material >= 0 &&
                               part.material < static_cast<int>(m_textures.size()) &&

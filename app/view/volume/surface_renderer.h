@@ -30,6 +30,7 @@ struct SurfaceStyle {
     bool edges = true;
     double dimming = 0;  // 0 … 1: towards grey
     QColor edgeColour = QColor(20, 24, 32);
+    QColor lightEdgeColour = QColor(236, 238, 244);  // on what is dark
     QColor backColour = QColor(150, 92, 86);
     double ownFromBehind = 0;  // 0 … 1: how much of its own colour a face seen from behind keeps
     double mapOpacity = 0;     // 0 … 1: how much the colours of a map cover a surface that has its own
@@ -72,13 +73,17 @@ class SurfaceRenderer {
     void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
     /// One per triangle.
     void setColours(Layer layer, const std::vector<QRgb>& colours);
-    /// Those of a map over the outer surface, one per triangle: drawn where `style` has an opacity for it.
-    void setMap(const std::vector<QRgb>& colours);
+    /// Those of a map over the layer, one per triangle: drawn where `style` has an opacity for it.
+    void setMap(Layer layer, const std::vector<QRgb>& colours);
+    /// More than 0: what is painted lies over the colours, so opaque. Its own are the places, times their
+    /// opacity, or, where it is not 0, that of the triangle in the map.
+    void setPaint(double opacity) { m_paint = opacity; }
     /// Pictures of the skin's materials, null ones where there are none.
     void setTextures(const std::vector<QImage>& pictures);
     /// For colours that change smoothly, per vertex of the mesh: its place in the ramp of colours (the first
-    /// number) or, where there is no ramp, its own. None: each triangle has its own.
-    void setPlaces(Layer layer, const std::vector<std::array<float, 3>>& places);
+    /// number), or what is painted there. None: each triangle has its own.
+    using Place = std::array<float, 4>;
+    void setPlaces(Layer layer, const std::vector<Place>& places);
     /// The colours of the places from 0 to 1; none: there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
     /// Lines around the section: both ends of each.
@@ -128,7 +133,7 @@ class SurfaceRenderer {
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;
     std::unique_ptr<QOpenGLTexture> m_noTexture, m_ramp;
     Vec<3> m_centre = Vec<3>::Zero();  // of what is drawn: the GPU's floats count from there, in m_scale
-    double m_scale = 1;
+    double m_scale = 1, m_paint = 0;
     bool m_isSoftware = false;
     QString m_error;
 };

@@ -74,7 +74,8 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     if (picture.skin && picture.skin != m_textured) m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
                      picture.section != m_picture.section || picture.materials != m_picture.materials ||
-                     !isSame(picture.places, m_picture.places) || picture.ramp != m_picture.ramp;
+                     !isSame(picture.places, m_picture.places) || picture.ramp != m_picture.ramp ||
+                     picture.paint != m_picture.paint;
     m_glyphsStale = m_glyphsStale || !picture.marked.empty() || !m_picture.marked.empty();
     if (!samePose) {
         m_poseStale = true;

@@ -66,28 +66,40 @@ std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool skin) const {
 
 void VolumeView::uploadColours() {
     m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, showsSkin()));
-    if (m_style.mapOpacity > 0) m_renderer.setMap(coloursOf(m_outer, false));
+    if (m_style.mapOpacity > 0) m_renderer.setMap(SurfaceRenderer::Outer, coloursOf(m_outer, false));
     m_renderer.setColours(SurfaceRenderer::Section,
                           m_picture.section
                               ? std::vector<QRgb>(m_section.triangles.size(), *m_picture.section)
                               : coloursOf(m_section, false));
     m_renderer.setRamp(m_picture.ramp);
+    m_renderer.setPaint(m_picture.paint.opacity);
     uploadPlaces(SurfaceRenderer::Outer, m_outer, showsSkin());
     uploadPlaces(SurfaceRenderer::Section, m_section, false);
 }
 
 /// Linear within the cells, so that a section shows what its neighbours on the surface do.
 void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin) {
-    std::vector<std::array<float, 3>> places;
-    if (m_picture.places.cols() > 0) {
-        const Points<3> ofPoints = skin ? m_picture.embedding->interpolate(*m_picture.rest, m_picture.places)
-                                        : drawnPoints(mesh, m_picture.places);
+    const SolidPaint& paint = m_picture.paint;
+    const bool isPainted = paint.opacity > 0;
+    const auto onPoints = [&](const Points<3>& values) {
+        return skin ? m_picture.embedding->interpolate(*m_picture.rest, values) : drawnPoints(mesh, values);
+    };
+    std::vector<SurfaceRenderer::Place> places;
+    if (isPainted || m_picture.places.cols() > 0) {
+        const Points<3> ofPoints = onPoints(isPainted ? paint.colours : m_picture.places);
+        const Points<3> opacities =
+            isPainted ? onPoints(paint.opacities) : Points<3>::Zero(3, ofPoints.cols());
         for (const DrawMesh::Vertex& vertex : mesh.vertices) {
             const Eigen::Vector3f place = ofPoints.col(vertex.point).cast<float>();
-            places.push_back({place.x(), place.y(), place.z()});
+            const auto opacity = static_cast<float>(opacities(0, vertex.point));
+            places.push_back({place.x(), place.y(), place.z(), opacity});
         }
     }
     m_renderer.setPlaces(layer, places);
+    if (!isPainted) return;
+    std::vector<QRgb> own;
+    for (const int c : mesh.cells) own.push_back(paint.own[c]);
+    m_renderer.setMap(layer, own);
 }
 
 /// What is marked is drawn with the surface where it is seen.
