@@ -40,33 +40,13 @@ Points<Dim> centroids(const SimplicialMesh<Dim>& mesh) {
     return result;
 }
 
-/// Of each cell of the body the mean over the shape's cells in it, by volume; where there is none, what the
-/// shape has at the cell's centroid.
+/// Where the middles of a mesh's cells are in another one.
 template <int Dim>
-Material<Dim> coarseMaterial(const Shape<Dim>& shape, const SimplicialMesh<Dim>& body) {
-    const SimplicialMesh<Dim>& fine = *shape.rest;
-    const Material<Dim>& from = *shape.material;
-    const bool anisotropic = !from.anisotropy.empty();
-    Material<Dim> material = from;
-    material.smoothing.length *=
-        shapeSize<Dim>(fine.points, fine.cells).size / shapeSize<Dim>(body.points, body.cells).size;
-    material.phi.assign(body.cells.size(), 0);
-    if (anisotropic) material.anisotropy.assign(body.cells.size(), Mat<Dim>::Zero());
-    std::vector<double> volume(body.cells.size(), 0);
-    const auto add = [&](int to, int cell, double part) {
-        volume[to] += part;
-        material.phi[to] += part * from.phi[cell];
-        if (anisotropic) material.anisotropy[to] += part * from.anisotropy[cell];
-    };
-    const Embedding<Dim> fineCells(body, centroids(fine)), bodyCells(fine, centroids(body));
-    for (int c = 0; c < fine.cellCount(); ++c)
-        add(fineCells.cell(c), c, std::abs(cellMeasure<Dim>(fine.points, fine.cells[c])));
-    for (int c = 0; c < body.cellCount(); ++c) {
-        if (volume[c] == 0) add(c, bodyCells.cell(c), 1);
-        material.phi[c] /= volume[c];
-        if (anisotropic) material.anisotropy[c] /= volume[c];
-    }
-    return material;
+std::vector<int> cellsIn(const SimplicialMesh<Dim>& other, const SimplicialMesh<Dim>& mesh) {
+    const Embedding<Dim> middles(other, centroids(mesh));
+    std::vector<int> cells;
+    for (int c = 0; c < mesh.cellCount(); ++c) cells.push_back(middles.cell(c));
+    return cells;
 }
 
 template <int Dim>
@@ -244,10 +224,46 @@ template <int Dim>
 CoarseBody<Dim>::CoarseBody(const Shape<Dim>& shape, SimplicialMesh<Dim> mesh)
     : m_fine(shape.rest),
       m_rest(std::make_shared<const SimplicialMesh<Dim>>(std::move(mesh))),
-      m_material(std::make_shared<const Material<Dim>>(coarseMaterial<Dim>(shape, *m_rest))),
       m_neighbours(neighboursIn<Dim>(*m_rest)),
       m_shapeInBody(*m_rest, m_fine->points),
-      m_bodyInShape(*m_fine, m_rest->points) {}
+      m_bodyInShape(*m_fine, m_rest->points),
+      m_cellsInBody(cellsIn<Dim>(*m_rest, *m_fine)),
+      m_bodyCells(cellsIn<Dim>(*m_fine, *m_rest)) {
+    m_material = std::make_shared<const Material<Dim>>(coarse(*shape.material));
+}
+
+template <int Dim>
+std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::with(const Material<Dim>& material) const {
+    auto other = std::make_shared<CoarseBody>(*this);
+    other->m_material = std::make_shared<const Material<Dim>>(coarse(material));
+    return other;
+}
+
+/// Of each cell of the body the mean over the shape's cells in it, by volume; where there is none, what the
+/// shape has at the cell's centroid.
+template <int Dim>
+Material<Dim> CoarseBody<Dim>::coarse(const Material<Dim>& from) const {
+    const bool anisotropic = !from.anisotropy.empty();
+    Material<Dim> material = from;
+    material.smoothing.length *= shapeSize<Dim>(m_fine->points, m_fine->cells).size /
+                                 shapeSize<Dim>(m_rest->points, m_rest->cells).size;
+    material.phi.assign(m_rest->cells.size(), 0);
+    if (anisotropic) material.anisotropy.assign(m_rest->cells.size(), Mat<Dim>::Zero());
+    std::vector<double> volume(m_rest->cells.size(), 0);
+    const auto add = [&](int to, int cell, double part) {
+        volume[to] += part;
+        material.phi[to] += part * from.phi[cell];
+        if (anisotropic) material.anisotropy[to] += part * from.anisotropy[cell];
+    };
+    for (int c = 0; c < m_fine->cellCount(); ++c)
+        add(m_cellsInBody[c], c, std::abs(cellMeasure<Dim>(m_fine->points, m_fine->cells[c])));
+    for (int c = 0; c < m_rest->cellCount(); ++c) {
+        if (volume[c] == 0) add(c, m_bodyCells[c], 1);
+        material.phi[c] /= volume[c];
+        if (anisotropic) material.anisotropy[c] /= volume[c];
+    }
+    return material;
+}
 
 template <int Dim>
 std::optional<typename CoarseBody<Dim>::Held> CoarseBody<Dim>::held(

@@ -133,7 +133,7 @@ bool MotionPass<Dim>::begin(const Sink& sink, const std::stop_token& stop) {
         m_sent = {0};
         m_restSent = true;
     }
-    if (!makeDeformer(stop)) return false;
+    if (!makeDeformer(sink, stop)) return false;
     if (!m_cache.last()) m_cache.add(m_deformer->state());
     m_begun = true;
     return true;
@@ -142,9 +142,10 @@ bool MotionPass<Dim>::begin(const Sink& sink, const std::stop_token& stop) {
 /// In a thread of its own: what cannot be stopped must not keep a drag waiting. One that was for another
 /// project becomes one for this when it is ready.
 template <int Dim>
-bool MotionPass<Dim>::makeDeformer(const std::stop_token& stop) {
+bool MotionPass<Dim>::makeDeformer(const Sink& sink, const std::stop_token& stop) {
     while (true) {
         if (!m_making.valid()) beginMaking();
+        if (sink.meanwhile && !stop.stop_requested()) sink.meanwhile();
         do {
             if (stop.stop_requested()) return false;
         } while (m_making.wait_for(kLookUp) != std::future_status::ready);

@@ -20,6 +20,7 @@ class MotionPass {
     struct Sink {
         std::function<void(const State<Dim>&, double pinError)> onFrame;
         std::function<void(double time, double end)> progress;
+        std::function<void()> meanwhile;  // while what cannot be stopped goes on in a thread of its own
     };
 
     /// The problem from now on; what earlier frames are worth.
@@ -44,7 +45,7 @@ class MotionPass {
 
   private:
     bool begin(const Sink& sink, const std::stop_token& stop);
-    bool makeDeformer(const std::stop_token& stop);
+    bool makeDeformer(const Sink& sink, const std::stop_token& stop);
     void beginMaking();
     std::vector<double> frameTimes(double from, double to) const;
     std::vector<double> breakpoints() const;

@@ -109,7 +109,8 @@ typename ShapeEngineOf<Dim>::Seen ShapeEngineOf<Dim>::seen(const BeginDrag& requ
     if (!frame) return {};
     const bool isCurrent = m_shape && frame->rest == m_shape->rest;  // with the newest material
     const BuiltPtr shape = isCurrent ? m_shape : frame->built;
-    if (m_live && frame->live && frame->gesture == m_gesture && frame->rest == m_held.shape->rest)
+    const bool isNewest = frame->live && frame->gesture == m_gesture;
+    if (m_live && isNewest && m_led == m_gesture && frame->rest == m_held.shape->rest)
         return {shape, m_live->pose(), request.time};
     return {shape, frame->pose, request.time};
 }
@@ -129,6 +130,7 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
             dragged.push_back(static_cast<int>(i));
     const auto held = prepareDrag(m_held.shape, m_held.time);
     m_live->begin(std::move(dragged), request.grip, m_held.pose, held, request.time);
+    m_led = m_gesture;
 } catch (const InputError& error) {
     m_refusal = messageOf(error);
     m_live.reset();
@@ -154,15 +156,27 @@ std::vector<Handle<Dim>> ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, 
     std::vector<Handle<Dim>> own;
     for (const int h : activeHandles(time)) own.push_back(all[h]);
     own.insert(own.end(), all.begin() + static_cast<std::ptrdiff_t>(handles().size()), all.end());
-    if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, own, bodyOf(shape));
+    if (m_live && m_live->fits(*shape, own)) return own;
+    m_live.emplace(*shape, own, bodyOf(shape));
+    m_led = 0;
     return own;
 }
 
-/// Other handles, and other ones that act, ride in the same body.
+/// The next one begins promptly. What is wrong with it is told when it is tried.
+template <int Dim>
+void ShapeEngineOf<Dim>::readyDrag() try {
+    prepareDrag(m_shape, motionEnd(*m_project));
+} catch (const InputError&) {
+    m_live.reset();
+}
+
+/// Other handles, other ones that act, and other materials ride in the same body.
 template <int Dim>
 std::shared_ptr<const CoarseBody<Dim>> ShapeEngineOf<Dim>::bodyOf(const BuiltPtr& shape) {
-    const bool isKnown = m_bodyOf && m_bodyOf->rest == shape->rest && m_bodyOf->material == shape->material;
-    if (!isKnown) m_body = CoarseBody<Dim>::of(*shape);
+    if (!m_bodyOf || m_bodyOf->rest != shape->rest)
+        m_body = CoarseBody<Dim>::of(*shape);
+    else if (m_body && m_bodyOf->material != shape->material)
+        m_body = m_body->with(*shape->material);
     m_bodyOf = shape;
     return m_body;
 }
@@ -203,15 +217,11 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
         m_sink.frameReady(frame);
     };
     sink.progress = m_sink.progress;
+    sink.meanwhile = [this] { readyDrag(); };
     m_pass.run(sink, stop);
     if (!m_pass.isFinished()) return;
     tellFinished();
-    if (stop.stop_requested()) return;
-    try {
-        prepareDrag(m_shape, motionEnd(*m_project));
-    } catch (const InputError&) {  // told when it is tried
-        m_live.reset();
-    }
+    if (!stop.stop_requested()) readyDrag();
 }
 
 /// Whatever goes wrong here, the motion is what counts; what is wrong with it is told there.

@@ -29,6 +29,8 @@ class ShapeEngine {
     virtual int dimension() const = 0;
     /// True if there is nothing to compute without another request.
     virtual bool isIdle() const = 0;
+    /// For tests: whether the next drag begins without an analysis.
+    virtual bool isReadyForDrag() const = 0;
     /// What is to be made; work() makes it.
     virtual void setShape(const SetShape& request) = 0;
     /// Begins at once, from what is seen; what was to be made goes on afterwards.
@@ -52,6 +54,7 @@ class ShapeEngineOf : public ShapeEngine {
     bool isIdle() const override {
         return m_dragging || (!m_wanted && !m_asked && (!m_pass.isSet() || m_pass.isFinished()));
     }
+    bool isReadyForDrag() const override { return m_live.has_value(); }
     void setShape(const SetShape& request) override;
     void beginDrag(const BeginDrag& request) override;
     void dragTo(const DragTo& request) override;
@@ -71,6 +74,7 @@ class ShapeEngineOf : public ShapeEngine {
     };
     Seen seen(const BeginDrag& request) const;
     std::vector<Handle<Dim>> prepareDrag(const BuiltPtr& shape, double time);
+    void readyDrag();
     std::shared_ptr<const CoarseBody<Dim>> bodyOf(const BuiltPtr& shape);
     bool recall(const Shape<Dim>& shape);
     void build(std::stop_token stop);
@@ -102,6 +106,7 @@ class ShapeEngineOf : public ShapeEngine {
     bool m_dragging = false;
     Seen m_held;            // of the drag that goes on
     int m_gesture = 0;      // its number
+    int m_led = 0;          // of the drag that the live one has led; 0: none yet
     std::string m_refusal;  // why it cannot move anything
     struct Measured {       // of the rest mesh of the last frame
         std::shared_ptr<const SimplicialMesh<Dim>> rest;

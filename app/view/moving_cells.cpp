@@ -12,8 +12,9 @@ namespace wend {
 
 namespace {
 
-constexpr int kMany = 20000;       // cells from which on drawing them is what takes the time
-constexpr int kFirst = 2000;       // vertices to begin with, the outline's not counted
+constexpr int kMany = 8000;        // cells from which on drawing them is what takes the time
+constexpr int kFirst = 2000;       // vertices to begin with at most, the outline's not counted,
+constexpr int kFirstPart = 6;      // and at most this part of them
 constexpr int kWorthwhile = 3;     // more than a third of the shape's vertices are not worth their while
 constexpr int kRounds = 6;         // for one pose
 constexpr double kAnotherTry = 2;  // times the tolerance with which all cells had to be drawn
@@ -62,7 +63,8 @@ void MovingCells::thinOut() {
     for (const auto& edge : m_plan->outline) std::ranges::for_each(edge, take);
     double area = 0;
     for (const Cell<2>& cell : m_rest->cells) area += std::abs(cellMeasure<2>(m_rest->points, cell));
-    const double side = std::sqrt(area / kFirst);
+    const int first = std::min<int>(kFirst, static_cast<int>(m_used.size()) / kFirstPart);
+    const double side = std::sqrt(area / first);
     std::map<std::pair<long, long>, int> nearest;  // to the middle of each square
     const auto squared = [&](int vertex) {
         const Vec<2> at = m_rest->points.col(vertex) / side;

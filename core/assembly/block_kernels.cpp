@@ -1,6 +1,6 @@
 #include "core/assembly/block_kernels.h"
 
-#include "core/factor/run_time_dispatch.h"
+#include "core/system/run_time_dispatch.h"
 
 namespace wend::isotropic {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/factor/run_time_dispatch.h"
+#include "core/system/run_time_dispatch.h"
 
 // Every loop over cells or facets is written so that the compiler vectorizes it: no call, no branch, inner
 // loops of constant length. Clones cannot be templates: each has a body that is inlined into two of them.

@@ -2,10 +2,11 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/energy/cell_energy.h"
+#include "core/energy/stretches.h"
 
 namespace wend {
 namespace {
@@ -33,32 +34,58 @@ CellDistortion measure(const Vec<Dim>& sigma) {
     return d;
 }
 
-/// Half the sum and half the difference of both, each of a conformal or anticonformal part of F.
-Vec<2> singularValues(const Mat<2>& F) {
-    const double kept = std::hypot(F(0, 0) + F(1, 1), F(1, 0) - F(0, 1)),
-                 lost = std::hypot(F(0, 0) - F(1, 1), F(1, 0) + F(0, 1));
-    return {(kept + lost) / 2, std::abs(kept - lost) / 2};
+/// By rotations, which lose nothing.
+template <int Dim>
+Vec<Dim> singularValues(const Mat<Dim>& F) {
+    return Eigen::JacobiSVD<Mat<Dim>>(F).singularValues();
 }
 
-/// √(1 + δ) of the eigenvalues δ of the strain FᵀF − I, which is 0 where F is rigid, by the cosines of a
-/// third of an angle. Where F is far from rigid, by rotations, which lose nothing there.
-Vec<3> singularValues(const Mat<3>& F) {
-    constexpr double kLeast = 0.05, kMost = 20;  // of the eigenvalues of FᵀF
-    Mat<3> B = F.transpose() * F;
-    B.diagonal().array() -= 1;
-    const double mean = B.trace() / 3;
-    B.diagonal().array() -= mean;
-    const double size = std::sqrt(B.squaredNorm() / 6);
-    Vec<3> delta = Vec<3>::Constant(mean);
-    if (size > 0) {
-        const double third = std::acos(std::clamp((B / size).determinant() / 2, -1.0, 1.0)) / 3;
-        const double c = size * std::cos(third), s = std::sqrt(3.0) * size * std::sin(third);
-        delta += Vec<3>(2 * c, s - c, -s - c);
+/// Cell by cell, from as many maps as are computed at once.
+template <int Dim>
+class Maps {
+  public:
+    Maps(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) : m_rest(rest), m_pose(pose) {}
+
+    /// Of the cell after the last one.
+    struct Of {
+        double weight;  // proportional to its volume at rest
+        Vec<Dim> sigma;
+        double determinant;
+    };
+    Of next() {
+        const int i = m_next++ % kCells;
+        if (i == 0) compute();
+        Of map{m_weights[i], {}, m_stretches.determinant[i]};
+        for (int k = 0; k < Dim; ++k) map.sigma[k] = m_stretches.sigma[k][i];
+        if (!m_stretches.isExact[i]) map.sigma = singularValues<Dim>(mapAt(i));
+        return map;
     }
-    if (!(1 + delta.minCoeff() > kLeast && 1 + delta.maxCoeff() < kMost))
-        return Eigen::JacobiSVD<Mat<3>>(F).singularValues();
-    return (1 + delta.array()).sqrt();
-}
+
+  private:
+    static constexpr int kCells = Stretches<Dim>::kCells;
+
+    void compute() {
+        for (int i = 0; i < kCells && m_placed < m_rest.cellCount(); ++i, ++m_placed) {
+            const Cell<Dim>& cell = m_rest.cells[m_placed];
+            const Mat<Dim> restEdges = edgeMatrix<Dim>(m_rest.points, cell);
+            const Mat<Dim> F = edgeMatrix<Dim>(m_pose, cell) * restEdges.inverse();
+            m_weights[i] = std::abs(restEdges.determinant());
+            for (int k = 0; k < Dim * Dim; ++k) m_stretches.maps[k][i] = F.data()[k];
+        }
+        computeStretches(m_stretches);
+    }
+    Mat<Dim> mapAt(int i) const {
+        Mat<Dim> F;
+        for (int k = 0; k < Dim * Dim; ++k) F.data()[k] = m_stretches.maps[k][i];
+        return F;
+    }
+
+    const SimplicialMesh<Dim>& m_rest;
+    const Points<Dim>& m_pose;
+    int m_next = 0, m_placed = 0;
+    Stretches<Dim> m_stretches{};
+    std::array<double, kCells> m_weights{};
+};
 
 }  // namespace
 
@@ -68,11 +95,10 @@ Distortion distortion(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) 
     for (auto* values : {&result.angle, &result.volume, &result.metric, &result.ratio})
         values->reserve(rest.cells.size());
     double restMeasure = 0, worst = -1;
+    Maps<Dim> maps(rest, pose);
     for (int c = 0; c < rest.cellCount(); ++c) {
-        const Mat<Dim> restEdges = edgeMatrix<Dim>(rest.points, rest.cells[c]);
-        const Mat<Dim> F = edgeMatrix<Dim>(pose, rest.cells[c]) * restEdges.inverse();
-        const auto cell = measure<Dim>(singularValues(F));
-        const double weight = std::abs(restEdges.determinant()), det = F.determinant();
+        const auto [weight, sigma, det] = maps.next();
+        const auto cell = measure<Dim>(sigma);
         restMeasure += weight;
         result.totalAngle += weight * cell.angle;
         result.totalVolume += weight * cell.volume;

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "core/factor/dense_kernels.h"
-#include "core/factor/run_time_dispatch.h"
+#include "core/system/run_time_dispatch.h"
 
 // 64 bytes: one register with AVX-512, two with AVX2, four with SSE. The compiler's vector extension keeps
 // the accumulators in registers where arrays of accumulators would be spilled. No function takes or returns

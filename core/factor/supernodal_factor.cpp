@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <new>
 #include <numeric>
 
 #include "core/factor/dense_kernels.h"
@@ -10,12 +11,15 @@
 namespace wend {
 namespace {
 
-/// `count` zeros and a cache line behind them; returns the first that is aligned to a cache line.
+/// `count` zeros and a cache line behind them; returns the first that is aligned to a cache line. The system
+/// gives large ones as they are first written to: by all threads, and within what can be stopped.
 template <class Real>
-Real* allocate(std::vector<Real>& storage, std::size_t count) {
-    storage.assign(count + 2 * dense::kPad<Real>, Real(0));
-    const auto address = reinterpret_cast<std::uintptr_t>(storage.data());
-    return storage.data() + (64 - address % 64) % 64 / sizeof(Real);
+Real* allocate(std::unique_ptr<Real[], Freed>& storage, std::size_t count) {
+    storage.reset();  // never two at a time
+    storage.reset(static_cast<Real*>(std::calloc(count + 2 * dense::kPad<Real>, sizeof(Real))));
+    if (!storage) throw std::bad_alloc();
+    const auto address = reinterpret_cast<std::uintptr_t>(storage.get());
+    return storage.get() + (64 - address % 64) % 64 / sizeof(Real);
 }
 
 // A front with less work is left to one thread: the hand-over takes some microseconds.

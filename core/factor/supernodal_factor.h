@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdlib>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -9,6 +11,11 @@
 #include "core/factor/worker_pool.h"
 
 namespace wend {
+
+/// Gives back what the C library allocated.
+struct Freed {
+    void operator()(void* memory) const { std::free(memory); }
+};
 
 /// A supernodal multifrontal Cholesky factorization. In double precision it solves, on small fronts, in half
 /// of CHOLMOD's time; in single precision in half of that again (half the bytes, twice the lanes), as a
@@ -74,12 +81,13 @@ class SupernodalFactor {
     std::vector<int> m_entryStart;  // per supernode: into m_entries
     std::vector<Entry> m_entries;
 
-    std::vector<Real> m_storage, m_inverse;
+    std::unique_ptr<Real[], Freed> m_storage;
+    std::vector<Real> m_inverse;
     Real* m_panels = nullptr;
 
     // Update matrices: those of the subtrees' roots, then the stacks of the separator and of every thread.
     std::vector<char> m_isSubtreeRoot;  // per supernode: the root of a subtree
-    std::vector<Real> m_updateStorage;
+    std::unique_ptr<Real[], Freed> m_updateStorage;
     Real* m_updates = nullptr;
     std::size_t m_separatorStacks = 0, m_threadStacks = 0,
                 m_stackSize = 0;  // where they begin; of one thread

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/factor/run_time_dispatch.h"
+#include "core/system/run_time_dispatch.h"
 
 namespace wend {
 namespace {

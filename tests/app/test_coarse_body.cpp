@@ -363,6 +363,10 @@ void TestCoarseBody::keepsWhatTheShapeKeeps() {
         shape.material = std::make_shared<const Material<Dim>>(halves);
         const auto body = bodyOf(shape);
         QCOMPARE(body->material()->memory, 0.5);
+        // The same where the body was first made of another material.
+        const auto other = bodyOf(bar<Dim>())->with(halves);
+        QCOMPARE(other->material()->phi, body->material()->phi);
+        QVERIFY(other->material()->anisotropy == body->material()->anisotropy);
         QCOMPARE(body->material()->phi.size(), body->rest()->cells.size());
         int left = 0, right = 0;
         for (int c = 0; c < body->rest()->cellCount(); ++c) {

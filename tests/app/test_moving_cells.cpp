@@ -18,6 +18,7 @@ class TestMovingCells : public QObject {
     void outlineIsTheShapesOwn();
     void moreAreTakenWhereItBends();
     void unusedVerticesDoNotMatter();
+    void usualMeshesAreDrawnSo();
     void whatIsNotWorthwhileIsDrawnWhole();
     void pictureIsTheSame_data();
     void pictureIsTheSame();
@@ -175,8 +176,19 @@ void TestMovingCells::unusedVerticesDoNotMatter() {
     for (const Cell<2>& cell : drawn->cells) QVERIFY(std::ranges::find(cell, inHole) == cell.end());
 }
 
+/// Those of a picture with the number of vertices that it gets by itself.
+void TestMovingCells::usualMeshesAreDrawnSo() {
+    const MeshPtr mesh = gridOf(74);
+    QVERIFY(mesh->vertexCount() < 5700);
+    Points<2> pose = mesh->points;
+    for (Eigen::Index v = 0; v < pose.cols(); ++v) pose(0, v) += 15 * std::sin(0.01 * pose(1, v));
+    const auto drawn = MovingCells().of(mesh, nullptr, pose, 0.5);
+    QVERIFY(drawn && 2 * drawn->cells.size() < mesh->cells.size());
+    QVERIFY(farthest(*mesh, drawn->cells, pose) <= 0.5 + 1e-9);
+}
+
 void TestMovingCells::whatIsNotWorthwhileIsDrawnWhole() {
-    const MeshPtr small = gridOf(90), mesh = gridOf(kSide);
+    const MeshPtr small = gridOf(55), mesh = gridOf(kSide);
     QVERIFY(!MovingCells().of(small, nullptr, small->points, 1));
     // Noise that no fewer cells follow; and where it is allowed to be off as far again, it is tried again.
     Points<2> noisy = mesh->points;

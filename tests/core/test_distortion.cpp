@@ -110,6 +110,25 @@ void weightedTotals() {
     QVERIFY(d.minDet < 1);
 }
 
+/// However many cells there are: each is measured as if it were alone, also where another one is far from
+/// rigid.
+template <int Dim>
+void cellsAreMeasuredOneByOne() {
+    std::mt19937 random(6);
+    const auto mesh = unitGrid<Dim>(Dim == 2 ? 13 : 5, 0.2, random);
+    Points<Dim> pose = mesh.points + 0.02 * randomField<Dim>(random, mesh.vertexCount());
+    for (Eigen::Index v = 0; v < pose.cols(); v += 7) pose.col(v) *= 3;
+    const auto all = distortion<Dim>(mesh, pose);
+    QVERIFY(mesh.cellCount() > 300 && all.flips > 0 && all.flips < mesh.cellCount() / 2);
+    for (int c = 0; c < mesh.cellCount(); ++c) {
+        const auto one = distortion<Dim>(SimplicialMesh<Dim>{mesh.points, {mesh.cells[c]}}, pose);
+        QCOMPARE(all.angle[c], one.angle[0]);
+        QCOMPARE(all.volume[c], one.volume[0]);
+        QCOMPARE(all.metric[c], one.metric[0]);
+        QCOMPARE(all.ratio[c], one.ratio[0]);
+    }
+}
+
 template <int Dim>
 void flipsAreCounted() {
     std::mt19937 random(4);
@@ -132,6 +151,10 @@ class TestDistortion : public QObject {
     Q_OBJECT
 
   private slots:
+    void oneByOne() {
+        cellsAreMeasuredOneByOne<2>();
+        cellsAreMeasuredOneByOne<3>();
+    }
     void rigid() {
         for (bool negative : {false, true}) {
             rigidIsNothing<2>(negative);
