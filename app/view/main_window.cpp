@@ -166,9 +166,9 @@ void MainWindow::showTools() {
 }
 
 void MainWindow::makeCentre() {
-    const auto toView = [this] { m_pages->currentWidget()->setFocus(); };
-    connect(m_properties, &Properties::done, this, toView);
-    connect(new PanelFields(*m_time), &PanelFields::done, this, toView);
+    connect(m_properties, &Properties::done, this, &MainWindow::focusView);
+    connect(new PanelFields(*m_time), &PanelFields::done, this, &MainWindow::focusView);
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::followFocus);
     auto* centre = new QWidget(this);
     auto* row = new QHBoxLayout(centre);
     row->setContentsMargins(0, 0, 0, 0);
@@ -188,7 +188,7 @@ void MainWindow::makeCentre() {
     column->addWidget(m_time);
     row->addLayout(column, 1);
     row->addWidget(m_rail = new PropertiesRail(*m_properties, *m_actions->showProperties, centre));
-    connect(m_rail, &PropertiesRail::done, this, toView);
+    connect(m_rail, &PropertiesRail::done, this, &MainWindow::focusView);
     setCentralWidget(centre);
 }
 
@@ -346,7 +346,7 @@ void MainWindow::showDocument() {
     m_solids->showDomain();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_rail, m_time, m_toolBar, m_topBar, m_options})
         widget->setVisible(has);
-    if (has) shape->setFocus();
+    focusView();
     m_fields->setVisible(has);
     m_fields->forgetTold();
     showSelection();

@@ -105,6 +105,8 @@ class MainWindow : public QMainWindow {
     void showMoreArrows();
 
     ShapeSession m_session;
+    void focusView();
+    void followFocus(const QWidget* from, const QWidget* to);
     Toolbox* m_tools;
     Actions* m_actions;
     SolidActions* m_solidActions;

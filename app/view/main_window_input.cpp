@@ -41,9 +41,20 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
     m_pages->currentWidget()->setFocus();
+    focusView();
+}
+
+/// The shape, or the start page.
+void MainWindow::focusView() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+/// What vanishes while it has the keyboard, a banner's button or a panel's field, gives it to the view: Qt
+/// takes whatever comes next.
+void MainWindow::followFocus(const QWidget* from, const QWidget* to) {
+    if (isAncestorOf(from) && isAncestorOf(to) && !from->isVisibleTo(this)) focusView();
+}
+
     event->setAccepted(m_files->mayLeave());
 }
 
