@@ -698,6 +698,10 @@
         <source>%1; a detail of %2 and cells of at most %3 open the widest</source>
         <translation>%1; un detalle de %2 y celdas de %3 como máximo abren el más ancho</translation>
     </message>
+    <message>
+        <source>a list of points without a surface</source>
+        <translation>una lista de puntos sin superficie</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -708,10 +712,6 @@
 </context>
 <context>
     <name>CurveEditor</name>
-    <message>
-        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
-        <translation>Arrastre el punto de la curva, con Ctrl una sola dirección; Supr lo elimina, el clic derecho ofrece más</translation>
-    </message>
     <message>
         <source>Double-click to insert a point into the curve</source>
         <translation>Haga doble clic para insertar un punto en la curva</translation>
@@ -731,6 +731,10 @@
     <message>
         <source>The ends of a curve must stay.</source>
         <translation>Los extremos de una curva deben quedarse.</translation>
+    </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Arrastre el punto de la curva, en línea recta con Mayús, con Ctrl una sola dirección; Supr lo elimina, el clic derecho ofrece más</translation>
     </message>
 </context>
 <context>
@@ -917,10 +921,6 @@
 <context>
     <name>GradientTool</name>
     <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
-        <translation>Arrastre sobre la forma: lo que hay pasa gradualmente a lo elegido a la derecha; Alt toma una muestra, Esc cancela</translation>
-    </message>
-    <message>
         <source>Move gradient</source>
         <translation>Mover degradado</translation>
     </message>
@@ -931,6 +931,10 @@
     <message>
         <source>Blend to %1</source>
         <translation>Degradado hacia %1</translation>
+    </message>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <translation>Arrastre sobre la forma: lo que hay pasa gradualmente a lo elegido a la derecha; Mayús en pasos de 45°, Alt toma una muestra, Esc cancela</translation>
     </message>
 </context>
 <context>
@@ -1480,10 +1484,6 @@
         <translation>Rodee lo que también deba deformarse; con Ctrl se quita. Esc cancela</translation>
     </message>
     <message>
-        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
-        <translation>Haga clic esquina a esquina, el doble clic cierra; Ctrl quita, Retroceso deshace una esquina, Esc cancela</translation>
-    </message>
-    <message>
         <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
         <translation>Pase el pincel sobre lo que también deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
     </message>
@@ -1529,6 +1529,22 @@
     <message>
         <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
         <translation>El contorno es desde ahora como usted lo dibuja y no tiene margen. «Recorte» como contorno recupera el encontrado.</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Rodee lo que deba deformarse; con Ctrl se quita. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Haga clic esquina a esquina, Mayús en pasos de 45°, el doble clic cierra; Ctrl quita, Retroceso deshace una esquina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <translation>Pase el pincel sobre lo que deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Haga clic en un color que deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
     </message>
 </context>
 <context>
@@ -1730,14 +1746,6 @@
         <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
     </message>
     <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
-    </message>
-    <message>
-        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
         <translation>Haga clic en la forma para poner un alfiler, arrastre para deformarla al momento; fuera de ella, rodee alfileres para seleccionarlos</translation>
     </message>
@@ -1760,6 +1768,14 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Mayús mantiene la línea recta; X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Mayús mantiene la línea recta; X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
     </message>
 </context>
 <context>
@@ -1801,6 +1817,121 @@
     <message>
         <source>Region</source>
         <translation>Región</translation>
+    </message>
+</context>
+<context>
+    <name>SampleNames</name>
+    <message>
+        <source>back</source>
+        <translation>espalda</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>cuerpo</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>cara</translation>
+    </message>
+    <message>
+        <source>far front hoof</source>
+        <translation>casco delantero lejano</translation>
+    </message>
+    <message>
+        <source>far hind hoof</source>
+        <translation>casco trasero lejano</translation>
+    </message>
+    <message>
+        <source>front hoof</source>
+        <translation>casco delantero</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>hind hoof</source>
+        <translation>casco trasero</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>codo izquierdo</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>extremo izquierdo</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>ojo izquierdo</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>pie izquierdo</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>mano izquierda</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>brazo inferior izquierdo</translation>
+    </message>
+    <message>
+        <source>left middle arm</source>
+        <translation>brazo medio izquierdo</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>brazo superior izquierdo</translation>
+    </message>
+    <message>
+        <source>left wing</source>
+        <translation>ala izquierda</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>extremo derecho</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>ojo derecho</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>pie derecho</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>brazo inferior derecho</translation>
+    </message>
+    <message>
+        <source>right middle arm</source>
+        <translation>brazo medio derecho</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>brazo superior derecho</translation>
+    </message>
+    <message>
+        <source>right wing</source>
+        <translation>ala derecha</translation>
+    </message>
+    <message>
+        <source>rump</source>
+        <translation>grupa</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>hombro</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>rígido</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>cola</translation>
     </message>
 </context>
 <context>
@@ -3345,6 +3476,18 @@
             <numerusform>%n celdas</numerusform>
         </translation>
     </message>
+    <message>
+        <source>That is looked for once the pose rests.</source>
+        <translation>Se busca en cuanto la pose está en reposo.</translation>
+    </message>
+    <message>
+        <source>There is no such place.</source>
+        <translation>No hay ningún lugar así.</translation>
+    </message>
+    <message>
+        <source>No place is farther from rest than another.</source>
+        <translation>Ningún lugar está más lejos del reposo que otro.</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -4083,16 +4226,8 @@
         <translation>Hablar el idioma del escritorio, si Wend lo conoce</translation>
     </message>
     <message>
-        <source>Speak %1 from the next start on</source>
-        <translation>Hablar %1 a partir del próximo inicio</translation>
-    </message>
-    <message>
-        <source>Wend speaks English from its next start.</source>
-        <translation>Wend hablará español a partir del próximo inicio.</translation>
-    </message>
-    <message>
-        <source>Start Again</source>
-        <translation>Reiniciar</translation>
+        <source>Speak %1</source>
+        <translation>Hablar %1</translation>
     </message>
 </context>
 <context>
@@ -4268,6 +4403,26 @@
     <message>
         <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
         <translation>La rigidez ×1 no tiene dirección: elija primero cuántas veces más rígido es.</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell stays lowest.</source>
+        <translation>Lo que un archivo dice de cada celda se queda abajo del todo.</translation>
+    </message>
+    <message>
+        <source>It is the lowest layer already.</source>
+        <translation>Ya es la capa más baja.</translation>
+    </message>
+    <message>
+        <source>It is the topmost layer already.</source>
+        <translation>Ya es la capa más alta.</translation>
+    </message>
+    <message>
+        <source>One of the two is switched off, is a picture, or erases.</source>
+        <translation>Una de las dos está desactivada, es una imagen o borra.</translation>
+    </message>
+    <message>
+        <source>There is no layer below it.</source>
+        <translation>No hay ninguna capa debajo.</translation>
     </message>
 </context>
 <context>
@@ -4652,10 +4807,6 @@
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation>Exportar lo que se ve: como imagen, secuencia, mapa de deformación, malla o vista</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
@@ -4666,6 +4817,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>Exportar lo que se ve: como imagen, secuencia, mapa ST, malla o vista</translation>
     </message>
 </context>
 <context>
@@ -5174,6 +5329,18 @@
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
     </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ].</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5527,12 +5694,12 @@
         <translation>Radio</translation>
     </message>
     <message>
-        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
-        <translation>Tamaño del círculo que sujeta el alfiler, en las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
-    </message>
-    <message>
         <source>Ra&amp;dius</source>
         <translation>Ra&amp;dio</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Hasta dónde sujeta el alfiler la forma a su alrededor: 0 sujeta un punto, más un círculo, y en un sólido una bola. En las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
     </message>
 </context>
 <context>
@@ -5552,13 +5719,24 @@
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>«Refinar superficie», en el panel «Malla», permite dividir los triángulos de la superficie.</translation>
     </message>
+    <message>
+        <source>Pin It</source>
+        <translation>Fijar con alfiler</translation>
+    </message>
+    <message>
+        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <translation>Una parte está unida al resto solo por un punto y puede girar en torno a él si ningún alfiler la sujeta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <translation>
+            <numerusform>%n parte está unida al resto solo por un punto y puede girar en torno a él si ningún alfiler la sujeta.</numerusform>
+            <numerusform>%n partes están unidas al resto solo por puntos y pueden girar en torno a ellos si ningún alfiler las sujeta.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
-    <message>
-        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Este círculo es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
-    </message>
     <message>
         <source>Widen %1</source>
         <translation>Ensanchar %1</translation>
@@ -5727,10 +5905,6 @@
         <translation>K reproduce; dibuje las trayectorias de otros alfileres desde el mismo momento y se moverán juntos.</translation>
     </message>
     <message>
-        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Esta bola es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
-    </message>
-    <message>
         <source>Relax</source>
         <translation>Relajar</translation>
     </message>
@@ -5741,6 +5915,14 @@
     <message>
         <source>What %1 did later is replaced by this; Undo brings it back.</source>
         <translation>Esto reemplaza lo que %1 hacía después; Deshacer lo recupera.</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Este círculo es menor que las celdas de la malla: hágalo mayor o la malla más fina.</translation>
+    </message>
+    <message>
+        <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Esta bola es menor que las celdas de la malla: hágala mayor o la malla más fina.</translation>
     </message>
 </context>
 <context>
@@ -5875,6 +6057,10 @@
     <message>
         <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
         <translation>Los triángulos de la superficie se conservan y solo cambia el interior. «Refinar superficie», en el panel «Malla», permite dividirlos también.</translation>
+    </message>
+    <message>
+        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
     </message>
 </context>
 <context>

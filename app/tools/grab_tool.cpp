@@ -96,7 +96,9 @@ bool GrabTool<Dim>::key(const QKeyEvent& event) {
     const bool escapes = event.key() == Qt::Key_Escape;
     if (escapes && !m_active) session().selection().clear();
     if (escapes) cancel();
-    if (!escapes && !m_outline.key(event)) return false;
+    const auto radius = m_outline.radiusAfter(event);
+    if (radius) m_choice.change(&PinSettings::radius, *radius);
+    if (!escapes && !radius) return false;
     surface().redraw();
     return true;
 }
@@ -141,7 +143,7 @@ ToolKind grabByBrushTool() {
                     QT_TRANSLATE_NOOP("Tools", "Take hold of what is brushed over as one handle"), "U",
                     Mode::Pins,
                     both<GrabTool>(DrawnOutline::Kind::Brush, &Workbench::pins, &Workbench::toSelect),
-                    {ToolOption::Through});
+                    {ToolOption::GrabSize, ToolOption::Through});
 }
 
 }  // namespace wend

@@ -41,6 +41,8 @@ class OutlineTool : public ShapeTool<2> {
 
   private:
     bool isReady();
+    bool isFirst() const;
+    void takePointer(const QMouseEvent& event);
     bool takesAway(Qt::KeyboardModifiers modifiers) const;
     bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
     QPainterPath area() const;

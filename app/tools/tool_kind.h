@@ -81,6 +81,7 @@ enum class ToolOption {
     Edges,
     Target,  // what the brush changes
     BrushSize,
+    GrabSize,
     Tip,  // size, hardness, amount, pressure
     Order,
     Separator

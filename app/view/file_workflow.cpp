@@ -16,6 +16,7 @@
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/view/project_watch.h"
+#include "app/view/sample_names.h"
 #include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
 
@@ -167,7 +168,7 @@ void FileWorkflow::tellLostWhenOpened() {
         const QList<LostWork> all = lost();
         if (all.isEmpty() || m_document.isEmpty()) return;
         const LostWork& work = all.first();
-        say(Topic::Opening,
+        say(Topic::Lost,
             tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
             {{tr("Recover"), [this, work] { recover(work); }}});
     };
@@ -191,13 +192,28 @@ void FileWorkflow::discard(const LostWork& work) {
 }
 
 void FileWorkflow::take(const Reading& reading) {
-    const OpenedFile& file = reading.file;
+    OpenedFile file = reading.file;
+    if (file.path.isEmpty() && samplePaths().contains(file.source))
+        file.project = withSpokenNames(file.project);
     m_recoveredFrom = file.recoveredFrom;
     m_document.open(file);
     if (!m_found.isEmpty()) m_document.undoStack()->resetClean();  // its file names the old places
     if (!file.path.isEmpty()) m_watch->watch(file.path, reading.stamp);
     if (m_recoveredFrom.isEmpty()) addRecent(file.source);
-    if (!file.warnings.isEmpty()) say(Topic::Opening, file.warnings.join('\n'));
+    if (!file.warnings.isEmpty()) say(Topic::Remark, file.warnings.join('\n'));
+}
+
+OpenedFile FileWorkflow::handOver() {
+    takeTyped();
+    OpenedFile all = m_document.handOver();
+    all.recoveredFrom = m_recoveredFrom;
+    return all;
+}
+
+void FileWorkflow::takeOver(const OpenedFile& file) {
+    m_recoveredFrom = file.recoveredFrom;
+    m_document.open(file);
+    if (!file.path.isEmpty()) m_watch->watch(file.path, stampOf(file.path));
 }
 
 /// What was said of saving, or for want of it, holds no more.

@@ -167,9 +167,9 @@ void MainWindow::showTools() {
 }
 
 void MainWindow::makeCentre() {
-    const auto toView = [this] { m_pages->currentWidget()->setFocus(); };
-    connect(m_properties, &Properties::done, this, toView);
-    connect(new PanelFields(*m_time), &PanelFields::done, this, toView);
+    connect(m_properties, &Properties::done, this, &MainWindow::focusView);
+    connect(new PanelFields(*m_time), &PanelFields::done, this, &MainWindow::focusView);
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::followFocus);
     auto* centre = new QWidget(this);
     auto* row = new QHBoxLayout(centre);
     row->setContentsMargins(0, 0, 0, 0);
@@ -189,7 +189,7 @@ void MainWindow::makeCentre() {
     column->addWidget(m_time);
     row->addLayout(column, 1);
     row->addWidget(m_rail = new PropertiesRail(*m_properties, *m_actions->showProperties, centre));
-    connect(m_rail, &PropertiesRail::done, this, toView);
+    connect(m_rail, &PropertiesRail::done, this, &MainWindow::focusView);
     setCentralWidget(centre);
 }
 
@@ -215,7 +215,10 @@ void MainWindow::connectFiles() {
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
-    connect(new ShapeNotices(m_session, this), &ShapeNotices::told, this, tellIn(Topic::Mesh));
+    connect(new ShapeNotices(m_session, this), &ShapeNotices::told, m_banner,
+            [this](const QString& text, const QList<InfoBanner::Remedy>& remedies) {
+                m_banner->tell(Topic::Mesh, text, remedies);
+            });
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     const MeshPanel* mesh = &m_properties->mesh();
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);
@@ -325,10 +328,9 @@ void MainWindow::connectHelp() {
                    *m_properties->material().energySlider(), *m_tutorial, *m_actions->tips},
                   *m_pages);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
-    connect(m_actions->languages, &LanguageChoice::changed, this,
-            [this](const QString& text, const QString& again) {
-                m_banner->tell(Topic::Language, text, {{again, [this] { startAgain(); }}});
-            });
+    // Not while its menu is open.
+    connect(m_actions->languages, &LanguageChoice::changed, this, &MainWindow::startAgain,
+            Qt::QueuedConnection);
     m_files->setPractice([this] { return m_tutorial->isPractice(); });
     connect(m_actions->tutorial, &QAction::triggered, this, [this] {
         m_tutorial->begin();
@@ -353,7 +355,7 @@ void MainWindow::showDocument() {
     m_solids->showDomain();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_rail, m_time, m_toolBar, m_topBar, m_options})
         widget->setVisible(has);
-    if (has) shape->setFocus();
+    focusView();
     m_fields->setVisible(has);
     m_fields->forgetTold();
     showSelection();

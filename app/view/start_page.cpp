@@ -194,6 +194,7 @@ QWidget* StartPage::makeDropArea() {
     open->setProperty("role", "primary");
     open->setDefault(true);
     describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
+    setFocusProxy(open);  // the keyboard begins with it
     auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. "
                                  "Projects, meshes and solids too."),
                               m_drop);

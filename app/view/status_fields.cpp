@@ -2,13 +2,16 @@
 
 #include <QLabel>
 #include <QLocale>
+#include <QResizeEvent>
 #include <QStatusBar>
+#include <algorithm>
 
 namespace wend {
 
 namespace {
 
-constexpr int kMessageMargin = 18;  // pixels that the bar leaves free beside a message
+constexpr int kMessageMargin = 32;  // pixels that the bar leaves free beside words
+constexpr int kBetween = 6;         // numbers
 constexpr int kIndent = 8;          // of a hint, from the window's edge
 constexpr int kTold = 10000;        // milliseconds
 
@@ -66,6 +69,9 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
     bar.addWidget(m_hint, 1);
     bar.setContentsMargins(0, 0, 12, 0);
+    m_time = add(tr("Time per frame"),
+                 tr("In a drag: how long what you see comes after the hand. At rest: what computing it took"),
+                 tr("%1 ms").arg(QStringLiteral("0000")));
     m_pointer = add(tr("Position"), tr("Where the pointer is, in the picture's pixels"),
                     QStringLiteral("00000.0, 00000.0"));
     m_pinError = add(tr("Pin error"), tr("How far the worst pin is from where it should be"),
@@ -75,9 +81,14 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     m_worst->setObjectName(QStringLiteral("worstField"));
     m_area = add(tr("Area change"), tr("How much larger or smaller the shape is than at rest"),
                  tr("area %1 %").arg(QStringLiteral("+00.0")));
-    m_time = add(tr("Time per frame"),
-                 tr("In a drag: how long what you see comes after the hand. At rest: what computing it took"),
-                 tr("%1 ms").arg(QStringLiteral("0000")));
+    bar.installEventFilter(this);
+    connect(&bar, &QStatusBar::messageChanged, this, [this](const QString& message) {
+        if (message.isEmpty()) makeRoom(m_hint->toolTip());
+    });
+    connect(&session.document(), &Document::opened, this, [this] {  // they are of another document
+        setHint({});
+        setPointer({});
+    });
     connect(&session, &ShapeSession::frameChanged, this, &StatusFields::showFrame);
     connect(&m_delay, &SeenDelay::seen, this, &StatusFields::showTime);
 }
@@ -90,19 +101,35 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 12);
     label->setProperty("role", "second");
     m_bar.addPermanentWidget(label);
+    m_numbers << label;
     return label;
+}
+
+/// Numbers give way to words, from the left: those first that matter least.
+void StatusFields::makeRoom(const QString& words) {
+    m_words = words;
+    m_room = m_bar.width() - kMessageMargin;
+    const int wanted = m_bar.fontMetrics().horizontalAdvance(words);
+    bool fits = m_isShown;
+    for (auto number = m_numbers.rbegin(); number != m_numbers.rend(); ++number) {
+        const int taken = std::max((*number)->minimumWidth(), (*number)->sizeHint().width()) + kBetween;
+        fits = fits && m_room - taken >= wanted;
+        (*number)->setVisible(fits);
+        if (fits) m_room -= taken;
+    }
+}
+
+bool StatusFields::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) makeRoom(m_words);
+    return QObject::eventFilter(watched, event);
 }
 
 /// The bar hides the hint under a message only as long as nobody else shows it.
 void StatusFields::setVisible(bool visible) {
     m_bar.clearMessage();
+    m_isShown = visible;
     m_hint->setVisible(visible);
-    for (QLabel* label : {m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
-}
-
-QString StatusFields::fitting(const QString& hint) const {
-    const int room = (m_pointer->isVisible() ? m_pointer->x() : m_bar.width()) - kMessageMargin;
-    return fittedTo(room, hint, m_bar.fontMetrics());
+    makeRoom(m_hint->toolTip());
 }
 
 void StatusFields::tell(const QString& text) {
@@ -112,17 +139,22 @@ void StatusFields::tell(const QString& text) {
     }
     m_told = text;
     m_toldUntil.setRemainingTime(kTold);
+    makeRoom(text);
     m_bar.showMessage(text, kTold);
 }
 
 void StatusFields::showTip(const QString& tip) {
     const bool told = (tip.isEmpty() || tip == m_tip) && !m_toldUntil.hasExpired();
     if (!tip.isEmpty()) m_tip = tip;
-    m_bar.showMessage(told ? m_told : fitting(tip), told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
+    if (tip.isEmpty() && !told) return m_bar.clearMessage();
+    makeRoom(told ? m_told : tip);
+    m_bar.showMessage(told ? m_told : fittedTo(m_room, tip, m_bar.fontMetrics()),
+                      told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
 }
 
 void StatusFields::setHint(const QString& hint) {
     m_hint->setHint(hint);
+    if (m_bar.currentMessage().isEmpty()) makeRoom(hint);
 }
 
 void StatusFields::setMeasure(Measure measure) {
@@ -138,7 +170,7 @@ void StatusFields::setPointer(const QString& text) {
 void StatusFields::showFrame() {
     const FramePtr& frame = m_session.frame();
     if (!frame) {
-        for (QLabel* label : {m_pointer, m_pinError, m_worst, m_area, m_time}) label->clear();
+        for (QLabel* label : m_numbers) label->clear();
         return;
     }
     const QLocale locale;

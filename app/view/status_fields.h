@@ -12,6 +12,7 @@ class QStatusBar;
 namespace wend {
 
 /// The status bar: what the tool does, where the pointer is, and how well the shape keeps what it should.
+/// Where it is short the numbers give way to the words.
 class StatusFields : public QObject {
     Q_OBJECT
 
@@ -19,8 +20,8 @@ class StatusFields : public QObject {
     StatusFields(QStatusBar& bar, ShapeSession& session);
 
     void setVisible(bool visible);
-    /// The hint of a button or field under the pointer, as far as there is room for it beside the numbers:
-    /// whole sentences, or the beginning of one. When the pointer leaves, what was told comes back; so it
+    /// The hint of a button or field under the pointer, as far as there is room for it: whole sentences, or
+    /// the beginning of one. When the pointer leaves, what was told comes back; so it
     /// does when the hint is the one that stood there before, of the button that was pressed.
     void showTip(const QString& tip);
     /// What was told is of another document.
@@ -37,12 +38,15 @@ class StatusFields : public QObject {
     /// What the worst place is worst of.
     void setMeasure(Measure measure);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     class HintLabel;
     QLabel* add(const QString& name, const QString& help, const QString& widest);
     void showFrame();
     void showTime(double milliseconds);
-    QString fitting(const QString& hint) const;
+    void makeRoom(const QString& words);
 
     QStatusBar& m_bar;
     ShapeSession& m_session;
@@ -51,7 +55,11 @@ class StatusFields : public QObject {
     HintLabel* m_hint;
     QString m_told, m_tip;  // the last ones
     QDeadlineTimer m_toldUntil;
-    QLabel *m_pointer, *m_pinError, *m_worst, *m_area, *m_time;
+    QList<QLabel*> m_numbers;  // from the left
+    QLabel *m_time, *m_pointer, *m_pinError, *m_worst, *m_area;
+    QString m_words;  // that room was made for
+    int m_room = 0;   // for them, pixels
+    bool m_isShown = false;
 };
 
 }  // namespace wend

@@ -62,7 +62,7 @@ Project barOf(const QTemporaryDir& folder, int slices, double phi) {
     Project project;
     project.domain.kind = DomainKind::Mesh;
     project.domain.path = folder.filePath(QStringLiteral("bar.mesh")).toStdString();
-    writeMeshFile(project.domain.path, toMeshFile<3>(sliced(slices)));
+    writeMesh<3>(project.domain.path, sliced(slices));
     Design<3> design;
     design.material.phi = phi;
     design.handles = ends();
