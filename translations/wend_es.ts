@@ -1350,7 +1350,7 @@
     </message>
     <message>
         <source>&amp;Depth</source>
-        <translation>&amp;Profundidad</translation>
+        <translation>&amp;Bits</translation>
     </message>
     <message>
         <source>As in the picture</source>

@@ -139,14 +139,6 @@ void PinTool<Dim>::press(const QMouseEvent& event) {
 }
 
 template <int Dim>
-void PinTool<Dim>::select(int handle, bool extend) {
-    if (extend)
-        session().selection().toggle(handle);
-    else if (!session().selection().contains(handle))
-        session().selection().set({handle});
-}
-
-template <int Dim>
 void PinTool<Dim>::move(const QMouseEvent& event) {
     takePointer(event);
     if (m_gesture == Gesture::None) hover();

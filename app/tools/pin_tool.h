@@ -63,7 +63,10 @@ class PinTool : public ShapeTool<Dim> {
     void takePointer(const QMouseEvent& event);
     void takeChoice();
     void hover();
-    void select(int handle, bool extend);
+    void select(int handle, bool extend) {
+        if (extend) return session().selection().toggle(handle);
+        if (!isSelected(handle)) session().selection().set({handle});
+    }
     void begin();
     bool setPin();
     bool refuse(const Part& part);

@@ -561,6 +561,7 @@ void TestPinGestures::sizeBeside() {
     QVERIFY(Bar<Dim>::open(*m_f));
     m_f->tool("grabBrush")->trigger();
     const auto* row = m_f->window().template findChild<QToolBar*>(QStringLiteral("optionRow"));
+    settleLayout(m_f->window());
     QSpinBox* size = nullptr;
     for (auto* box : row->findChildren<QSpinBox*>())
         if (box->accessibleName() == QStringLiteral("Size") && box->isVisible()) size = box;
