@@ -22,11 +22,6 @@ void put(const std::array<ExactBox*, 3>& boxes, const Vec<3>& values) {
     for (int k = 0; k < 3; ++k) boxes[k]->put(values[k]);
 }
 
-/// Behind the point, so that lengths are shown to a ten-thousandth of the shape at least.
-int digitsFor(double diagonal) {
-    return diagonal > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(diagonal))), 1, 12) : 4;
-}
-
 /// The middle and the reach of any of the three.
 std::pair<Vec<3>, double> extentOf(const Region<3>& region, double fallback) {
     if (const auto* ball = std::get_if<Ball<3>>(&region)) return {ball->centre, ball->radius};
@@ -37,6 +32,10 @@ std::pair<Vec<3>, double> extentOf(const Region<3>& region, double fallback) {
 }
 
 }  // namespace
+
+int digitsFor(double diagonal) {
+    return diagonal > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(diagonal))), 1, 12) : 4;
+}
 
 RegionNumbers::RegionNumbers(QWidget* parent)
     : QWidget(parent),

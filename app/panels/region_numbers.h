@@ -12,6 +12,9 @@ namespace wend {
 
 class ExactBox;
 
+/// Behind the point, so that lengths are shown to a ten-thousandth of a shape of that diagonal at least.
+int digitsFor(double diagonal);
+
 /// A ball, a box or a half-space in numbers.
 class RegionNumbers : public QWidget {
     Q_OBJECT

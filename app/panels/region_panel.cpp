@@ -22,11 +22,12 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(panelTitle(tr("Region"), this));
     layout->addWidget(m_numbers);
     m_radius->setObjectName(QStringLiteral("circleRadius"));
-    m_radius->setRange(0.01, 1e9);
+    m_radius->setRange(0, 1e9);
     m_radius->setFixedWidth(116);
-    describe(m_radius, tr("Radius"),
-             tr("How large the circle is that the pin holds, in the shape's own units; of a picture its "
-                "pixels. Alt-drag of the pin does the same."));
+    describe(
+        m_radius, tr("Radius"),
+        tr("How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. "
+           "In the shape's own units; of a picture its pixels. Alt-drag of the pin does the same."));
     layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
     layout->addWidget(m_count);
     m_count->setObjectName(QStringLiteral("regionCount"));
@@ -38,12 +39,25 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
 }
 
 template <int Dim>
+const Placement<Dim>* RegionPanel::place() const {
+    const int handle = m_session.singleHandle();
+    if (handle < 0 || m_session.document().dimension() != Dim) return nullptr;
+    return &m_session.document().design<Dim>().handles[static_cast<std::size_t>(handle)].at;
+}
+
+template <int Dim>
 const Region<Dim>* RegionPanel::region() const {
-    const auto& selected = m_session.selection().handles();
-    if (m_session.document().dimension() != Dim || selected.size() != 1) return nullptr;
-    const auto& handles = m_session.document().design<Dim>().handles;
-    if (selected.front() >= static_cast<int>(handles.size())) return nullptr;
-    return std::get_if<Region<Dim>>(&handles[selected.front()].at);
+    const Placement<Dim>* at = place<Dim>();
+    return at ? std::get_if<Region<Dim>>(at) : nullptr;
+}
+
+template <int Dim>
+bool RegionPanel::isPoint() const {
+    const Placement<Dim>* at = place<Dim>();
+    if (!at) return false;
+    const auto* vertices = std::get_if<std::vector<int>>(at);
+    const auto* points = std::get_if<std::vector<Vec<Dim>>>(at);
+    return (vertices && vertices->size() == 1) || (points && points->size() == 1);
 }
 
 const Ball<2>* RegionPanel::circle() const {
@@ -67,11 +81,16 @@ void RegionPanel::apply(const Region<3>& next) {
 }
 
 /// What is too small to hold a part is told, and not taken.
-void RegionPanel::applyRadius() {
-    if (!circle()) return;
-    const int handle = m_session.selection().handles().front();
-    if (!widenPin<2>(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
+template <int Dim>
+void RegionPanel::widen() {
+    const int handle = m_session.singleHandle();
+    if (!widenPin<Dim>(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
         showHandle();
+}
+
+void RegionPanel::applyRadius() {
+    if (circle() || isPoint<2>()) return widen<2>();
+    if (isPoint<3>()) widen<3>();
 }
 
 /// Poses change nothing here.
@@ -85,11 +104,14 @@ void RegionPanel::showHandle() {
     m_mesh = frame ? frame->shape : nullptr;
     const Region<3>* solid = region<3>();
     const bool isSolid = solid && RegionNumbers::canShow(*solid);
-    setVisible(frame && (isSolid || circle()));
+    const bool point = isPoint<2>() || isPoint<3>();
+    setVisible(frame && (isSolid || circle() || point));
     m_numbers->setVisible(isSolid);
     m_radiusRow->setVisible(!isSolid);
+    m_count->setVisible(!point);
     if (frame && isSolid) showSolid();
     if (frame && circle()) showPicture();
+    if (frame && point) showPoint();
 }
 
 void RegionPanel::showSolid() {
@@ -102,8 +124,15 @@ void RegionPanel::showSolid() {
 void RegionPanel::showPicture() {
     const auto frame = m_session.frame<2>();
     if (!frame) return;
+    m_radius->showDigits(2);
     m_radius->put(circle()->radius);
     showCount(verticesInside<2>(*circle(), *frame->rest).size());
+}
+
+/// As fine as the shape is large; pixels of a picture are fine enough.
+void RegionPanel::showPoint() {
+    m_radius->showDigits(place<2>() ? 2 : digitsFor(m_session.frame()->diagonal));
+    m_radius->put(0);
 }
 
 void RegionPanel::showCount(std::size_t vertices) {

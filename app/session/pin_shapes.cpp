@@ -41,10 +41,9 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     const Region<Dim> wide = Ball<Dim>{middleOf<Dim>(own.at, *shape->rest), radius};
     if (static_cast<int>(verticesInside<Dim>(wide, *shape->rest).size()) < kMinHeld<Dim>) {
         emit session.notice(
-            Dim == 2 ? ShapeSession::tr(
-                           "This circle is smaller than the mesh: drag further, or set more vertices.")
-                     : ShapeSession::tr(
-                           "This ball is smaller than the mesh: drag further, or set more vertices."));
+            Dim == 2
+                ? ShapeSession::tr("This circle is smaller than the mesh: make it larger, or the mesh finer.")
+                : ShapeSession::tr("This ball is smaller than the mesh: make it larger, or the mesh finer."));
         return false;
     }
     document.changeDesign(ShapeSession::tr("Widen %1").arg(QString::fromStdString(own.name)),

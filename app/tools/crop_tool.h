@@ -22,6 +22,7 @@ class CropTool : public ShapeTool<2> {
     bool key(const QKeyEvent& event) override;
     bool ownsKey(const QKeyEvent& event) const override;
     void cancel() override;
+    void leave() override { m_under = {}; }
     void paint(QPainter& painter) const override;
 
   private:

@@ -29,9 +29,10 @@ double distance(const QPointF& a, const QPointF& b) {
 }  // namespace
 
 QString curveHint(bool onPoint) {
-    return onPoint ? said(QT_TRANSLATE_NOOP("CurveEditor",
-                                            "Drag the curve's point, with Ctrl one direction alone; Delete "
-                                            "removes it, a right click shows more"))
+    return onPoint ? said(QT_TRANSLATE_NOOP(
+                         "CurveEditor",
+                         "Drag the curve's point, with Shift straight, with Ctrl one direction alone; Delete "
+                         "removes it, a right click shows more"))
                    : said(QT_TRANSLATE_NOOP("CurveEditor", "Double-click to insert a point into the curve"));
 }
 

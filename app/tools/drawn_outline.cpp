@@ -5,14 +5,14 @@
 
 #include "app/session/accent.h"
 #include "app/session/mark_size.h"
+#include "app/tools/pin_settings.h"
 #include "app/tools/tool.h"
 
 namespace wend {
 
 namespace {
 
-constexpr double kLargestBrush = 200;  // pixels
-constexpr double kClick = 4;
+constexpr double kClick = 4;  // pixels
 
 }  // namespace
 
@@ -81,11 +81,8 @@ bool DrawnOutline::isClick() const {
     return m_kind != Kind::Brush && stays(m_end) && std::all_of(m_line.begin(), m_line.end(), stays);
 }
 
-bool DrawnOutline::key(const QKeyEvent& event) {
-    const auto radius = brushAfter(event, m_radius, kLargestBrush);
-    if (!radius || m_kind != Kind::Brush) return false;
-    m_radius = *radius;
-    return true;
+std::optional<double> DrawnOutline::radiusAfter(const QKeyEvent& event) const {
+    return m_kind == Kind::Brush ? brushAfter(event, m_radius, PinSettings::kLargest) : std::nullopt;
 }
 
 void DrawnOutline::paint(QPainter& painter) const {

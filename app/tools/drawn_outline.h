@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
+#include <optional>
 
 class QKeyEvent;
 
@@ -33,8 +34,10 @@ class DrawnOutline {
     bool isNewlyBrushed(const QPointF& p) const;
     /// Nothing was drawn: the whole line stayed where it began.
     bool isClick() const;
-    /// True if the key has changed the size of the brush.
-    bool key(const QKeyEvent& event);
+    /// Of the brush, in pixels.
+    void setRadius(double radius) { m_radius = radius; }
+    /// What a key makes of it; nothing for another key, or without a brush.
+    std::optional<double> radiusAfter(const QKeyEvent& event) const;
     void paint(QPainter& painter) const;
     void paintBrush(QPainter& painter, const QPointF& at) const;
 
@@ -44,7 +47,7 @@ class DrawnOutline {
     Kind m_kind;
     QPolygonF m_line;
     QPointF m_end;
-    double m_radius = 18;  // of the brush, in pixels
+    double m_radius = 18;
 };
 
 }  // namespace wend

@@ -96,7 +96,9 @@ bool GrabTool<Dim>::key(const QKeyEvent& event) {
     const bool escapes = event.key() == Qt::Key_Escape;
     if (escapes && !m_active) session().selection().clear();
     if (escapes) cancel();
-    if (!escapes && !m_outline.key(event)) return false;
+    const auto radius = m_outline.radiusAfter(event);
+    if (radius) m_choice.change(&PinSettings::radius, *radius);
+    if (!escapes && !radius) return false;
     surface().redraw();
     return true;
 }
@@ -161,7 +163,7 @@ ToolKind grabByBrushTool() {
             .keys = "U",
             .modes = Mode::Pins,
             .make = makers<DrawnOutline::Kind::Brush>(),
-            .options = {ToolOption::Through}};
+            .options = {ToolOption::GrabSize, ToolOption::Through}};
 }
 
 }  // namespace wend

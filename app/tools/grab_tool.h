@@ -14,9 +14,12 @@ template <int Dim>
 class GrabTool : public ShapeTool<Dim> {
   public:
     /// `done`: a part was taken hold of, and is there to be moved.
-    GrabTool(SurfaceOf<Dim>& view, DrawnOutline::Kind outline, const PinChoice& choice,
-             std::function<void()> done)
-        : ShapeTool<Dim>(view), m_outline(outline), m_choice(choice), m_done(std::move(done)) {}
+    GrabTool(SurfaceOf<Dim>& view, DrawnOutline::Kind outline, PinChoice& choice, std::function<void()> done)
+        : ShapeTool<Dim>(view), m_outline(outline), m_choice(choice), m_done(std::move(done)) {
+        const auto take = [this] { m_outline.setRadius(m_choice.now().radius); };
+        QObject::connect(&choice, &PinChoice::changed, &m_listener, take);
+        take();
+    }
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -36,7 +39,8 @@ class GrabTool : public ShapeTool<Dim> {
     void follow();
 
     DrawnOutline m_outline;
-    const PinChoice& m_choice;
+    PinChoice& m_choice;
+    QObject m_listener;  // to the choice
     std::function<void()> m_done;
     bool m_active = false, m_over = false;  // over: the pointer is over the view
     QPointF m_at;

@@ -175,7 +175,15 @@ Amount Manipulator::drag(const SolidSurface& surface, const QPointF& widget, boo
         case Grip::Kind::Move:
             break;
     }
-    return pointAt(surface, widget) - m_startPoint;
+    const Vec<3> way = pointAt(surface, widget) - m_startPoint;
+    return snaps && m_part.plane ? alongOneAxis(way) : way;
+}
+
+/// Of the two axes of the plane the one that it goes along more.
+Vec<3> Manipulator::alongOneAxis(const Vec<3>& way) const {
+    const Vec<3> u = axis((m_part.axis + 1) % 3), v = axis((m_part.axis + 2) % 3);
+    const double byU = way.dot(u), byV = way.dot(v);
+    return std::abs(byU) > std::abs(byV) ? byU * u : byV * v;
 }
 
 Grip Manipulator::grip(const SolidSurface& surface) const {

@@ -32,7 +32,7 @@ class Manipulator : public GizmoBase<3> {
     std::optional<Part> partAt(const SolidSurface& surface, const QPointF& widget) const;
     /// From now on `drag` measures from here; the centre stays where it is until the end.
     void begin(const Part& part, const SolidSurface& surface, const QPointF& widget);
-    /// `snaps`: an angle, by 15°.
+    /// `snaps`: an angle by 15°, a way in a plane to one of its axes.
     Amount drag(const SolidSurface& surface, const QPointF& widget, bool snaps = false);
     Grip grip(const SolidSurface& surface) const;
     /// The amount that a typed number means: a length along the axis, degrees, or a factor.
@@ -47,6 +47,7 @@ class Manipulator : public GizmoBase<3> {
     std::vector<Vec<3>> outline(const Part& part, const SolidSurface& surface) const;
     Vec<3> normalOf(const Part& part, const SolidSurface& surface) const;
     double length(const SolidSurface& surface) const;
+    Vec<3> alongOneAxis(const Vec<3>& way) const;
     Vec<3> pointAt(const SolidSurface& surface, const QPointF& widget) const;
     double angleAt(const SolidSurface& surface, const QPointF& widget) const;
     double distanceAt(const SolidSurface& surface, const QPointF& widget) const;

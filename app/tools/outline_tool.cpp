@@ -11,6 +11,7 @@
 #include "app/session/flat_shape.h"
 #include "app/session/mark_size.h"
 #include "app/tools/drawn_outline.h"
+#include "app/tools/in_steps.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
 #include "core/meshing/outline_simplify.h"
@@ -40,6 +41,12 @@ OutlineTool::OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen)
     QObject::connect(&m_pen, &OutlinePen::changed, &m_listener, [this] { takeAgain(); });
 }
 
+/// All of the picture bends until then.
+bool OutlineTool::isFirst() const {
+    const Document& document = session().document();
+    return document.picture() && document.domain().outline == OutlineKind::Frame && !m_pen.now().takesAway;
+}
+
 QString OutlineTool::hint() const {
     if (isLive())
         return said(QT_TRANSLATE_NOOP("OutlineTool",
@@ -47,20 +54,34 @@ QString OutlineTool::hint() const {
                                       "colour, Ctrl takes it away"));
     switch (m_shape) {
         case Shape::Lasso:
-            return said(QT_TRANSLATE_NOOP(
-                "OutlineTool", "Draw around what shall bend too; with Ctrl it is taken away. Esc gives up"));
+            return isFirst()
+                       ? said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Draw around what shall bend; with Ctrl it is taken away. Esc gives up"))
+                       : said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Draw around what shall bend too; with Ctrl it is taken away. Esc gives up"));
         case Shape::Polygon:
-            return said(QT_TRANSLATE_NOOP("OutlineTool",
-                                          "Click corner after corner, double-click closes; Ctrl takes away, "
-                                          "Backspace takes back a corner, Esc gives up"));
-        case Shape::Brush:
             return said(QT_TRANSLATE_NOOP(
-                "OutlineTool", "Brush over what shall bend too, [ and ] change the size; Ctrl takes away"));
+                "OutlineTool",
+                "Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, "
+                "Backspace takes back a corner, Esc gives up"));
+        case Shape::Brush:
+            return isFirst()
+                       ? said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Brush over what shall bend, [ and ] change the size; Ctrl takes away"))
+                       : said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Brush over what shall bend too, [ and ] change the size; Ctrl takes away"));
         case Shape::Wand:
-            return said(
-                QT_TRANSLATE_NOOP("OutlineTool",
-                                  "Click on a colour that shall bend too; Ctrl takes it away, [ and ] "
-                                  "take fewer or more colours"));
+            return isFirst()
+                       ? said(QT_TRANSLATE_NOOP("OutlineTool",
+                                                "Click on a colour that shall bend; Ctrl takes it away, [ "
+                                                "and ] take fewer or more colours"))
+                       : said(QT_TRANSLATE_NOOP("OutlineTool",
+                                                "Click on a colour that shall bend too; Ctrl takes it away, "
+                                                "[ and ] take fewer or more colours"));
         case Shape::Cut:
             break;
     }
@@ -95,11 +116,18 @@ bool OutlineTool::takesAway(Qt::KeyboardModifiers modifiers) const {
     return m_shape == Shape::Cut || m_pen.now().takesAway != bool(modifiers & Qt::ControlModifier);
 }
 
+/// With Shift the next side of a polygon goes along one of eight ways.
+void OutlineTool::takePointer(const QMouseEvent& event) {
+    m_at = event.position();
+    m_modifiers = event.modifiers();
+    if (m_active && m_shape == Shape::Polygon && m_modifiers & Qt::ShiftModifier)
+        m_at = m_line.last() + inSteps(m_at - m_line.last());
+}
+
 void OutlineTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !isReady()) return;
-    m_at = event.position();
+    takePointer(event);
     m_over = true;
-    m_modifiers = event.modifiers();
     if (m_shape == Shape::Wand) return takeColour(event);
     const bool closes = m_shape == Shape::Polygon && m_line.size() > 2 &&
                         QLineF(m_at, m_line.first()).length() < marked(kClose);
@@ -116,9 +144,8 @@ void OutlineTool::press(const QMouseEvent& event) {
 
 void OutlineTool::move(const QMouseEvent& event) {
     m_cross.hide();
-    m_at = event.position();
+    takePointer(event);
     m_over = isReady();
-    m_modifiers = event.modifiers();
     if (m_active && isDrawn()) m_line << m_at;
     m_surface.redraw();
 }

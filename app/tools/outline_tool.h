@@ -44,6 +44,8 @@ class OutlineTool : public Tool {
   private:
     ShapeSession& session() const { return m_surface.session(); }
     bool isReady();
+    bool isFirst() const;
+    void takePointer(const QMouseEvent& event);
     bool takesAway(Qt::KeyboardModifiers modifiers) const;
     bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
     QPainterPath area() const;

@@ -2,11 +2,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "app/session/accent.h"
 #include "app/session/mark_size.h"
+#include "app/tools/in_steps.h"
 #include "app/tools/pin_picking.h"
 
 namespace wend {
@@ -25,14 +24,6 @@ QString said(const char* text) {
 
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
-}
-
-/// The part of a way that goes along the nearest multiple of 45°.
-QPointF inSteps(const QPointF& way) {
-    constexpr double kStep = std::numbers::pi / 4;
-    const double angle = kStep * std::round(std::atan2(way.y(), way.x()) / kStep);
-    const QPointF along(std::cos(angle), std::sin(angle));
-    return QPointF::dotProduct(way, along) * along;
 }
 
 bool takesBack(const QKeyEvent& event) {

@@ -35,7 +35,7 @@ Vec<3> nudgeOf(SolidSurface& surface, const Vec<3>& p, const QPointF& by) {
 }  // namespace
 
 template <int Dim>
-PinTool<Dim>::PinTool(SurfaceOf<Dim>& view, const PinChoice& choice, bool adds)
+PinTool<Dim>::PinTool(SurfaceOf<Dim>& view, PinChoice& choice, bool adds)
     : ShapeTool<Dim>(view), m_curve(view), m_choice(choice), m_adds(adds) {
     QObject::connect(&choice, &PinChoice::changed, &m_listener, [this] { takeChoice(); });
     takeChoice();
@@ -45,6 +45,7 @@ template <int Dim>
 void PinTool<Dim>::takeChoice() {
     m_gizmo.setGrip(m_choice.now().grip);
     m_outline.setKind(m_choice.now().selectBy);
+    m_outline.setRadius(m_choice.now().radius);
     surface().redraw();
 }
 
@@ -132,15 +133,8 @@ void PinTool<Dim>::press(const QMouseEvent& event) {
     const bool isOwn = m_part && isSelected(m_pressed);  // the gizmo's middle is on its pin
     if (m_part && !isOwn) m_pressed = -1;
     const bool extend = m_with & Qt::ShiftModifier;
-    if (m_pressed >= 0 && (!isOwn || extend)) select(m_pressed, extend);
-}
-
-template <int Dim>
-void PinTool<Dim>::select(int handle, bool extend) {
-    if (extend)
-        session().selection().toggle(handle);
-    else if (!session().selection().contains(handle))
-        session().selection().set({handle});
+    m_leaves = extend && isSelected(m_pressed);
+    if (m_pressed >= 0 && !m_leaves && (!isOwn || extend)) select(m_pressed, extend);
 }
 
 template <int Dim>
@@ -151,8 +145,9 @@ void PinTool<Dim>::move(const QMouseEvent& event) {
     if (m_gesture == Gesture::OnCurve && drags) m_gesture = Gesture::Pressed;
     if (m_gesture == Gesture::Pressed && drags) begin();
     if (m_gesture == Gesture::Marquee) m_outline.goOn(m_at);
-    if (m_gesture == Gesture::Drag) drag(event.modifiers() & Qt::ShiftModifier);
-    if (m_gesture == Gesture::Curve) m_curve.drag(m_at, event.modifiers() & Qt::ControlModifier);
+    const bool steps = event.modifiers() & Qt::ShiftModifier;
+    if (m_gesture == Gesture::Drag) drag(steps);
+    if (m_gesture == Gesture::Curve) m_curve.drag(reached(steps), event.modifiers() & Qt::ControlModifier);
     surface().redraw();
 }
 
@@ -212,7 +207,8 @@ void PinTool<Dim>::beginDrag(const Part& part) {
 
 template <int Dim>
 void PinTool<Dim>::drag(bool snaps) {
-    m_amount = m_gizmo.drag(surface(), m_at, snaps);
+    const bool isFree = m_gizmo.part().kind == Grip::Kind::Move && m_gizmo.part().axis < 0;
+    m_amount = m_gizmo.drag(surface(), reached(snaps && isFree), snaps);
     if (!m_typed.isEmpty()) m_amount = m_gizmo.typed(m_typed.value(), surface());
     session().dragBy(m_amount, m_seconds);
 }
@@ -261,6 +257,7 @@ void PinTool<Dim>::release(const QMouseEvent& event) {
         finishDrag();
     }
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    if (gesture == Gesture::Pressed && m_leaves) session().selection().toggle(m_pressed);
     if (gesture == Gesture::Curve) m_curve.finish();
     if (gesture == Gesture::OnCurve) m_curve.choose(-1);
     if (gesture == Gesture::Widen) widenPin<Dim>(session(), m_pressed, widenedTo(m_at));
@@ -324,12 +321,6 @@ void PinTool<Dim>::doubleClick(const QMouseEvent& event) {
 }
 
 template <int Dim>
-void PinTool<Dim>::leave() {
-    m_over = false;
-    m_hovered = -1;
-}
-
-template <int Dim>
 bool PinTool<Dim>::ownsKey(const QKeyEvent& event) const {
     if (m_gesture == Gesture::Drag) return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
@@ -362,7 +353,8 @@ bool PinTool<Dim>::key(const QKeyEvent& event) {
         m_curve.removePoint();
         return true;
     }
-    const bool sizes = m_outline.key(event);
+    const auto sizes = m_outline.radiusAfter(event);
+    if (sizes) m_choice.change(&PinSettings::radius, *sizes);
     if (!sizes && event.key() != Qt::Key_Escape) return m_gesture == Gesture::None && nudge(event);
     if (!sizes && m_gesture == Gesture::None) session().selection().clear();
     if (!sizes) cancel();

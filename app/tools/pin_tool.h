@@ -2,6 +2,7 @@
 
 #include "app/tools/curve_editor.h"
 #include "app/tools/gizmo.h"
+#include "app/tools/in_steps.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/pin_picking.h"
 #include "app/tools/tool_kind.h"
@@ -17,7 +18,7 @@ class PinTool : public ShapeTool<Dim> {
   public:
     /// What is drawn beside pins to select all in it.
     using Outline = DrawnOutline::Kind;
-    PinTool(SurfaceOf<Dim>& view, const PinChoice& choice, bool adds);
+    PinTool(SurfaceOf<Dim>& view, PinChoice& choice, bool adds);
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -29,7 +30,14 @@ class PinTool : public ShapeTool<Dim> {
     bool key(const QKeyEvent& event) override;
     void cancel() override;
     void doubleClick(const QMouseEvent& event) override;
-    void leave() override;
+    void leave() override {
+        m_over = false;
+        m_hovered = -1;
+        if (m_gesture == Gesture::None) m_part.reset();
+    }
+    void lookAgain() override {
+        if (m_over && m_gesture == Gesture::None) hover();
+    }
     bool ownsKey(const QKeyEvent& event) const override;
     MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }
@@ -54,11 +62,16 @@ class PinTool : public ShapeTool<Dim> {
     void takePointer(const QMouseEvent& event);
     void takeChoice();
     void hover();
-    void select(int handle, bool extend);
+    void select(int handle, bool extend) {
+        if (extend) return session().selection().toggle(handle);
+        if (!isSelected(handle)) session().selection().set({handle});
+    }
     void begin();
     bool setPin();
     bool refuse(const Part& part);
     void beginDrag(const Part& part);
+    /// Where the pointer is; by `steps` where it would be on one of eight ways from where it was pressed.
+    QPointF reached(bool steps) const { return steps ? m_from + inSteps(m_at - m_from) : m_at; }
     void drag(bool snaps = false);
     void lock(int axis);
     void finishDrag();
@@ -78,7 +91,7 @@ class PinTool : public ShapeTool<Dim> {
     CurveEditor<Dim> m_curve;
     KeyCross m_cross;
     DrawnOutline m_outline;
-    const PinChoice& m_choice;
+    PinChoice& m_choice;
     bool m_adds;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
@@ -87,6 +100,7 @@ class PinTool : public ShapeTool<Dim> {
     double m_seconds = 0;          // of the pointer's last event
     int m_pressed = -1, m_hovered = -1;
     std::optional<Part> m_part;  // pressed, or under the pointer
+    bool m_leaves = false;       // what is selected does no more, once it was clicked and not dragged
     bool m_sets = false;         // the pin that is dragged is new
     Amount m_amount = Amount::Zero();
     TypedNumber m_typed;

@@ -18,18 +18,20 @@ QString said(const char* text) {
 
 template <int Dim>
 QString PinTool<Dim>::hint() const {
-    const bool waits = m_gesture == Gesture::None;
-    if (m_gesture == Gesture::Curve || (waits && curvePointAt(m_at) > 0)) return curveHint(true);
+    const bool waits = m_gesture == Gesture::None, isOver = waits && m_over;
+    if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
     if (isRecording(session())) return recordingHint();
     if (m_gesture == Gesture::Widen)
         return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin shall hold; Esc gives it up"));
     const bool moves = m_gesture == Gesture::Drag && m_gizmo.part().kind == Grip::Kind::Move;
     if (Dim == 3 && m_gesture == Gesture::Drag)
-        return said(QT_TRANSLATE_NOOP(
-            "PinTool", "X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back"));
-    if (moves)
         return said(QT_TRANSLATE_NOOP("PinTool",
-                                      "X, Y lock an axis, numbers set the amount, Esc puts the shape back"));
+                                      "Shift keeps it straight; X, Y, Z lock an axis, numbers set the "
+                                      "amount, Esc puts the shape back"));
+    if (moves)
+        return said(QT_TRANSLATE_NOOP(
+            "PinTool",
+            "Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back"));
     if (m_part) return m_gizmo.hint();
     const bool isPlaced = waits && placeGizmo();
     if (isPlaced && m_gizmo.anywhere()) return gripHint();
@@ -37,8 +39,9 @@ QString PinTool<Dim>::hint() const {
         return said(QT_TRANSLATE_NOOP("PinTool",
                                       "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
                                       "Shift-click to select more"));
-    if (waits && m_curve.isOnCurve(m_at)) return curveHint(false);
-    return isPlaced && m_gizmo.isRefusedAt(surface(), m_at) ? refusal(Grip::Kind::Turn) : besideHint();
+    if (isOver && m_curve.isOnCurve(m_at)) return curveHint(false);
+    return isPlaced && m_over && m_gizmo.isRefusedAt(surface(), m_at) ? refusal(Grip::Kind::Turn)
+                                                                      : besideHint();
 }
 
 /// Of a drag that turns or scales.

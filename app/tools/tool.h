@@ -75,6 +75,8 @@ class Tool {
     virtual void dismiss() {}
     /// The pointer is not over the view any more.
     virtual void leave() {}
+    /// The pointer rests, and what lies under it may be another thing than it was.
+    virtual void lookAgain() {}
     /// Draws what it needs over the view.
     virtual void paint(QPainter&) const {}
 };

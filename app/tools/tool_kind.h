@@ -68,6 +68,7 @@ enum class ToolOption {
     Edges,
     Target,  // what the brush changes
     BrushSize,
+    GrabSize,
     Tip,  // size, hardness, amount, pressure
     Order,
     Separator

@@ -88,11 +88,11 @@ void FirstTips::takeProject() {
     if (done != m_done) setDone(done);
 }
 
-/// Only beside a shape that lies still and can be worked on.
+/// Only beside a shape that lies still and can be worked on, with its pins.
 bool FirstTips::mayShow() const {
     const ShapeSession& session = m_parts.session;
-    return session.frame() && !session.isDragging() && !session.playback().isPlaying() &&
-           !m_parts.tutorial.isVisible() &&
+    return session.frame() && !m_parts.picture.viewport().looks().hidden && !session.isDragging() &&
+           !session.playback().isPlaying() && !m_parts.tutorial.isVisible() &&
            (m_parts.tools.mode() == Mode::Pins || m_parts.tools.mode() == Mode::Animate);
 }
 

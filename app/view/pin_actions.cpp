@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QColorDialog>
 #include <QInputDialog>
+#include <QSpinBox>
 #include <algorithm>
 
 #include "app/document/design.h"
@@ -11,6 +12,7 @@
 #include "app/panels/marks.h"
 #include "app/session/mirroring.h"
 #include "app/session/pin_traits.h"
+#include "app/view/number_action.h"
 
 namespace wend {
 
@@ -68,6 +70,15 @@ void PinActions::makeOutlines() {
     snap =
         addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
     connect(snap, &QAction::toggled, this, [this](bool on) { m_choice.change(&PinSettings::snaps, on); });
+    brushSize = new NumberAction(tr("Size"), tr("The brush across, on the screen; also by the keys [ and ]."),
+                                 tr(" px"), this);
+    brushSize->box().setRange(static_cast<int>(2 * PinSettings::kSmallest),
+                              static_cast<int>(2 * PinSettings::kLargest));
+    const auto put = [this] { brushSize->put(2 * m_choice.now().radius); };
+    put();
+    connect(&m_choice, &PinChoice::changed, this, put);
+    connect(&brushSize->box(), &QSpinBox::valueChanged, this,
+            [this](int across) { m_choice.change(&PinSettings::radius, across / 2.0); });
 }
 
 /// What a switch of several chooses.
@@ -154,6 +165,8 @@ void PinActions::connectActions() {
             [this] { wend::holdThroughout(m_session, selected()); });
     connect(&m_session, &ShapeSession::pinsChanged, this, &PinActions::refresh);
     connect(&m_session, &ShapeSession::frameChanged, this, &PinActions::refresh);
+    // Another file begins with what a click does everywhere.
+    connect(&m_session.document(), &Document::opened, this, [this] { move->setChecked(true); });
 }
 
 void PinActions::refresh() {

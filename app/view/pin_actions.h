@@ -8,6 +8,7 @@
 
 namespace wend {
 
+class NumberAction;
 class ShapeSession;
 
 /// What can be done with the selected pins, of pictures and of solids; among it what a drag does with them.
@@ -20,6 +21,7 @@ class PinActions : public ActionMaker {
     QAction *move, *turn, *grow;
     QAction *selectRectangle, *selectLasso, *selectBrush;  // what is drawn beside pins
     QAction* snap;
+    NumberAction* brushSize;  // of the brush that takes hold of what it covers
     QAction *lock, *hide, *showAll;
     QAction *group, *ungroup, *link;
     QAction *mirror, *mirrorMotion;

@@ -37,6 +37,8 @@ QList<QAction*> ToolOptions::of(ToolOption option) const {
             return {brush.keep, brush.stiffness, brush.direction};
         case ToolOption::BrushSize:
             return {brush.size};
+        case ToolOption::GrabSize:
+            return {pins.brushSize};
         case ToolOption::Tip:
             return {brush.size, brush.hardness, brush.amount, brush.pressure};
         case ToolOption::Order:

@@ -22,9 +22,11 @@ Workspace::Workspace(const Parts& parts)
               parts.crop,
               [select = parts.actions.selectTool] { select->trigger(); }} {
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
-    // Who chooses how to select wants to select.
+    // Who chooses how to select wants to select; beside pins the tool that sets them does so, too.
     for (const QAction* action : {parts.pins.selectRectangle, parts.pins.selectLasso, parts.pins.selectBrush})
-        connect(action, &QAction::triggered, parts.actions.selectTool, &QAction::trigger);
+        connect(action, &QAction::triggered, this, [this] {
+            if (!m_parts.tools.isChosen("pin")) m_parts.actions.selectTool->trigger();
+        });
     connect(parts.solids.actions().through, &QAction::toggled, &m_bench.pins,
             [&pins = m_bench.pins](bool on) { pins.change(&PinSettings::through, on); });
     connect(&m_bench.brush, &Brush::changed, this, &Workspace::takeBrush);
@@ -67,6 +69,7 @@ void Workspace::takeBrush() {
     if (!combs) m_painted = target;
     if (m_parts.tools.isChosen(combs ? "paint" : "comb"))
         m_parts.tools.action(combs ? QStringLiteral("comb") : QStringLiteral("paint"))->trigger();
+    if (Viewport* view = viewport()) view->lookAgain();
     showMap();
 }
 

@@ -58,6 +58,7 @@ class TestOutlineTools : public QObject {
     void init();
     void lassoOfAPhotographBecomesTheOutline();
     void polygonTakesAway();
+    void polygonsGoStraightWithShift();
     void brushAddsAndMakesHoles();
     void cutParts();
     void wandTakesAColour();
@@ -147,7 +148,10 @@ void TestOutlineTools::verify(double area, double tolerance, int parts) {
 
 void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
     use(OutlineTool::Shape::Lasso);
+    const QString first = m_tool->hint();
+    QVERIFY2(!first.contains(QStringLiteral("too")), qPrintable(first));  // all bends still
     draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
+    QVERIFY(m_tool->hint().contains(QStringLiteral("bend too")));
     verify(100 * 80, 30);
     QCOMPARE(steps(), 1);
     // What is drawn next is added, but no more than there is of the picture.
@@ -160,6 +164,17 @@ void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
     QCOMPARE(domain().outline, OutlineKind::Frame);
+}
+
+/// The next side along one of eight ways, however the hand trembles.
+void TestOutlineTools::polygonsGoStraightWithShift() {
+    use(OutlineTool::Shape::Polygon);
+    click(50, 50);
+    click(150, 55, Qt::ShiftModifier);
+    click(146, 150, Qt::ShiftModifier);
+    QTest::keyClick(m_canvas.get(), Qt::Key_Return);
+    QVERIFY(settle(*m_session));
+    verify(100 * 100 / 2.0, 60);
 }
 
 void TestOutlineTools::polygonTakesAway() {

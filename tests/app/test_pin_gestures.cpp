@@ -1,6 +1,10 @@
 // What the hand does with the pin tool, on pictures and on solids from one body: pins that are set and
 // dragged at once, chosen by what is drawn beside them, widened, and dragged along an axis by a number.
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSpinBox>
 #include <QStatusBar>
+#include <QToolBar>
 
 #include "app/tools/pin_tool.h"
 #include "app/view/pin_actions.h"
@@ -30,6 +34,17 @@ class TestPinGestures : public QObject {
     void axesAndNumbers_data() { dimensions(); }
     void axesAndNumbers();
     void arrowsFollowTheScreen();
+    void shiftKeepsItStraight_data() { dimensions(); }
+    void shiftKeepsItStraight();
+    void otherFilesBeginAnew_data() { dimensions(); }
+    void otherFilesBeginAnew();
+    void whatLiesUnderAStillPointerIsToldAnew_data() { dimensions(); }
+    void whatLiesUnderAStillPointerIsToldAnew();
+    void choosingHowToSelectKeepsThePinTool();
+    void pointsAreWidenedByANumber_data() { dimensions(); }
+    void pointsAreWidenedByANumber();
+    void grabbingBrushHasItsSizeBesideItsName_data() { dimensions(); }
+    void grabbingBrushHasItsSizeBesideItsName();
 
   private:
     ShapeSession& session() { return m_f->session(); }
@@ -65,6 +80,25 @@ class TestPinGestures : public QObject {
     void refuse();
     template <int Dim>
     void lock();
+    template <int Dim>
+    void straight();
+    template <int Dim>
+    void anew();
+    template <int Dim>
+    void stillPointer();
+    template <int Dim>
+    void widenByNumber();
+    template <int Dim>
+    void sizeBeside();
+    template <int Dim>
+    Viewport& viewport() {
+        return Bar<Dim>::canvas(*m_f).viewport();
+    }
+    QString hint() {
+        for (const auto* label : m_f->window().statusBar()->findChildren<QLabel*>())
+            if (label->accessibleName().isEmpty() && !label->toolTip().isEmpty()) return label->toolTip();
+        return {};
+    }
 
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -242,8 +276,8 @@ void TestPinGestures::choose(DrawnOutline::Kind kind) {
                       : kind == Lasso   ? pins().selectLasso
                                         : pins().selectBrush;
     QVERIFY(action->isVisible() && action->isEnabled());
+    m_f->tool("select")->trigger();  // beside a pin the other one would set more
     action->trigger();
-    QVERIFY(m_f->tool("select")->isChecked());
     // From the left pin's upper side along the upper edge to the right one, and down to it.
     const QList<QPoint> way = {at<Dim>(-0.5, 0.45), at<Dim>(0.5, 0.45), at<Dim>(0.5, -0.05)};
     press(way[0]);
@@ -358,6 +392,149 @@ void TestPinGestures::arrowsFollowTheScreen() {
     QVERIFY(settle(session()));
     QVERIFY(m_f->window().canvas().toWidget(pin<2>(1)).y() < before.y() - 0.1);
     QVERIFY((pin<2>(1) - place - Vec<2>(0, 10 * session().pixel())).norm() < 1e-9);
+}
+
+/// Along the nearest of eight ways of the screen, also when it is held from the start, which lets nothing go.
+template <int Dim>
+void TestPinGestures::straight() {
+    QVERIFY(open<Dim>({0.2, 0.8}));
+    press(at<Dim>(0.8));
+    QVERIFY(let(at<Dim>(0.8)));
+    QVERIFY(session().selection().contains(1));
+    const auto wayBy = [&](const QPoint& way) {
+        const QPointF before = Bar<Dim>::canvas(*m_f).toWidget(pin<Dim>(1));
+        if (!drag(before.toPoint(), way, Qt::ShiftModifier)) return QPointF(1e9, 1e9);
+        return Bar<Dim>::canvas(*m_f).toWidget(pin<Dim>(1)) - before;
+    };
+    for (const auto& [way, expected] : {std::pair{QPoint(30, 8), QPointF(30, 0)},
+                                        {QPoint(-7, 28), QPointF(0, 28)},
+                                        {QPoint(-24, -20), QPointF(-22, -22)}}) {
+        const QPointF went = wayBy(way);
+        QVERIFY2(QLineF(went, expected).length() < 1.5,
+                 qPrintable(QString("%1 %2").arg(went.x()).arg(went.y())));
+        QVERIFY(session().selection().contains(1));
+    }
+    const QPoint there = Bar<Dim>::canvas(*m_f).toWidget(pin<Dim>(1)).toPoint();
+    press(there, Qt::ShiftModifier);
+    QVERIFY(let(there, Qt::ShiftModifier));
+    QVERIFY(!session().selection().contains(1));  // a click alone
+}
+
+void TestPinGestures::shiftKeepsItStraight() {
+    BOTH(straight);
+}
+
+/// With what a drag does everywhere, and with nothing under the pointer that was the last file's.
+template <int Dim>
+void TestPinGestures::anew() {
+    QVERIFY(open<Dim>({0.2, 0.8}));
+    QTest::mouseMove(&m_f->view(), at<Dim>(0.2));
+    QCOMPARE(viewport<Dim>().hovered(), 0);
+    QVERIFY2(hint().startsWith(QStringLiteral("Drag to move the pin")), qPrintable(hint()));
+    pins().turn->trigger();
+    undo().setClean();
+    QVERIFY(m_f->openProject(Dim, 300));
+    QCOMPARE(viewport<Dim>().hovered(), -1);
+    QVERIFY(pins().move->isChecked());
+    QVERIFY2(hint().startsWith(QStringLiteral("Click")), qPrintable(hint()));
+}
+
+void TestPinGestures::otherFilesBeginAnew() {
+    BOTH(anew);
+}
+
+/// A pin that is undone under it, and one that comes back.
+template <int Dim>
+void TestPinGestures::stillPointer() {
+    QVERIFY(open<Dim>({0.2, 0.8}));
+    QTest::mouseMove(&m_f->view(), at<Dim>(0.8));
+    QCOMPARE(viewport<Dim>().hovered(), 1);
+    undo().undo();
+    QVERIFY(settle(session()));
+    QCOMPARE(viewport<Dim>().hovered(), -1);
+    QVERIFY2(hint().startsWith(QStringLiteral("Click")), qPrintable(hint()));
+    undo().redo();
+    QVERIFY(settle(session()));
+    QCOMPARE(viewport<Dim>().hovered(), 1);
+    QVERIFY2(hint().startsWith(QStringLiteral("Drag to move the pin")), qPrintable(hint()));
+}
+
+void TestPinGestures::whatLiesUnderAStillPointerIsToldAnew() {
+    BOTH(stillPointer);
+}
+
+void TestPinGestures::pointsAreWidenedByANumber() {
+    BOTH(widenByNumber);
+}
+
+/// A point has a radius of 0; too small a one is told, and not taken.
+template <int Dim>
+void TestPinGestures::widenByNumber() {
+    QVERIFY(open<Dim>({0.2, 0.8}));
+    session().selection().set({1});
+    QVERIFY(settle(session()));
+    auto* radius = m_f->window().template findChild<QDoubleSpinBox*>(QStringLiteral("circleRadius"));
+    QVERIFY(radius->isVisible());
+    QCOMPARE(radius->value(), 0.0);
+    const int before = undo().count();
+    const auto type = [radius](double number) {
+        radius->setFocus();
+        radius->selectAll();
+        QTest::keyClicks(radius, QLocale().toString(number, 'f', 2));
+        QTest::keyClick(radius, Qt::Key_Return);
+    };
+    type(0.01 * Bar<Dim>::kUnit);
+    QCOMPARE(undo().count(), before);
+    QCOMPARE(radius->value(), 0.0);
+    type(0.5 * Bar<Dim>::kUnit);
+    QCOMPARE(undo().count(), before + 1);
+    const auto& at = session().document().template design<Dim>().handles[1].at;
+    const auto& ball = std::get<Ball<Dim>>(std::get<Region<Dim>>(at));
+    QCOMPARE(ball.radius, 0.5 * Bar<Dim>::kUnit);
+    QVERIFY((ball.centre - Bar<Dim>::place(0.8, 0)).norm() < 0.1 * Bar<Dim>::kUnit);
+    QVERIFY(settle(session()));
+    session().selection().set({0});
+    QVERIFY(radius->isVisible() && radius->value() == 0);
+}
+
+void TestPinGestures::grabbingBrushHasItsSizeBesideItsName() {
+    BOTH(sizeBeside);
+}
+
+/// The field, the keys and the circle are one number.
+template <int Dim>
+void TestPinGestures::sizeBeside() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    m_f->tool("grabBrush")->trigger();
+    const auto* row = m_f->window().template findChild<QToolBar*>(QStringLiteral("optionRow"));
+    settleLayout(m_f->window());
+    QSpinBox* size = nullptr;
+    for (auto* box : row->findChildren<QSpinBox*>())
+        if (box->accessibleName() == QStringLiteral("Size") && box->isVisible()) size = box;
+    QVERIFY(size);
+    const int first = size->value();
+    QTest::keyClick(&m_f->view(), Qt::Key_BracketRight);
+    QVERIFY(size->value() > first);
+    const auto held = [&](int across) {
+        size->setValue(across);
+        session().selection().clear();
+        drag(at<Dim>(0), QPoint(1, 0));
+        return session().template pins<Dim>().back().points.size();
+    };
+    const auto few = held(50);
+    m_f->tool("grabBrush")->trigger();
+    QVERIFY(held(100) > few);
+}
+
+/// It selects, too; from any other tool one comes to the one that selects.
+void TestPinGestures::choosingHowToSelectKeepsThePinTool() {
+    QVERIFY(Bar<2>::open(*m_f));
+    m_f->tool("pin")->trigger();
+    pins().selectLasso->trigger();
+    QVERIFY(m_f->tool("pin")->isChecked());
+    m_f->tool("paint")->trigger();
+    pins().selectBrush->trigger();
+    QVERIFY(m_f->tool("select")->isChecked());
 }
 
 QTEST_MAIN(TestPinGestures)

@@ -209,6 +209,12 @@ void TestTutorial::tipsGoWhenTheyAreFollowed() {
         m_window->tools().action("select")->trigger();
         QVERIFY(says("Drag the pin"));
     }
+    for (QAction* without : {m_window->actions().showRest, m_window->actions().hideOverlays}) {  // pins
+        without->setChecked(true);
+        QTRY_VERIFY(!tip().isVisible());
+        without->setChecked(false);
+        QVERIFY(says("Drag the pin"));
+    }
     m_window->tools().setMode(Mode::Pins);
     m_window->tools().action("pin")->trigger();
     const auto above = [&] {

@@ -33,6 +33,7 @@ Viewport::Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& 
     connect(&m_animation, &PinAnimation::changed, &m_overlay, paint);
     connect(&m_session.playback(), &Playback::playingChanged, &m_overlay, paint);
     connect(&m_session.document(), &Document::opened, this, &Viewport::wantField);
+    connect(&m_session, &ShapeSession::pinsChanged, this, &Viewport::lookAgain);
     m_widget.installEventFilter(this);
 }
 
@@ -52,9 +53,19 @@ void Viewport::setTool(Tool* tool) {
     m_overlay.update();
 }
 
-/// Without a solid there is nothing that a tool could do.
+/// Without a solid there is nothing that a tool could do. Of shapes of the other dimension another view
+/// tells.
 void Viewport::tellHint(const Tool& tool) {
-    emit hintChanged(m_dimension == 2 || m_session.frame() ? tool.hint() : QString());
+    if (m_session.document().dimension() == m_dimension)
+        emit hintChanged(m_dimension == 2 || m_session.frame() ? tool.hint() : QString());
+}
+
+void Viewport::lookAgain() {
+    if (!m_tool || m_active || m_session.isDragging()) return;
+    m_tool->lookAgain();
+    updateCursor();
+    tellHint(*m_tool);
+    m_overlay.update();
 }
 
 void Viewport::cancelGesture() {

@@ -44,6 +44,8 @@ class Viewport : public QObject {
     int hovered() const { return m_tool ? m_tool->hovered() : -1; }
     /// What a gesture has gathered is of a mesh that is gone.
     void cancelGesture();
+    /// What lies under the pointer, or what the tool works with, has changed: hint, pointer and marks follow.
+    void lookAgain();
     const Looks& looks() const { return m_looks; }
     template <class T>
     void set(T Looks::*look, const std::type_identity_t<T>& value) {
