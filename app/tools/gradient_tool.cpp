@@ -11,6 +11,7 @@
 #include "app/session/mark_size.h"
 #include "app/session/material_raster.h"
 #include "app/tools/brush_paint.h"
+#include "app/tools/in_steps.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -38,10 +39,10 @@ void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radi
 
 template <int Dim>
 QString GradientTool<Dim>::hint() const {
-    return QCoreApplication::translate(
-        "GradientTool",
-        "Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt "
-        "picks up, Esc gives up");
+    return QCoreApplication::translate("GradientTool",
+                                       "Drag over the shape: from what is there it changes evenly into what "
+                                       "is chosen on the right; Shift by "
+                                       "45°, Alt picks up, Esc gives up");
 }
 
 template <int Dim>
@@ -89,7 +90,9 @@ std::optional<Design<Dim>> GradientTool<Dim>::moved() const {
 
 template <int Dim>
 void GradientTool<Dim>::press(const QMouseEvent& event) {
+    m_cross.hide();
     if (event.button() != Qt::LeftButton) return;
+    m_byKeys = m_cross.isAtWork();
     m_frame = surface().shownFrame();
     if (!m_frame) return;
     const auto touch = surface().touch(event.position());
@@ -114,12 +117,26 @@ bool GradientTool<Dim>::isCurrent() const {
     return frame && frame->shape == m_frame->shape && session().document().project() == m_project;
 }
 
-/// Beside the shape the last place on it stays.
+/// That stays where it is, on the screen.
+template <int Dim>
+QPointF GradientTool<Dim>::otherEnd() const {
+    if (m_handle)
+        for (const Handle& one : handles())
+            if (one.region == m_handle->region && one.isTo != m_handle->isTo)
+                return surface().toWidget(one.seen);
+    return surface().toWidget(m_from->seen);
+}
+
+/// Beside the shape the last place on it stays. A hand at the mouse gives up what keys have begun.
 template <int Dim>
 void GradientTool<Dim>::move(const QMouseEvent& event) {
+    m_cross.hide();
     if (!m_frame) return;
-    if (!isCurrent()) return cancel();
-    if (const auto end = endAt(event.position())) m_to = end;
+    if (!isCurrent() || m_byKeys != m_cross.isAtWork()) return cancel();
+    const bool steps =
+        event.modifiers() & Qt::ShiftModifier && !m_byKeys;  // arrow keys take longer ones by it
+    const QPointF from = otherEnd(), way = event.position() - from;
+    if (const auto end = endAt(from + (steps ? inSteps(way) : way))) m_to = end;
     preview(true);
 }
 
@@ -171,9 +188,12 @@ void GradientTool<Dim>::release(const QMouseEvent& event) {
 
 template <int Dim>
 bool GradientTool<Dim>::key(const QKeyEvent& event) {
-    if (event.key() != Qt::Key_Escape || !m_frame) return false;
+    if (event.key() != Qt::Key_Escape)
+        return m_cross.clicks<Dim>(event, surface(), *this,
+                                   m_frame ? KeyCross::Enter::LetsGo : KeyCross::Enter::Presses);
+    const bool has = m_frame != nullptr;
     cancel();
-    return true;
+    return has;
 }
 
 template <int Dim>
@@ -186,6 +206,7 @@ void GradientTool<Dim>::cancel() {
 
 template <int Dim>
 void GradientTool<Dim>::paint(QPainter& painter) const {
+    m_cross.paint(painter);
     const auto line = [&](const QPointF& from, const QPointF& to, const QColor& colour) {
         painter.setPen(QPen(QColor(255, 255, 255, 217), marked(3.5)));
         painter.drawLine(from, to);

@@ -2,6 +2,7 @@
 
 #include "app/document/design.h"
 #include "app/document/project_fwd.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/tool_kind.h"
 
 namespace wend {
@@ -22,6 +23,7 @@ class GradientTool : public ShapeTool<Dim> {
     void release(const QMouseEvent& event) override;
     bool key(const QKeyEvent& event) override;
     void cancel() override;
+    void leave() override { m_cross.hide(); }
     void paint(QPainter& painter) const override;
 
   private:
@@ -41,11 +43,14 @@ class GradientTool : public ShapeTool<Dim> {
     std::optional<Design<Dim>> moved() const;
     bool isCurrent() const;
     std::optional<End> endAt(const QPointF& at) const;
+    QPointF otherEnd() const;
     std::optional<MaterialRegion<Dim>> region() const;
     std::optional<Design<Dim>> next() const;
     bool preview(bool lasts);
 
     Brush& m_brush;
+    KeyCross m_cross;
+    bool m_byKeys = false;                     // the drag that goes on
     PosedPtr<Dim> m_frame;                     // when the drag began, with its material; null without a drag
     std::shared_ptr<const Project> m_project;  // then
     std::optional<End> m_from, m_to;

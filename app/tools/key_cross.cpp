@@ -48,23 +48,25 @@ template bool KeyCross::take<3>(const QKeyEvent&, ShapeSurface<3>&,
                                 const std::function<void(const QPointF&)>&);
 
 template <int Dim>
-bool KeyCross::clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool) {
+bool KeyCross::clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool, Enter enter) {
     const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeypadModifier;
     const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons buttons) {
         return QMouseEvent(type, *m_at, *m_at, *m_at, button, buttons, held);
     };
     m_clicks = true;
     const bool taken = take<Dim>(key, surface, [&](const QPointF&) {
-        tool.press(send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton));
-        tool.release(send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton));
+        if (enter != Enter::LetsGo)
+            tool.press(send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton));
+        if (enter != Enter::Presses)
+            tool.release(send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton));
     });
     if (taken && m_at) tool.move(send(QEvent::MouseMove, Qt::NoButton, Qt::NoButton));
     m_clicks = false;
     return taken;
 }
 
-template bool KeyCross::clicks<2>(const QKeyEvent&, ShapeSurface<2>&, Tool&);
-template bool KeyCross::clicks<3>(const QKeyEvent&, ShapeSurface<3>&, Tool&);
+template bool KeyCross::clicks<2>(const QKeyEvent&, ShapeSurface<2>&, Tool&, Enter);
+template bool KeyCross::clicks<3>(const QKeyEvent&, ShapeSurface<3>&, Tool&, Enter);
 
 void KeyCross::paint(QPainter& painter) const {
     if (!m_at) return;

@@ -20,9 +20,13 @@ class KeyCross {
     template <int Dim>
     bool take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
               const std::function<void(const QPointF&)>& click);
-    /// An arrow moves a tool's pointer with it; Enter clicks there, with what is held.
+    /// What Enter does with a tool's button.
+    enum class Enter { Clicks, Presses, LetsGo };
+    /// An arrow moves a tool's pointer with it; Enter clicks there, with what is held, or does half of that.
     template <int Dim>
-    bool clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool);
+    bool clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool, Enter enter = Enter::Clicks);
+    /// What the tool gets comes from here.
+    bool isAtWork() const { return m_clicks; }
     /// The mouse has taken over.
     void hide() {
         if (!m_clicks) m_at.reset();
@@ -30,7 +34,7 @@ class KeyCross {
     void paint(QPainter& painter) const;
 
   private:
-    bool m_clicks = false;  // what the tool gets comes from here
+    bool m_clicks = false;
     std::optional<QPointF> m_at;
 };
 

@@ -31,6 +31,8 @@ class TestBrushwork : public PaintTest {
     void noStiffnessIsNoLayer();
     void keysAlonePaint_data() { dimensions(); }
     void keysAlonePaint();
+    void keysAloneBlend_data() { dimensions(); }
+    void keysAloneBlend();
     void optionsHoldTheBrush_data() { dimensions(); }
     void optionsHoldTheBrush();
     void valuesOfLayersAreLabelled_data() { dimensions(); }
@@ -48,6 +50,8 @@ class TestBrushwork : public PaintTest {
     void paintNothing();
     template <int Dim>
     void paintByKeys();
+    template <int Dim>
+    void blendByKeys();
     template <int Dim>
     void showOptions();
     template <int Dim>
@@ -208,6 +212,48 @@ void TestBrushwork::paintByKeys() {
     QTest::keyClick(&canvas, Qt::Key_Enter, Qt::KeypadModifier);
     QVERIFY(settle(session));
     QVERIFY(std::ranges::all_of(phis<Dim>(), [](double one) { return std::abs(one - phi::kEquia) < 1e-12; }));
+}
+
+void TestBrushwork::keysAloneBlend() {
+    BOTH(blendByKeys);
+}
+
+/// Enter takes hold of an end, arrows bring it away, Enter lets it go: of a new gradient, and of one that is
+/// there. Escape gives it up, and so does a hand at the mouse.
+template <int Dim>
+void TestBrushwork::blendByKeys() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    m_f->tool("gradient")->trigger();
+    set([](BrushSettings& b) { b.phi = phi::kAkvf; });
+    canvas.setFocus();
+    const auto keys = [&canvas](const QList<int>& all) {
+        for (const int key : all)
+            QTest::keyClick(&canvas, static_cast<Qt::Key>(key),
+                            key >= Qt::Key_Left && key <= Qt::Key_Down ? Qt::ShiftModifier : Qt::NoModifier);
+    };
+    const auto blend = [&] { return std::get<Blend<Dim>>(regions<Dim>().back().shape); };
+    keys({Qt::Key_Right, Qt::Key_Return, Qt::Key_Right, Qt::Key_Escape, Qt::Key_Return});
+    QVERIFY(regions<Dim>().empty());  // the last one has begun another
+    QTest::mouseMove(&canvas, canvas.toWidget(Bar<Dim>::place(0.5, 0)).toPoint());
+    QVERIFY(regions<Dim>().empty());
+    const int before = steps();
+    keys({Qt::Key_Right, Qt::Key_Return, Qt::Key_Right, Qt::Key_Right, Qt::Key_Up});
+    QVERIFY(regions<Dim>().empty());
+    keys({Qt::Key_Return});
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(steps(), before + 1);
+    const Vec<Dim> from = blend().from, way = blend().to - from;
+    const double step = 50 * canvas.pixelSize(from);
+    QVERIFY((from - Bar<Dim>::place(0, 0)).norm() < 0.1 * step);
+    QVERIFY2(
+        std::abs(way.x() - 2 * step) < 0.1 * step && std::abs(way.norm() - std::sqrt(5) * step) < 0.2 * step,
+        qPrintable(QString("%1 %2").arg(way.x() / step).arg(way.norm() / step)));
+    keys({Qt::Key_Return, Qt::Key_Down, Qt::Key_Return});  // where the cross is: its end
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(regions<Dim>().size(), std::size_t(1));
+    const Vec<Dim> after = blend().to - blend().from;
+    QVERIFY(blend().from == from && std::abs(after.norm() - 2 * step) < 0.2 * step);
 }
 
 void TestBrushwork::optionsHoldTheBrush() {
