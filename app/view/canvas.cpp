@@ -105,8 +105,7 @@ void ShapeCanvas::takeOpened() {
     m_drawn.reset();
     const auto& picture = m_session.document().picture();
     m_view.setPointsUp(!picture);
-    m_fitted = true;
-    fit();
+    fitTo(Fitted::Picture);
     update();
     if (!picture) return;
     m_unbent = unbent(*picture);
@@ -171,7 +170,7 @@ void ShapeCanvas::takeFrame() {
     const bool first = !m_drawn && !m_session.document().picture() && frame;
     if (first) takeTexture(*frame);
     m_viewport.takeFrame();
-    if (first) fit();
+    if (first) fitTo(Fitted::Picture);
     render();
 }
 
@@ -226,14 +225,19 @@ void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result
     update();
 }
 
-void ShapeCanvas::fit() {
+void ShapeCanvas::fitTo(Fitted what) {
+    m_fitted = what;
     const QRectF frame = frameRect();
     if (frame.isEmpty()) return;
     const double natural =
         m_session.document().picture() ? 1 : 1000 / std::hypot(frame.width(), frame.height());
     m_view.setZoomLimits(0.005 * natural, 64 * natural);
-    m_view.fit(fittedRect(), size(), kMargin);
-    m_fitted = true;
+    fitView();
+}
+
+/// To the picture alone, as it was opened: the shape may be about to change.
+void ShapeCanvas::fitView() {
+    m_view.fit(m_fitted == Fitted::Pose ? fittedRect() : frameRect(), size(), kMargin);
     showView();
 }
 
@@ -243,7 +247,7 @@ void ShapeCanvas::showView() {
 }
 
 void ShapeCanvas::zoomTo(double zoom) {
-    m_fitted = false;
+    m_fitted = Fitted::No;
     m_view.setZoom(zoom, rect().center());
     showView();
 }
@@ -259,7 +263,7 @@ void ShapeCanvas::showWorst() {
 }
 
 void ShapeCanvas::showPlace(const Vec<2>& at) {
-    m_fitted = false;
+    m_fitted = Fitted::No;
     m_view.pan(QPointF(rect().center()) - m_view.toWidget(at));
     showView();
 }
@@ -284,7 +288,7 @@ void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion<2>>& regions)
 
 void ShapeCanvas::navigate(QMouseEvent& event, bool pans) {
     if (event.type() == QEvent::MouseMove) {
-        m_fitted = false;
+        m_fitted = Fitted::No;
         m_view.pan(event.position() - m_lastPan);
         showView();
     }
@@ -303,19 +307,15 @@ QString ShapeCanvas::pointerText(const QPointF& at) {
 void ShapeCanvas::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0) return;
-    m_fitted = false;
+    m_fitted = Fitted::No;
     m_view.setZoom(m_view.zoom() * std::pow(1.2, steps), event->position());
     showView();
     event->accept();
 }
 
 void ShapeCanvas::resizeEvent(QResizeEvent*) {
-    // To the picture: the shape may be about to change. Who asks for it sees all that is bent, too.
-    if (m_fitted && !frameRect().isEmpty()) {
-        m_view.fit(frameRect(), size(), kMargin);
-        showView();
-    } else
-        render();
+    const bool fits = m_fitted != Fitted::No && !m_follows && !frameRect().isEmpty();
+    fits ? fitView() : render();
 }
 
 }  // namespace wend

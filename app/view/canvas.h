@@ -24,6 +24,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     const ViewTransform& view() const { return m_view; }
     /// The same part of the domain as another canvas of that size shows.
     void takeView(const ShapeCanvas& other);
+    /// It takes the view of another one, and has none of its own when its size changes.
+    void followOther() { m_follows = true; }
     /// The document's picture, or that of a file's mesh, as it is drawn; null where there is none, or not
     /// yet.
     const std::shared_ptr<const ScreenPicture>& screenPicture() const { return m_picture; }
@@ -55,7 +57,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     /// Draws the border of other regions; none: of none.
     void setDetailRegions(const std::vector<wend::MaterialRegion<2>>& regions);
     void setDepthRegions(const std::vector<wend::MaterialRegion<2>>& regions);
-    void fit();
+    /// What is bent, too: also whenever the window's size changes, until one looks elsewhere.
+    void fit() { fitTo(Fitted::Pose); }
     void zoomTo(double zoom);
     void zoomBy(double factor);
     void showWorst();
@@ -74,7 +77,10 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     void tabletEvent(QTabletEvent* event) override { takePressure(*event); }
 
   private:
+    enum class Fitted { No, Picture, Pose };
     void takeOpened();
+    void fitTo(Fitted what);
+    void fitView();
     void preparePicture(const std::shared_ptr<const Image>& picture);
     void takeTexture(const PosedFrame<2>& frame);
     PosedPtr<2> drawnFrame() const;
@@ -107,7 +113,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     QTimer m_refine;  // draws at full quality once nothing has moved for a while
     mutable CellDepths m_depths;
     Ground m_ground;
-    bool m_fitted = false;  // the view follows the window's size until the user changes it
+    Fitted m_fitted = Fitted::No;  // the view follows the window's size until the user changes it
+    bool m_follows = false;
     bool m_panning = false;
     QPointF m_lastPan;
     RenderThread m_renderer;  // the last member: it stops before the others go

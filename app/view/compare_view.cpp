@@ -70,6 +70,7 @@ CompareView::CompareView(const Parts& parts, QWidget* parent)
     other->addWidget(m_otherHead);
     other->addWidget(m_picture, 1);
     row->addWidget(m_other, 1);
+    m_picture->followOther();
     m_picture->setObjectName(QStringLiteral("comparedPicture"));
     m_picture->setAccessibleName(tr("The same with another energy"));
     m_ownHead->hide();

@@ -255,6 +255,24 @@ void TestComparison::halvesShowTheSamePart() {
     QTest::keyClick(&own, Qt::Key_1);
     m_f->window().actions().zoomIn->trigger();
     QVERIFY(own.view() == its.view());
+    // Fitted to what is bent it stays so in a window of another size.
+    m_f->session().selection().set({1});
+    m_f->session().beginDrag();
+    m_f->session().dragBy({150, -200, 0}, 0);
+    m_f->session().endDrag(1);
+    QVERIFY(settle(m_f->session()));
+    m_f->window().actions().fit->trigger();
+    const auto shows = [&](const ShapeCanvas& canvas) {
+        const Points<2>& pose = m_f->session().frame<2>()->pose;
+        for (Eigen::Index v = 0; v < pose.cols(); ++v)
+            if (!canvas.rect().contains(canvas.toWidget(pose.col(v)).toPoint())) return false;
+        return true;
+    };
+    QVERIFY(shows(own));
+    m_f->window().resize(m_f->window().width() - 160, m_f->window().height() - 60);
+    settleLayout(m_f->window());
+    QTRY_COMPARE(its.size(), own.size());
+    QVERIFY(shows(own) && shows(its) && own.view() == its.view());
     // Maps have the same colours in both.
     m_f->window().actions().showMap->setChecked(true);
     const auto mapOf = [](const ShapeCanvas& canvas) {
