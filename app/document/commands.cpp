@@ -1,7 +1,5 @@
 #include "app/document/commands.h"
 
-#include "app/document/document.h"
-
 namespace wend {
 
 ProjectCommand::ProjectCommand(Document& document, const QString& name, std::shared_ptr<const Project> before,

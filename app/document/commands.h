@@ -3,11 +3,9 @@
 #include <QUndoCommand>
 #include <memory>
 
-#include "app/document/project_fwd.h"
+#include "app/document/document.h"
 
 namespace wend {
-
-class Document;
 
 /// One gesture: the project before and after it. Redo and undo set the value, so doing either twice changes
 /// nothing. Commands of the same merge key that follow each other become one.
@@ -21,6 +19,7 @@ class ProjectCommand : public QUndoCommand {
     int id() const override;
     bool mergeWith(const QUndoCommand* next) override;
     const QString& mergeKey() const { return m_mergeKey; }
+    DoneStep step() const { return {text(), m_before, m_after}; }
 
   private:
     Document& m_document;

@@ -197,7 +197,20 @@ void FileWorkflow::take(const Reading& reading) {
     if (!m_found.isEmpty()) m_document.undoStack()->resetClean();  // its file names the old places
     if (!file.path.isEmpty()) m_watch->watch(file.path, reading.stamp);
     if (m_recoveredFrom.isEmpty()) addRecent(file.source);
-    if (!file.warnings.isEmpty()) say(Topic::Opening, file.warnings.join('\n'));
+    if (!file.warnings.isEmpty()) say(Topic::Remark, file.warnings.join('\n'));
+}
+
+OpenedFile FileWorkflow::handOver() {
+    takeTyped();
+    OpenedFile all = m_document.handOver();
+    all.recoveredFrom = m_recoveredFrom;
+    return all;
+}
+
+void FileWorkflow::takeOver(const OpenedFile& file) {
+    m_recoveredFrom = file.recoveredFrom;
+    m_document.open(file);
+    if (!file.path.isEmpty()) m_watch->watch(file.path, stampOf(file.path));
 }
 
 /// What was said of saving, or for want of it, holds no more.

@@ -55,6 +55,7 @@ SpokenLanguage::SpokenLanguage() {
 
 SpokenLanguage::~SpokenLanguage() {
     for (QTranslator* one : {&m_ours, &m_qts}) QCoreApplication::removeTranslator(one);
+    QLocale::setDefault(QLocale::system());
 }
 
 LanguageChoice::LanguageChoice(QObject* parent)
@@ -71,23 +72,15 @@ LanguageChoice::LanguageChoice(QObject* parent)
     offer({tr("As the &Desktop"), tr("Speak the desktop's language, if Wend knows it")}, {});
     for (const Language& one : kLanguages) {
         const QString name = QString::fromUtf8(one.name);
-        offer({name, tr("Speak %1 from the next start on").arg(name)}, QLatin1String(one.code));
+        offer({name, tr("Speak %1").arg(name)}, QLatin1String(one.code));
     }
     connect(group, &QActionGroup::triggered, this,
             [this](const QAction* chosen) { choose(chosen->data().toString()); });
 }
 
-/// Who chooses a language understands it.
 void LanguageChoice::choose(const QString& code) {
     QSettings().setValue(kSetting, code);
-    if (code == m_spoken) return emit changed({}, {});
-    QTranslator words;
-    const bool known = loadOurs(words, localeOf(code));
-    const auto in = [&](const char* text) {
-        const QString said = known ? words.translate("wend::LanguageChoice", text) : QString();
-        return said.isEmpty() ? QString::fromUtf8(text) : said;
-    };
-    emit changed(in(QT_TR_NOOP("Wend speaks English from its next start.")), in(QT_TR_NOOP("Start Again")));
+    if (code != m_spoken) emit changed();
 }
 
 }  // namespace wend

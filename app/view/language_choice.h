@@ -18,8 +18,7 @@ class SpokenLanguage {
     QTranslator m_ours, m_qts;
 };
 
-/// The language of the window: the desktop's, or one of those that it knows; remembered for other days, and
-/// spoken from the next start.
+/// The language of the window: the desktop's, or one of those that it knows; remembered for other days.
 class LanguageChoice : public ActionMaker {
     Q_OBJECT
 
@@ -29,9 +28,8 @@ class LanguageChoice : public ActionMaker {
     QMenu* menu() const { return m_menu.get(); }
 
   signals:
-    /// Another language is chosen than the one that is spoken; in that one, what there is to say of it and
-    /// the words for starting again. Both empty: it is this one again.
-    void changed(const QString& text, const QString& again);
+    /// Another language is chosen than the one that is spoken.
+    void changed();
 
   private:
     void choose(const QString& code);

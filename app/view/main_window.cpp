@@ -318,10 +318,9 @@ void MainWindow::connectHelp() {
                    *m_properties->material().energySlider(), *m_tutorial, *m_actions->tips},
                   *m_pages);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
-    connect(m_actions->languages, &LanguageChoice::changed, this,
-            [this](const QString& text, const QString& again) {
-                m_banner->tell(Topic::Language, text, {{again, [this] { startAgain(); }}});
-            });
+    // Not while its menu is open.
+    connect(m_actions->languages, &LanguageChoice::changed, this, &MainWindow::startAgain,
+            Qt::QueuedConnection);
     m_files->setPractice([this] { return m_tutorial->isPractice(); });
     connect(m_actions->tutorial, &QAction::triggered, this, [this] {
         m_tutorial->begin();

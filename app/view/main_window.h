@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/session/shape_session.h"
+#include "app/view/window_state.h"
 
 class QStackedWidget;
 
@@ -53,10 +54,11 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     void openPath(const QString& path);
-    /// Closes the window, if what is unsaved lets it, to be opened by a new start of the program.
+    /// Closes the window, with all that is unsaved, for another one in its place.
     void startAgain();
-    /// The arguments of that start: the file that is open.
-    const std::optional<QStringList>& again() const { return m_again; }
+    /// What that one is to take over; nothing if it was closed for good.
+    const std::optional<WindowState>& again() const { return m_again; }
+    void takeOver(const WindowState& state);
 
     ShapeSession& session() { return m_session; }
     ShapeCanvas& canvas() { return *m_canvas; }
@@ -103,10 +105,10 @@ class MainWindow : public QMainWindow {
     void showSelection();
     void updateIcons();
     void showMoreArrows();
-
-    ShapeSession m_session;
     void focusView();
     void followFocus(const QWidget* from, const QWidget* to);
+
+    ShapeSession m_session;
     Toolbox* m_tools;
     Actions* m_actions;
     SolidActions* m_solidActions;
@@ -133,7 +135,7 @@ class MainWindow : public QMainWindow {
     BusyNote* m_note;
     WorkNote* m_work;
     Tutorial* m_tutorial;
-    std::optional<QStringList> m_again;
+    std::optional<WindowState> m_again;
     QString m_opening;  // the file that is being read
     ModeRow* m_modes = nullptr;
     QToolBar* m_topBar = nullptr;

@@ -18,6 +18,7 @@
 #include "app/view/properties_rail.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
+#include "app/view/toolbox.h"
 
 namespace wend {
 
@@ -40,29 +41,34 @@ void MainWindow::changeEvent(QEvent* event) {
 /// Escape, where nothing else has a use for it, gives the keyboard back to the view.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
-    m_pages->currentWidget()->setFocus();
     focusView();
 }
 
 /// The shape, or the start page.
 void MainWindow::focusView() {
+    m_pages->currentWidget()->setFocus();
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
 /// What vanishes while it has the keyboard, a banner's button or a panel's field, gives it to the view: Qt
 /// takes whatever comes next.
 void MainWindow::followFocus(const QWidget* from, const QWidget* to) {
     if (isAncestorOf(from) && isAncestorOf(to) && !from->isVisibleTo(this)) focusView();
 }
 
-    event->setAccepted(m_files->mayLeave());
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(m_again || m_files->mayLeave());
 }
 
 void MainWindow::startAgain() {
-    if (!close()) return;
-    const Document& document = m_session.document();
-    const QString file = document.path().isEmpty() ? document.source() : document.path();
-    m_again = file.isEmpty() ? QStringList() : QStringList(file);
+    m_again = WindowState{m_files->handOver(), saveGeometry(), m_tools->mode()};
+    close();
+}
+
+void MainWindow::takeOver(const WindowState& state) {
+    restoreGeometry(state.geometry);
+    if (!state.file.project) return;
+    m_files->takeOver(state.file);
+    m_tools->setMode(state.mode);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,7 +1,6 @@
 #include "app/view/run_window.h"
 
 #include <QApplication>
-#include <QProcess>
 #include <QStyleFactory>
 #include <clocale>
 #include <optional>
@@ -14,12 +13,13 @@ namespace wend {
 
 namespace {
 
-/// Until it is closed. Then, if it is to be opened again, the arguments for that.
-std::optional<QStringList> showWindow(const QString& file) {
+/// Until it is closed. Then, if another one is to take its place, what that takes over.
+std::optional<WindowState> showWindow(const QString& file, const std::optional<WindowState>& before) {
     MainWindow window;
-    window.show();
     window.files().guardWork(Recovery::standardFolder());
-    if (!file.isEmpty()) {
+    if (before) window.takeOver(*before);
+    window.show();
+    if (!before && !file.isEmpty()) {
         window.files().tellLostWhenOpened();
         window.openPath(file);
     }
@@ -37,10 +37,12 @@ int runWindow(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(WEND_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("wend"));
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    const SpokenLanguage language;
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/wend/icons/wend.svg")));
-    const std::optional<QStringList> again = showWindow(QApplication::arguments().value(1));
-    if (again) QProcess::startDetached(QApplication::applicationFilePath(), *again);
+    std::optional<WindowState> state;
+    do {  // another language is spoken by another window
+        const SpokenLanguage language;
+        state = showWindow(QApplication::arguments().value(1), state);
+    } while (state);
     return 0;
 }
 

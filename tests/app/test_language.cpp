@@ -1,20 +1,20 @@
 #include <QMenuBar>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "app/document/design.h"
+#include "app/session/opening.h"
 #include "app/view/actions.h"
 #include "app/view/file_workflow.h"
-#include "app/view/info_banner.h"
 #include "app/view/language_choice.h"
 #include "app/view/main_window.h"
+#include "app/view/toolbox.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
 using namespace wend::test;
 
-/// The language of the window is chosen in its menu, and spoken from the next start.
+/// The language of the window is chosen in its menu, and spoken at once by a window in its place.
 class TestLanguage : public QObject {
     Q_OBJECT
   private slots:
@@ -24,13 +24,15 @@ class TestLanguage : public QObject {
     void chosenLanguageIsSpoken();
     void unknownLanguageIsTheDesktops();
     void englishDesktopsSpeakEnglish();
-    void choiceIsToldAndTakenBack();
-    void newStartKeepsTheFile();
-    void newStartAsksForUnsavedWork();
+    void choosingWhatIsSpokenChangesNothing();
+    void nextWindowTakesAllOver_data();
+    void nextWindowTakesAllOver();
+    void nextWindowIsEmptyAsWell();
+    void namesOfSamplesAreSpoken();
 
   private:
     QAction* language(const QString& name) const;
-    QPushButton* again() const { return m_window->banner().findChild<QPushButton*>(); }
+    WindowState leaveFor(const QString& name);
     void open();
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -130,8 +132,7 @@ void TestLanguage::englishDesktopsSpeakEnglish() {
     QCOMPARE(m_window->menuBar()->actions().first()->text().remove('&'), QStringLiteral("File"));
 }
 
-/// One line, in the language that was chosen, until this one is chosen again.
-void TestLanguage::choiceIsToldAndTakenBack() {
+void TestLanguage::choosingWhatIsSpokenChangesNothing() {
     m_window = std::make_unique<MainWindow>();
     QAction* const before = m_window->actions().languages->menu()->actions().first();
     QVERIFY(before->isChecked());
@@ -145,33 +146,80 @@ void TestLanguage::choiceIsToldAndTakenBack() {
     QVERIFY(m_window->banner().text().isEmpty());
 }
 
-void TestLanguage::newStartKeepsTheFile() {
-    open();
-    language(QStringLiteral("Deutsch"))->trigger();
-    QVERIFY(!m_window->again());
-    again()->click();
-    QVERIFY(!m_window->isVisible());
-    QCOMPARE(*m_window->again(), QStringList(m_folder->filePath("bar.png")));
+/// The window closes and asks nothing; the next one speaks the language.
+WindowState TestLanguage::leaveFor(const QString& name) {
+    language(name)->trigger();
+    const bool closed = QTest::qWaitFor([this] { return !m_window->isVisible(); }, 20000);
+    const std::optional<WindowState> left = m_window->again();
+    if (!closed || !left) return {};
+    m_window.reset();
+    m_spoken = std::make_unique<SpokenLanguage>();
+    m_window = std::make_unique<MainWindow>();
+    m_window->takeOver(*left);
+    m_window->show();
+    return *left;
 }
 
 /// Who would rather keep it stays where they are.
 void TestLanguage::newStartAsksForUnsavedWork() {
     open();
     m_window->session().addPin({100, 80});
-    language(QStringLiteral("Deutsch"))->trigger();
-    for (const auto answer : {QMessageBox::Cancel, QMessageBox::Discard}) {
-        bool asked = false;
-        QTimer::singleShot(0, this, [&] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            asked = box != nullptr;
-            if (box) box->button(answer)->click();
-        });
-        again()->click();
-        QVERIFY(asked);
-        const bool leaves = answer == QMessageBox::Discard;
-        QCOMPARE(m_window->isVisible(), !leaves);
-        QCOMPARE(m_window->again().has_value(), leaves);
-    }
+    m_window->session().addPin({180, 80});
+    undo().undo();
+    m_window->tools().setMode(Mode::Paint);
+    const std::shared_ptr<const Project> before = m_window->session().document().project();
+    const QRect place = m_window->geometry();
+    const QString step = undo().undoText();
+    QVERIFY(leaveFor(QStringLiteral("Deutsch")).file.project == before);
+    QVERIFY(m_window->menuBar()->actions().first()->text().remove('&').startsWith(QStringLiteral("Datei")));
+    const Document& document = m_window->session().document();
+    QVERIFY(document.project() == before && document.isModified() && document.picture());
+    QCOMPARE(document.path(), saved ? file : QString());
+    QCOMPARE(m_window->geometry(), place);
+    QCOMPARE(m_window->tools().mode(), Mode::Paint);
+    QCOMPARE(undo().undoText(), step);
+    undo().redo();
+    QCOMPARE(pins(), std::size_t(3));
+    undo().undo();
+    undo().undo();
+    QCOMPARE(pins(), std::size_t(1));
+    QCOMPARE(document.isModified(), !saved);
+    undo().undo();
+    QVERIFY(pins() == 0 && !undo().canUndo());
+    QCOMPARE(document.isModified(), saved);
+    QVERIFY(settle(m_window->session()));
+    undo().setClean();
+}
+
+void TestLanguage::nextWindowIsEmptyAsWell() {
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+    QVERIFY(!leaveFor(QStringLiteral("Deutsch")).file.project);
+    QVERIFY(m_window->isVisible() && m_window->session().document().isEmpty());
+    QVERIFY(leaveFor(QStringLiteral("English")).geometry.size() > 0);  // and back
+    QCOMPARE(m_window->menuBar()->actions().first()->text().remove('&'), QStringLiteral("File"));
+}
+
+/// Of the user's own files they stay as they are.
+void TestLanguage::namesOfSamplesAreSpoken() {
+    QSettings().setValue("language", "de");
+    m_spoken = std::make_unique<SpokenLanguage>();
+    m_window = std::make_unique<MainWindow>();
+    const auto nameOfFirst = [this](const QString& path) {
+        const int before = m_window->session().document().generation();
+        m_window->openPath(path);
+        const auto isOpen = [&] { return m_window->session().document().generation() > before; };
+        if (!QTest::qWaitFor(isOpen, 20000)) return QString();
+        return QString::fromStdString(m_window->session().document().design<2>().handles.front().name);
+    };
+    QString giraffe;
+    for (const QString& path : samplePaths())
+        if (path.endsWith(QStringLiteral("giraffe.wend"))) giraffe = path;
+    QCOMPARE(nameOfFirst(giraffe), QStringLiteral("Hinterhuf"));
+    const QFileInfo info(giraffe);
+    for (const char* name : {"giraffe.wend", "giraffe.png"})
+        QVERIFY(QFile::copy(info.dir().filePath(name), m_folder->filePath(name)));
+    QCOMPARE(nameOfFirst(m_folder->filePath("giraffe.wend")), QStringLiteral("hind hoof"));
 }
 
 QTEST_MAIN(TestLanguage)

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QByteArray>
+
+#include "app/document/document.h"
+#include "app/tools/mode.h"
+
+namespace wend {
+
+/// What a window leaves to the one that takes its place, in another language.
+struct WindowState {
+    OpenedFile file;  // without a project: nothing is open
+    QByteArray geometry;
+    Mode mode = Mode::Pins;
+};
+
+}  // namespace wend
