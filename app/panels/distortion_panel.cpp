@@ -11,10 +11,17 @@
 
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/reasons.h"
 #include "app/session/shape.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
+
+namespace {
+
+const QString kUnknown = QStringLiteral("–");
+
+}  // namespace
 
 DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
@@ -187,11 +194,12 @@ void DistortionPanel::showFaults() {
     m_crossed.clear();
     m_grown.clear();
     m_nextCrossed = m_nextGrown = 0;
-    for (QToolButton* button : {m_crossings, m_blown}) button->setText(QStringLiteral("–"));
+    for (QToolButton* button : {m_crossings, m_blown}) button->setText(kUnknown);
     showFaults<2>();
     showFaults<3>();
-    m_crossings->setEnabled(!m_crossed.empty());
-    m_blown->setEnabled(!m_grown.empty());
+    const QString moves = tr("That is looked for once the pose rests."), none = tr("There is no such place.");
+    allow(m_crossings, !m_crossed.empty(), m_crossings->text() == kUnknown ? moves : none);
+    allow(m_blown, !m_grown.empty(), m_blown->text() == kUnknown ? moves : none);
 }
 
 template <int Dim>
@@ -264,7 +272,8 @@ void DistortionPanel::showTotals(const Distortion& distortion) {
     m_angle->setText(text(distortion.totalAngle));
     m_area->setText(text(distortion.totalVolume));
     m_length->setText(text(distortion.totalMetric));
-    m_find->setEnabled(worstOf(distortion, measure()).cell >= 0);
+    allow(m_find, worstOf(distortion, measure()).cell >= 0,
+          tr("No place is farther from rest than another."));
     m_worst->setText(worstText(distortion, measure(), m_dimension));
 }
 

@@ -258,14 +258,25 @@ void LayerPanel::showValues() {
     if (has && m_session.document().dimension() == 2) showGroup<2>();
     if (has && m_session.document().dimension() == 3) showGroup<3>();
     if (isCells()) showCells();
-    m_merge->setEnabled(has && !isCells() &&
-                        withGroupMergedDown(m_session.document().design(), selected()).has_value());
-    if (has) {
-        const QListWidgetItem* below = m_list->item(m_list->currentRow() + 1);
-        m_up->setEnabled(m_list->currentRow() > 0 && !isCells());
-        m_down->setEnabled(below && !below->data(kCells).toBool());
-    }
+    allowOrder(has);
     tellChosen();
+}
+
+/// Of the layer in the list.
+void LayerPanel::allowOrder(bool has) {
+    if (!has) return allow(m_merge, false, chooseFirst());
+    const QListWidgetItem* below = m_list->item(m_list->currentRow() + 1);
+    const bool onCells = below && below->data(kCells).toBool();
+    const QString stays = tr("What a file says of each cell stays lowest."),
+                  lowest = tr("It is the lowest layer already.");
+    const auto why = [&](const QString& atTheEnd) { return isCells() || onCells ? stays : atTheEnd; };
+    allow(m_up, m_list->currentRow() > 0 && !isCells(),
+          isCells() ? stays : tr("It is the topmost layer already."));
+    allow(m_down, below && !onCells, why(lowest));
+    const bool merges = !isCells() && withGroupMergedDown(m_session.document().design(), selected());
+    allow(m_merge, merges,
+          why(below ? tr("One of the two is switched off, is a picture, or erases.")
+                    : tr("There is no layer below it.")));
 }
 
 void LayerPanel::tellChosen() {

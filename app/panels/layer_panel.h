@@ -50,6 +50,7 @@ class LayerPanel : public QWidget {
     void select(bool nameless, bool cells);
     void choose();
     void showValues();
+    void allowOrder(bool has);
     void showPictures(const MaterialPictures& pictures);
     void showCells();
     void showUnit();

@@ -1,5 +1,6 @@
 #include "app/panels/reasons.h"
 
+#include <QAction>
 #include <QCoreApplication>
 
 #include "app/panels/panel_parts.h"
@@ -12,6 +13,15 @@ void allow(QWidget* widget, bool allowed, const QString& whyNot) {
     if (allowed || whyNot.isEmpty()) return;
     widget->setToolTip(QStringLiteral("<p><i>%1</i></p>").arg(whyNot.toHtmlEscaped()) + widget->toolTip());
     widget->setStatusTip(whyNot);
+}
+
+/// What it does is kept where it was said first.
+void allow(QAction* action, bool allowed, const QString& whyNot) {
+    constexpr auto kHelp = "help";
+    if (!action->property(kHelp).isValid()) action->setProperty(kHelp, action->statusTip());
+    action->setEnabled(allowed);
+    action->setStatusTip(allowed ? action->property(kHelp).toString() : whyNot);
+    action->setToolTip(action->statusTip());
 }
 
 QString chooseFirst() {

@@ -88,6 +88,7 @@ void SizePanel::makeAddMenu() {
     entry(tr("Box"), [=, this] { add(Box<3>{middle().array() - reach(), middle().array() + reach()}); });
     entry(tr("Half-space"), [=, this] { add(HalfSpace<3>{middle(), Vec<3>::UnitX()}); });
     m_selected = entry(tr("Region of the selected handle"), [this] { addSelected(); });
+    menu->setToolTipsVisible(true);
     m_add->setMenu(menu);
 }
 
@@ -131,11 +132,15 @@ void SizePanel::connectControls() {
         const auto& selected = m_session.selection().handles();
         const bool solid = m_session.document().dimension() == 3 && selected.size() == 1;
         const auto count = solid ? m_session.document().design<3>().handles.size() : 0;
-        m_selected->setEnabled(
+        allowSelected(
             solid && selected.front() < static_cast<int>(count) &&
             std::holds_alternative<Region<3>>(m_session.document().design<3>().handles[selected.front()].at));
     });
-    m_selected->setEnabled(false);
+    allowSelected(false);
+}
+
+void SizePanel::allowSelected(bool allowed) {
+    allow(m_selected, allowed, tr("Select a pin first that holds a ball, a box or one side."));
 }
 
 /// The place in sizeGroups(); −1 for the next stroke.

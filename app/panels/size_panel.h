@@ -36,6 +36,7 @@ class SizePanel : public QWidget {
     void changeShape(const Region<3>& shape, double feather);
     void add(const Region<3>& shape);
     void addSelected();
+    void allowSelected(bool allowed);
     int group() const;
     QString textOf(const SizeGroup& group) const;
     Vec<3> middle() const;

@@ -341,7 +341,8 @@ void TestBrushwork::merge() {
         m_f->window().properties().layers().template findChild<QAction*>(QStringLiteral("layerMerge"));
     set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = 40; });
     stroke<Dim>({-1, 0}, {0, 0});
-    QVERIFY(settle(m_f->session()) && !merge->isEnabled());  // nothing below
+    QVERIFY(settle(m_f->session()) && !merge->isEnabled());
+    QCOMPARE(merge->statusTip(), QStringLiteral("There is no layer below it."));
     set([](BrushSettings& b) { b.phi = phi::kEquia; });
     stroke<Dim>({-0.5, 0}, {1, 0});
     QVERIFY(settle(m_f->session()) && merge->isEnabled());
@@ -354,6 +355,7 @@ void TestBrushwork::merge() {
     stroke<Dim>({0, 0}, {0, 0});
     list()->setCurrentRow(0);
     QVERIFY(settle(m_f->session()) && layers().size() == 2 && !merge->isEnabled());
+    QVERIFY2(merge->statusTip().contains(QStringLiteral("erases")), qPrintable(merge->statusTip()));
 }
 
 /// Leaving the step shows what was shown before, also if the map was switched off or another file was opened.
