@@ -16,6 +16,7 @@
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/view/project_watch.h"
+#include "app/view/sample_names.h"
 #include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
 
@@ -191,7 +192,9 @@ void FileWorkflow::discard(const LostWork& work) {
 }
 
 void FileWorkflow::take(const Reading& reading) {
-    const OpenedFile& file = reading.file;
+    OpenedFile file = reading.file;
+    if (file.path.isEmpty() && samplePaths().contains(file.source))
+        file.project = withSpokenNames(file.project);
     m_recoveredFrom = file.recoveredFrom;
     m_document.open(file);
     if (!m_found.isEmpty()) m_document.undoStack()->resetClean();  // its file names the old places
