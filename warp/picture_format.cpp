@@ -97,9 +97,15 @@ bool isText(std::string_view head) {
     return std::ranges::none_of(head, [](unsigned char c) { return c < ' ' && !(c >= '\t' && c <= '\r'); });
 }
 
+bool arePoints(std::string_view head) {
+    return head.find_first_not_of("0123456789+-.,;eE \t\r\n") == std::string_view::npos &&
+           head.find_first_of("0123456789") != std::string_view::npos;
+}
+
 std::string kindOfOther(std::string_view head) {
     if (isSvg(head)) return "an SVG drawing";
     if (const auto known = marked(kNotRead, head); known != kNotRead.end()) return known->what;
+    if (arePoints(head)) return "a list of points without a surface";
     return isText(head) ? "a text file" : "no picture that Wend knows";
 }
 

@@ -83,6 +83,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "an SVG drawing"),
     QT_TRANSLATE_NOOP("Core", "a film"),
     QT_TRANSLATE_NOOP("Core", "a ZIP archive"),
+    QT_TRANSLATE_NOOP("Core", "a list of points without a surface"),
     QT_TRANSLATE_NOOP("Core", "a text file"),
     QT_TRANSLATE_NOOP("Core", "no picture that Wend knows"),
     QT_TRANSLATE_NOOP("Core", "cannot be read as a picture: %1"),

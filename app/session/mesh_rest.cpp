@@ -38,18 +38,23 @@ std::string jointName(const std::vector<int>& joint) {
 }  // namespace
 
 template <int Dim>
-void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<std::string>& notices) {
+std::string hangingNotice(const SimplicialMesh<Dim>& rest) {
     const auto parts = hangingParts<Dim>(rest);
-    if (parts.empty()) return;
+    if (parts.empty()) return {};
     const HangingPart& first = parts.front();
     const std::string one = std::to_string(first.cells) + (first.cells == 1 ? " cell" : " cells"),
                       joint = jointName(first.joint) + " near " +
                               placeName<Dim>(rest.points.col(first.joint[0])) + " alone";
-    notices.push_back((parts.size() == 1 ? "a part of " + one + " hangs on " + joint
-                                         : std::to_string(parts.size()) +
-                                               " parts hang on a vertex or an edge alone, the first, of " +
-                                               one + ", on " + joint) +
-                      ": what turns there freely may be flung far away, unless handles hold it");
+    return (parts.size() == 1
+                ? "a part of " + one + " hangs on " + joint
+                : std::to_string(parts.size()) + " parts hang on a vertex or an edge alone, the first, of " +
+                      one + ", on " + joint) +
+           ": what turns there freely may be flung far away, unless handles hold it";
+}
+
+template <int Dim>
+void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<std::string>& notices) {
+    if (std::string notice = hangingNotice<Dim>(rest); !notice.empty()) notices.push_back(std::move(notice));
 }
 
 template <int Dim>
@@ -68,6 +73,8 @@ template std::shared_ptr<const SimplicialMesh<2>> joinedRest<2>(const Simplicial
 template std::shared_ptr<const SimplicialMesh<3>> joinedRest<3>(const SimplicialMesh<3>&,
                                                                 std::vector<std::string>&);
 
+template std::string hangingNotice<2>(const SimplicialMesh<2>&);
+template std::string hangingNotice<3>(const SimplicialMesh<3>&);
 template void tellOfHanging<2>(const SimplicialMesh<2>&, std::vector<std::string>&);
 template void tellOfHanging<3>(const SimplicialMesh<3>&, std::vector<std::string>&);
 

@@ -14,7 +14,11 @@ template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
                                                       std::vector<std::string>& notices);
 
-/// Tells of parts that hang on a vertex or an edge only.
+/// What the user should hear of parts that hang on a vertex or an edge only; empty if there are none.
+template <int Dim>
+std::string hangingNotice(const SimplicialMesh<Dim>& rest);
+
+/// Tells it.
 template <int Dim>
 void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<std::string>& notices);
 

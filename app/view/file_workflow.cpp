@@ -168,7 +168,7 @@ void FileWorkflow::tellLostWhenOpened() {
         const QList<LostWork> all = lost();
         if (all.isEmpty() || m_document.isEmpty()) return;
         const LostWork& work = all.first();
-        say(Topic::Opening,
+        say(Topic::Lost,
             tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
             {{tr("Recover"), [this, work] { recover(work); }}});
     };

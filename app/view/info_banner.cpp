@@ -16,7 +16,8 @@ constexpr int kHeight = 44;  // pixels
 
 /// What nothing has gone wrong with.
 bool isOffer(InfoBanner::Topic topic) {
-    return topic == InfoBanner::Topic::Border;
+    using enum InfoBanner::Topic;
+    return topic == Remark || topic == Lost || topic == Mesh || topic == Border;
 }
 
 QString readable(const QString& text) {

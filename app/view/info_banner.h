@@ -9,14 +9,15 @@ class QLabel;
 
 namespace wend {
 
-/// Lines above the canvas that say what went wrong and what to do, or offer something. Each belongs to a
-/// topic and holds until that is put right, or on a click: the newest of those that hold is seen.
+/// Lines above the canvas that say what went wrong and what to do, or that there is something to know. Each
+/// belongs to a topic and holds until that is put right, or on a click: the newest of those that hold is
+/// seen.
 class InfoBanner : public QWidget {
     Q_OBJECT
 
   public:
     /// What a line is about, and with that when it goes.
-    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Mesh, Border, Language };
+    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Remark, Lost, Mesh, Border };
     /// A button that puts it right.
     struct Remedy {
         QString text;

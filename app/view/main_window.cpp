@@ -209,7 +209,10 @@ void MainWindow::connectFiles() {
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
-    connect(new ShapeNotices(m_session, this), &ShapeNotices::told, this, tellIn(Topic::Mesh));
+    connect(new ShapeNotices(m_session, this), &ShapeNotices::told, m_banner,
+            [this](const QString& text, const QList<InfoBanner::Remedy>& remedies) {
+                m_banner->tell(Topic::Mesh, text, remedies);
+            });
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     const MeshPanel* mesh = &m_properties->mesh();
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);

@@ -102,7 +102,7 @@ QToolButton* ModeRow::makeExport(const Actions& actions) {
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_export->setIconSize({kIcon, kIcon});
     m_export->setFocusPolicy(Qt::TabFocus);
-    describe(m_export, tr("Export"), tr("Write what is shown: as picture, sequence, warp map, mesh or view"));
+    describe(m_export, tr("Export"), tr("Write what is shown: as picture, sequence, ST map, mesh or view"));
     return m_export;
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "app/document/said.h"
+#include "app/session/mesh_rest.h"
 #include "app/session/shape.h"
+#include "core/mesh/hanging_parts.h"
 
 namespace wend {
 
@@ -41,11 +43,47 @@ void ShapeNotices::tell() {
     if (!frame || frame->shape == m_shape) return;
     m_shape = frame->shape;
     QStringList lines;
-    for (const std::string& notice : frame->built->notices) lines << sentence(said(notice));
+    QList<InfoBanner::Remedy> remedies;
+    const auto& notices = frame->built->notices;
+    const std::string hanging = notices.empty() ? std::string() : hangingNotice<Dim>(*frame->rest);
+    for (const std::string& notice : notices) {
+        lines << (notice == hanging ? hangingText<Dim>() : sentence(said(notice)));
+        if (notice == hanging) remedies = {{tr("Pin It"), [this] { pinHanging<Dim>(); }}};
+    }
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
-    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'));
+    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);
     m_hasTold = !lines.isEmpty();
+}
+
+/// The core says which vertices these are; here the parts are seen.
+template <int Dim>
+QString ShapeNotices::hangingText() const {
+    const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.frame<Dim>()->rest).size());
+    if (parts == 1)
+        return tr(
+            "A part is joined to the rest at a mere point, and may swing around it unless a pin holds "
+            "it.");
+    return tr(
+        "%n parts are joined to the rest at mere points, and may swing around them unless pins hold "
+        "them.",
+        nullptr, parts);
+}
+
+/// Each of the parts by one of its cells, which neither moves nor turns then: one step.
+template <int Dim>
+void ShapeNotices::pinHanging() {
+    const auto frame = m_session.frame<Dim>();
+    if (!frame) return;
+    m_session.document().beginStep();
+    for (const HangingPart& part : hangingParts<Dim>(*frame->rest)) {
+        const auto& cell = frame->rest->cells[static_cast<std::size_t>(part.firstCell)];
+        m_session.addHandle<Dim>(std::vector<int>(cell.begin(), cell.end()),
+                                 ShapeSession::tr("Pin").toStdString());
+    }
+    m_session.document().endStep();
+    m_hasTold = false;
+    emit told({}, {});
 }
 
 }  // namespace wend

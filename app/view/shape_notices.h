@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/session/shape_session.h"
+#include "app/view/info_banner.h"
 
 namespace wend {
 
@@ -15,13 +16,17 @@ class ShapeNotices : public QObject {
     ShapeNotices(ShapeSession& session, QObject* parent);
 
   signals:
-    /// Line by line; empty where there is nothing to say any more.
-    void told(const QString& text);
+    /// Line by line, with what mends it; empty where there is nothing to say any more.
+    void told(const QString& text, const QList<wend::InfoBanner::Remedy>& remedies);
 
   private:
     void follow();
     template <int Dim>
     void tell();
+    template <int Dim>
+    QString hangingText() const;
+    template <int Dim>
+    void pinHanging();
 
     ShapeSession& m_session;
     std::shared_ptr<const void> m_shape;  // the rest mesh that was told of

@@ -161,6 +161,7 @@ void TestFileWorkflow::lostWorkIsToldBesideAnotherFile() {
     for (auto* button : m_window->banner().findChildren<QPushButton*>())
         if (button->text() == "Recover") recover = button;
     QVERIFY(recover);
+    QVERIFY(m_window->banner().property("offers").toBool());  // in the colour of news
     QTest::mouseClick(recover, Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return document().design<2>().handles.size() == 1; }, 20000));
     QVERIFY(document().isModified());

@@ -354,7 +354,21 @@ void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
     std::ofstream(file("square.off").toStdString())
         << "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
     m_window->openPath(file("hanging.off"));
-    QVERIFY(told("A part of 2 cells hangs on"));
+    QVERIFY(told("A part is joined to the rest at a mere point"));
+    QVERIFY(m_window->banner().property("offers").toBool());  // nothing has gone wrong
+    const auto button = [this](const char* text) -> QPushButton* {
+        for (auto* one : m_window->banner().findChildren<QPushButton*>())
+            if (one->text() == QLatin1String(text)) return one;
+        return nullptr;
+    };
+    QTest::mouseClick(button("Pin It"), Qt::LeftButton);
+    QVERIFY(m_window->banner().text().isEmpty());
+    const auto& handles = m_window->session().document().design<2>().handles;
+    QCOMPARE(handles.size(), std::size_t(1));
+    QCOMPARE(std::get<std::vector<int>>(handles[0].at).size(), std::size_t(3));  // it neither moves nor turns
+    m_window->session().document().undoStack()->undo();
+    QVERIFY(m_window->session().document().design<2>().handles.empty());
+    m_window->session().document().undoStack()->setClean();
     m_window->openPath(file("square.off"));
     QVERIFY(isOpen("square.off"));
     QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame() != nullptr; }, 60000));
