@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Rechteck über die Punkte ziehen, die gehalten werden; Umschalt nimmt sie zum gewählten Griff dazu, Strg nimmt sie weg</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Die Punkte umfahren, die gehalten werden; Umschalt nimmt sie zum gewählten Griff dazu, Strg nimmt sie weg</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Über die Punkte pinseln, die gehalten werden, [ und ] ändern die Größe; Umschalt nimmt dazu, Strg nimmt weg</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Gebiet</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel; Umschalt nimmt ihren Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>Von einem Punkt der Oberfläche in die Richtung ziehen, die gehalten wird: alles jenseits des Punkts</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader; Umschalt nimmt seinen Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>In diesem Gebiet liegt kein Punkt.</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>Erst einen Griff auswählen, von dem weggenommen wird.</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>Ein Griff kann nicht nichts halten: Entf entfernt ihn.</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -737,6 +690,10 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>für einen Käfig aus so vielen Zellen reicht der Speicher nicht; weniger Eckpunkte oder größere Zellen helfen vielleicht</translation>
     </message>
+    <message>
+        <source>a list of points without a surface</source>
+        <translation>eine Liste von Punkten ohne Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -750,10 +707,6 @@
     <message>
         <source>Change curve</source>
         <translation>Kurve ändern</translation>
-    </message>
-    <message>
-        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
-        <translation>Den Punkt der Kurve ziehen, mit Strg nur eine Richtung; Entf löscht ihn, ein Rechtsklick zeigt mehr</translation>
     </message>
     <message>
         <source>Double-click to insert a point into the curve</source>
@@ -770,6 +723,10 @@
     <message>
         <source>The ends of a curve must stay.</source>
         <translation>Die Enden einer Kurve müssen bleiben.</translation>
+    </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Den Punkt der Kurve ziehen, mit Umschalt gerade, mit Strg nur eine Richtung; Entf löscht ihn, ein Rechtsklick zeigt mehr</translation>
     </message>
 </context>
 <context>
@@ -923,26 +880,7 @@
     </message>
 </context>
 <context>
-    <name>GradientTool</name>
-    <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
-        <translation>Über die Form ziehen: was dort ist, geht gleichmäßig in das über, was rechts gewählt ist; Alt nimmt auf, Esc bricht ab</translation>
-    </message>
-    <message>
-        <source>Move gradient</source>
-        <translation>Verlauf verschieben</translation>
-    </message>
-    <message>
-        <source>To %1</source>
-        <translation>Zu %1</translation>
-    </message>
-    <message>
-        <source>Blend to %1</source>
-        <translation>In %1 übergehen lassen</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
+    <name>GrabTool</name>
     <message>
         <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
         <translation>Um den Teil zeichnen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
@@ -956,20 +894,39 @@
         <translation>Ein Rechteck über den Teil ziehen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>In diesem Umriss liegt nichts von der Form.</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Teil</translation>
     </message>
     <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>In diesem Umriss liegt nichts von der Form.</translation>
     </message>
     <message>
         <source>Select one part to take away from.</source>
         <translation>Einen Teil auswählen, von dem etwas weggenommen werden soll.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Ein Griff kann nicht nichts halten: Entf entfernt ihn.</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Move gradient</source>
+        <translation>Verlauf verschieben</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Zu %1</translation>
+    </message>
+    <message>
+        <source>Blend to %1</source>
+        <translation>In %1 übergehen lassen</translation>
+    </message>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <translation>Über die Form ziehen: was dort ist, geht gleichmäßig in das über, was rechts gewählt ist; Umschalt in Schritten von 45°, Alt nimmt auf, Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -1507,10 +1464,6 @@
         <translation>Umfahren, was sich mit biegen soll; mit Strg wird es weggenommen. Esc bricht ab</translation>
     </message>
     <message>
-        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
-        <translation>Ecke für Ecke klicken, ein Doppelklick schließt; Strg nimmt weg, die Rücktaste nimmt eine Ecke zurück, Esc bricht ab</translation>
-    </message>
-    <message>
         <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
         <translation>Überstreichen, was sich mit biegen soll, [ und ] ändern die Größe; Strg nimmt weg</translation>
     </message>
@@ -1556,6 +1509,22 @@
     <message>
         <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
         <translation>Der Umriss ist von nun an, wie Sie ihn zeichnen, und hat keinen Rand mehr. „Ausschnitt“ als Umriss bringt den gefundenen zurück.</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Umfahren, was sich biegen soll; mit Strg wird es weggenommen. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Ecke für Ecke klicken, Umschalt in Schritten von 45°, ein Doppelklick schließt; Strg nimmt weg, die Rücktaste nimmt eine Ecke zurück, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <translation>Überstreichen, was sich biegen soll, [ und ] ändern die Größe; Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Auf eine Farbe klicken, die sich biegen soll; Strg nimmt sie weg, [ und ] nehmen weniger oder mehr Farben</translation>
     </message>
 </context>
 <context>
@@ -1757,14 +1726,6 @@
         <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
     </message>
     <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y, Z halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
-    </message>
-    <message>
-        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
         <translation>Klick auf die Form setzt einen Pin, Ziehen biegt sie sofort; daneben Pins umfahren wählt sie aus</translation>
     </message>
@@ -1788,6 +1749,14 @@
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
     </message>
+    <message>
+        <source>Shift keeps it straight; X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Umschalt hält die Richtung gerade; X, Y, Z halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Umschalt hält die Richtung gerade; X, Y halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>
@@ -1805,6 +1774,144 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>Wird aufgenommen, wie es geschieht, bis Sie loslassen; Esc gibt es auf</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel; Umschalt nimmt ihren Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Von einem Punkt der Oberfläche in die Richtung ziehen, die gehalten wird: alles jenseits des Punkts</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader; Umschalt nimmt seinen Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>In diesem Gebiet liegt kein Punkt.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+</context>
+<context>
+    <name>SampleNames</name>
+    <message>
+        <source>back</source>
+        <translation>Rücken</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Gesicht</translation>
+    </message>
+    <message>
+        <source>far front hoof</source>
+        <translation>abgewandter Vorderhuf</translation>
+    </message>
+    <message>
+        <source>far hind hoof</source>
+        <translation>abgewandter Hinterhuf</translation>
+    </message>
+    <message>
+        <source>front hoof</source>
+        <translation>Vorderhuf</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>hind hoof</source>
+        <translation>Hinterhuf</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>linker Ellbogen</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>linkes Ende</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>linkes Auge</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>linker Fuß</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>linker unterer Arm</translation>
+    </message>
+    <message>
+        <source>left middle arm</source>
+        <translation>linker mittlerer Arm</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>linker oberer Arm</translation>
+    </message>
+    <message>
+        <source>left wing</source>
+        <translation>linker Flügel</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>rechtes Ende</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>rechtes Auge</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>rechter Fuß</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>rechter unterer Arm</translation>
+    </message>
+    <message>
+        <source>right middle arm</source>
+        <translation>rechter mittlerer Arm</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>rechter oberer Arm</translation>
+    </message>
+    <message>
+        <source>right wing</source>
+        <translation>rechter Flügel</translation>
+    </message>
+    <message>
+        <source>rump</source>
+        <translation>Hinterteil</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>steif</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>Schwanz</translation>
     </message>
 </context>
 <context>
@@ -2713,6 +2820,22 @@
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Je fester ein Stift gedrückt wird, desto mehr von der Menge wird gemalt</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Was überstrichen wird, liegt vorn, wo sie größer als 0 ist, hinten, wo sie kleiner ist</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
+    </message>
 </context>
 <context>
     <name>wend::CheatSheet</name>
@@ -3332,6 +3455,18 @@
             <numerusform>%n Zelle</numerusform>
             <numerusform>%n Zellen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That is looked for once the pose rests.</source>
+        <translation>Danach wird gesucht, sobald die Pose ruht.</translation>
+    </message>
+    <message>
+        <source>There is no such place.</source>
+        <translation>Eine solche Stelle gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>No place is farther from rest than another.</source>
+        <translation>Keine Stelle ist weiter von der Ruhe entfernt als eine andere.</translation>
     </message>
 </context>
 <context>
@@ -4071,16 +4206,8 @@
         <translation>Die Sprache des Schreibtischs sprechen, wenn Wend sie kennt</translation>
     </message>
     <message>
-        <source>Speak %1 from the next start on</source>
-        <translation>Ab dem nächsten Start %1 sprechen</translation>
-    </message>
-    <message>
-        <source>Wend speaks English from its next start.</source>
-        <translation>Ab dem nächsten Start spricht Wend Deutsch.</translation>
-    </message>
-    <message>
-        <source>Start Again</source>
-        <translation>Neu starten</translation>
+        <source>Speak %1</source>
+        <translation>%1 sprechen</translation>
     </message>
 </context>
 <context>
@@ -4257,6 +4384,26 @@
         <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
         <translation>Steifigkeit ×1 hat keine Richtung: erst wählen, wievielmal steifer es ist.</translation>
     </message>
+    <message>
+        <source>What a file says of each cell stays lowest.</source>
+        <translation>Was eine Datei von jeder Zelle sagt, bleibt zuunterst.</translation>
+    </message>
+    <message>
+        <source>It is the lowest layer already.</source>
+        <translation>Es ist schon die unterste Ebene.</translation>
+    </message>
+    <message>
+        <source>It is the topmost layer already.</source>
+        <translation>Es ist schon die oberste Ebene.</translation>
+    </message>
+    <message>
+        <source>One of the two is switched off, is a picture, or erases.</source>
+        <translation>Eine der beiden ist ausgeschaltet, ist ein Bild oder radiert.</translation>
+    </message>
+    <message>
+        <source>There is no layer below it.</source>
+        <translation>Unter ihr liegt keine Ebene.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4422,7 +4569,7 @@
     <name>wend::MaterialPanel</name>
     <message>
         <source>Keep</source>
-        <translation>Halten</translation>
+        <translation>Erhalt</translation>
     </message>
     <message>
         <source>Between %1 and %2.</source>
@@ -4640,10 +4787,6 @@
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, Verzerrungskarte, Netz oder Ansicht</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
@@ -4654,6 +4797,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, ST-Map, Netz oder Ansicht</translation>
     </message>
 </context>
 <context>
@@ -4771,30 +4918,6 @@
     <message>
         <source> %</source>
         <translation> %</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Ordnung</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>Was überstrichen wird, liegt vorn, wo sie größer als 0 ist, hinten, wo sie kleiner ist</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
@@ -5178,6 +5301,26 @@
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ].</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5290,7 +5433,7 @@
     </message>
     <message>
         <source>Keep</source>
-        <translation>Halten</translation>
+        <translation>Erhalt</translation>
     </message>
     <message>
         <source>Facts</source>
@@ -5531,12 +5674,12 @@
         <translation>Radius</translation>
     </message>
     <message>
-        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
-        <translation>Wie groß der Kreis ist, den der Pin hält, in den Einheiten der Form; bei einem Bild in dessen Pixeln. Den Pin mit Alt ziehen tut dasselbe.</translation>
-    </message>
-    <message>
         <source>Ra&amp;dius</source>
         <translation>Ra&amp;dius</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Wie weit der Pin die Form um sich hält: 0 hält einen Punkt, mehr einen Kreis, bei einem Körper eine Kugel. In den Einheiten der Form; bei einem Bild in dessen Pixeln. Den Pin mit Alt ziehen tut dasselbe.</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5698,21 @@
     <message>
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
+    </message>
+    <message>
+        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <translation>Ein Teil hängt nur an einem Punkt am Rest und kann um ihn schwingen, wenn kein Pin ihn hält.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <translation>
+            <numerusform>%n Teil hängt nur an einem Punkt am Rest und kann um ihn schwingen, wenn kein Pin ihn hält.</numerusform>
+            <numerusform>%n Teile hängen nur an Punkten am Rest und können um sie schwingen, wenn keine Pins sie halten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pin It</source>
+        <translation>Mit Pin halten</translation>
     </message>
 </context>
 <context>
@@ -5613,10 +5771,6 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Dieser Kreis ist kleiner als das Netz: weiter ziehen oder mehr Punkte einstellen.</translation>
     </message>
     <message>
         <source>Widen %1</source>
@@ -5731,10 +5885,6 @@
         <translation>K spielt ab; Wege anderer Pins von derselben Zeit an gezeichnet, und sie bewegen sich zusammen.</translation>
     </message>
     <message>
-        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Diese Kugel ist kleiner als das Netz: weiter ziehen oder mehr Punkte einstellen.</translation>
-    </message>
-    <message>
         <source>Relax</source>
         <translation>Entspannen</translation>
     </message>
@@ -5745,6 +5895,14 @@
     <message>
         <source>What %1 did later is replaced by this; Undo brings it back.</source>
         <translation>Was %1 später tat, ist hierdurch ersetzt; Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Dieser Kreis ist kleiner als das Netz: ihn größer machen, oder das Netz feiner.</translation>
+    </message>
+    <message>
+        <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Diese Kugel ist kleiner als das Netz: sie größer machen, oder das Netz feiner.</translation>
     </message>
 </context>
 <context>
@@ -5879,6 +6037,10 @@
     <message>
         <source>E&amp;dges</source>
         <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
     </message>
 </context>
 <context>
@@ -6074,14 +6236,6 @@
     <message>
         <source>Re&amp;move Skin</source>
         <translation>Haut &amp;entfernen</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Trace un rectángulo sobre los vértices que quiera sujetar; Mayús los añade al agarre seleccionado, Ctrl los quita</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Rodee los vértices que quiera sujetar; Mayús los añade al agarre seleccionado, Ctrl los quita</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Pase el pincel sobre los vértices que quiera sujetar, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Arrastre desde un punto de la superficie para sujetar una esfera; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>Arrastre desde un punto de la superficie hacia lo que quiera sujetar: todo lo que haya más allá del punto</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Arrastre desde un punto de la superficie para sujetar una caja; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>Seleccione un solo agarre del que quitar vértices.</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>No hay ningún vértice en esta región.</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Región</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Zona</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>Un agarre no puede quedar vacío: elimínelo con Supr.</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -737,6 +690,10 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>no hay memoria para una jaula de tantas celdas; puede ayudar usar menos vértices o celdas mayores</translation>
     </message>
+    <message>
+        <source>a list of points without a surface</source>
+        <translation>una lista de puntos sin superficie</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -747,10 +704,6 @@
 </context>
 <context>
     <name>CurveEditor</name>
-    <message>
-        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
-        <translation>Arrastre el punto de la curva, con Ctrl una sola dirección; Supr lo elimina, el clic derecho ofrece más</translation>
-    </message>
     <message>
         <source>Double-click to insert a point into the curve</source>
         <translation>Haga doble clic para insertar un punto en la curva</translation>
@@ -770,6 +723,10 @@
     <message>
         <source>The ends of a curve must stay.</source>
         <translation>Los extremos de una curva deben quedarse.</translation>
+    </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Arrastre el punto de la curva, en línea recta con Mayús, con Ctrl una sola dirección; Supr lo elimina, el clic derecho ofrece más</translation>
     </message>
 </context>
 <context>
@@ -923,26 +880,7 @@
     </message>
 </context>
 <context>
-    <name>GradientTool</name>
-    <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
-        <translation>Arrastre sobre la forma: lo que hay pasa gradualmente a lo elegido a la derecha; Alt toma una muestra, Esc cancela</translation>
-    </message>
-    <message>
-        <source>Move gradient</source>
-        <translation>Mover degradado</translation>
-    </message>
-    <message>
-        <source>To %1</source>
-        <translation>Hacia %1</translation>
-    </message>
-    <message>
-        <source>Blend to %1</source>
-        <translation>Degradado hacia %1</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
+    <name>GrabTool</name>
     <message>
         <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
         <translation>Rodee la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
@@ -956,20 +894,39 @@
         <translation>Trace un rectángulo sobre la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>En este contorno no hay nada de la forma.</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Parte</translation>
     </message>
     <message>
-        <source>Change %1</source>
-        <translation>Cambiar %1</translation>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>En este contorno no hay nada de la forma.</translation>
     </message>
     <message>
         <source>Select one part to take away from.</source>
         <translation>Seleccione una sola parte de la que quitar.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Un agarre no puede quedar vacío: elimínelo con Supr.</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Move gradient</source>
+        <translation>Mover degradado</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Hacia %1</translation>
+    </message>
+    <message>
+        <source>Blend to %1</source>
+        <translation>Degradado hacia %1</translation>
+    </message>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <translation>Arrastre sobre la forma: lo que hay pasa gradualmente a lo elegido a la derecha; Mayús en pasos de 45°, Alt toma una muestra, Esc cancela</translation>
     </message>
 </context>
 <context>
@@ -1373,7 +1330,7 @@
     </message>
     <message>
         <source>&amp;Depth</source>
-        <translation>&amp;Profundidad</translation>
+        <translation>&amp;Bits</translation>
     </message>
     <message>
         <source>As in the picture</source>
@@ -1389,11 +1346,11 @@
     </message>
     <message>
         <source>16 bit floating point (half)</source>
-        <translation>16 bits en coma flotante (half)</translation>
+        <translation>16 bits flotante (half)</translation>
     </message>
     <message>
         <source>32 bit floating point</source>
-        <translation>32 bits en coma flotante</translation>
+        <translation>32 bits flotante</translation>
     </message>
     <message>
         <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
@@ -1507,10 +1464,6 @@
         <translation>Rodee lo que también deba deformarse; con Ctrl se quita. Esc cancela</translation>
     </message>
     <message>
-        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
-        <translation>Haga clic esquina a esquina, el doble clic cierra; Ctrl quita, Retroceso deshace una esquina, Esc cancela</translation>
-    </message>
-    <message>
         <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
         <translation>Pase el pincel sobre lo que también deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
     </message>
@@ -1556,6 +1509,22 @@
     <message>
         <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
         <translation>El contorno es desde ahora como usted lo dibuja y no tiene margen. «Recorte» como contorno recupera el encontrado.</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Rodee lo que deba deformarse; con Ctrl se quita. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Haga clic esquina a esquina, Mayús en pasos de 45°, el doble clic cierra; Ctrl quita, Retroceso deshace una esquina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <translation>Pase el pincel sobre lo que deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Haga clic en un color que deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
     </message>
 </context>
 <context>
@@ -1757,14 +1726,6 @@
         <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
     </message>
     <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
-    </message>
-    <message>
-        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
         <translation>Haga clic en la forma para poner un alfiler, arrastre para deformarla al momento; fuera de ella, rodee alfileres para seleccionarlos</translation>
     </message>
@@ -1788,6 +1749,14 @@
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
     </message>
+    <message>
+        <source>Shift keeps it straight; X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Mayús mantiene la línea recta; X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Mayús mantiene la línea recta; X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>
@@ -1805,6 +1774,144 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>Se graba tal cual hasta que suelte; Esc lo abandona</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Arrastre desde un punto de la superficie para sujetar una esfera; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Arrastre desde un punto de la superficie hacia lo que quiera sujetar: todo lo que haya más allá del punto</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Arrastre desde un punto de la superficie para sujetar una caja; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>No hay ningún vértice en esta región.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+</context>
+<context>
+    <name>SampleNames</name>
+    <message>
+        <source>back</source>
+        <translation>espalda</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>cuerpo</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>cara</translation>
+    </message>
+    <message>
+        <source>far front hoof</source>
+        <translation>casco delantero lejano</translation>
+    </message>
+    <message>
+        <source>far hind hoof</source>
+        <translation>casco trasero lejano</translation>
+    </message>
+    <message>
+        <source>front hoof</source>
+        <translation>casco delantero</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>hind hoof</source>
+        <translation>casco trasero</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>codo izquierdo</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>extremo izquierdo</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>ojo izquierdo</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>pie izquierdo</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>mano izquierda</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>brazo inferior izquierdo</translation>
+    </message>
+    <message>
+        <source>left middle arm</source>
+        <translation>brazo medio izquierdo</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>brazo superior izquierdo</translation>
+    </message>
+    <message>
+        <source>left wing</source>
+        <translation>ala izquierda</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>extremo derecho</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>ojo derecho</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>pie derecho</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>brazo inferior derecho</translation>
+    </message>
+    <message>
+        <source>right middle arm</source>
+        <translation>brazo medio derecho</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>brazo superior derecho</translation>
+    </message>
+    <message>
+        <source>right wing</source>
+        <translation>ala derecha</translation>
+    </message>
+    <message>
+        <source>rump</source>
+        <translation>grupa</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>hombro</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>rígido</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>cola</translation>
     </message>
 </context>
 <context>
@@ -2713,6 +2820,22 @@
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Cuanto más se aprieta el lápiz, mayor es la intensidad con que se pinta</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Lo que recorre el pincel queda delante si es mayor que 0 y detrás si es menor</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Aristas</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Longitud de las aristas de la malla donde pasa el pincel, respecto a las demás</translation>
+    </message>
 </context>
 <context>
     <name>wend::CheatSheet</name>
@@ -3332,6 +3455,18 @@
             <numerusform>%n celda</numerusform>
             <numerusform>%n celdas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That is looked for once the pose rests.</source>
+        <translation>Se busca en cuanto la pose está en reposo.</translation>
+    </message>
+    <message>
+        <source>There is no such place.</source>
+        <translation>No hay ningún lugar así.</translation>
+    </message>
+    <message>
+        <source>No place is farther from rest than another.</source>
+        <translation>Ningún lugar está más lejos del reposo que otro.</translation>
     </message>
 </context>
 <context>
@@ -4071,16 +4206,8 @@
         <translation>Hablar el idioma del escritorio, si Wend lo conoce</translation>
     </message>
     <message>
-        <source>Speak %1 from the next start on</source>
-        <translation>Hablar %1 a partir del próximo inicio</translation>
-    </message>
-    <message>
-        <source>Wend speaks English from its next start.</source>
-        <translation>Wend hablará español a partir del próximo inicio.</translation>
-    </message>
-    <message>
-        <source>Start Again</source>
-        <translation>Reiniciar</translation>
+        <source>Speak %1</source>
+        <translation>Hablar %1</translation>
     </message>
 </context>
 <context>
@@ -4256,6 +4383,26 @@
     <message>
         <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
         <translation>La rigidez ×1 no tiene dirección: elija primero cuántas veces más rígido es.</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell stays lowest.</source>
+        <translation>Lo que un archivo dice de cada celda se queda abajo del todo.</translation>
+    </message>
+    <message>
+        <source>It is the lowest layer already.</source>
+        <translation>Ya es la capa más baja.</translation>
+    </message>
+    <message>
+        <source>It is the topmost layer already.</source>
+        <translation>Ya es la capa más alta.</translation>
+    </message>
+    <message>
+        <source>One of the two is switched off, is a picture, or erases.</source>
+        <translation>Una de las dos está desactivada, es una imagen o borra.</translation>
+    </message>
+    <message>
+        <source>There is no layer below it.</source>
+        <translation>No hay ninguna capa debajo.</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4787,6 @@
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation>Exportar lo que se ve: como imagen, secuencia, mapa de deformación, malla o vista</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
@@ -4654,6 +4797,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>Exportar lo que se ve: como imagen, secuencia, mapa ST, malla o vista</translation>
     </message>
 </context>
 <context>
@@ -4771,30 +4918,6 @@
     <message>
         <source> %</source>
         <translation> %</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Orden</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>Lo que recorre el pincel queda delante si es mayor que 0 y detrás si es menor</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Aristas</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>Longitud de las aristas de la malla donde pasa el pincel, respecto a las demás</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>A&amp;dherir</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
@@ -5178,6 +5301,26 @@
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>A&amp;dherir</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ].</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5531,12 +5674,12 @@
         <translation>Radio</translation>
     </message>
     <message>
-        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
-        <translation>Tamaño del círculo que sujeta el alfiler, en las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
-    </message>
-    <message>
         <source>Ra&amp;dius</source>
         <translation>Ra&amp;dio</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Hasta dónde sujeta el alfiler la forma a su alrededor: 0 sujeta un punto, más un círculo, y en un sólido una bola. En las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
     </message>
 </context>
 <context>
@@ -5556,13 +5699,24 @@
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>«Refinar superficie», en el panel «Malla», permite dividir los triángulos de la superficie.</translation>
     </message>
+    <message>
+        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <translation>Una parte está unida al resto solo por un punto y puede girar en torno a él si ningún alfiler la sujeta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <translation>
+            <numerusform>%n parte está unida al resto solo por un punto y puede girar en torno a él si ningún alfiler la sujeta.</numerusform>
+            <numerusform>%n partes están unidas al resto solo por puntos y pueden girar en torno a ellos si ningún alfiler las sujeta.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pin It</source>
+        <translation>Fijar con alfiler</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
-    <message>
-        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Este círculo es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
-    </message>
     <message>
         <source>Widen %1</source>
         <translation>Ensanchar %1</translation>
@@ -5731,10 +5885,6 @@
         <translation>K reproduce; dibuje las trayectorias de otros alfileres desde el mismo momento y se moverán juntos.</translation>
     </message>
     <message>
-        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Esta bola es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
-    </message>
-    <message>
         <source>Relax</source>
         <translation>Relajar</translation>
     </message>
@@ -5745,6 +5895,14 @@
     <message>
         <source>What %1 did later is replaced by this; Undo brings it back.</source>
         <translation>Esto reemplaza lo que %1 hacía después; Deshacer lo recupera.</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Este círculo es menor que las celdas de la malla: hágalo mayor o la malla más fina.</translation>
+    </message>
+    <message>
+        <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Esta bola es menor que las celdas de la malla: hágala mayor o la malla más fina.</translation>
     </message>
 </context>
 <context>
@@ -5879,6 +6037,10 @@
     <message>
         <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
         <translation>Los triángulos de la superficie se conservan y solo cambia el interior. «Refinar superficie», en el panel «Malla», permite dividirlos también.</translation>
+    </message>
+    <message>
+        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
     </message>
 </context>
 <context>
@@ -6074,14 +6236,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Abra primero un sólido.</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>A&amp;dherir</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

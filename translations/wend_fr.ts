@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Tracez un rectangle sur les sommets à maintenir&#x202f;; Maj les ajoute à la poignée sélectionnée, Ctrl les retire</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>Entourez les sommets à maintenir&#x202f;; Maj les ajoute à la poignée sélectionnée, Ctrl les retire</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>Passez le pinceau sur les sommets à maintenir, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Glissez depuis un point de la surface pour maintenir une sphère&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>Glissez depuis un point de la surface vers ce qu’il faut maintenir&#x202f;: tout ce qui est au-delà du point</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>Glissez depuis un point de la surface pour maintenir une boîte&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>Sélectionnez une seule poignée pour en retirer des sommets.</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>Il n’y a aucun sommet dans cette région.</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Région</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Zone</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>Une poignée ne peut pas rester vide&#x202f;: supprimez-la avec Suppr.</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -737,6 +690,10 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>la mémoire ne suffit pas pour une cage d’autant de cellules&#x202f;; moins de sommets ou de plus grandes cellules peuvent aider</translation>
     </message>
+    <message>
+        <source>a list of points without a surface</source>
+        <translation>une liste de points sans surface</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -747,10 +704,6 @@
 </context>
 <context>
     <name>CurveEditor</name>
-    <message>
-        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
-        <translation>Tirez le point de la courbe, avec Ctrl une seule direction&#x202f;; Suppr le supprime, le clic droit offre plus</translation>
-    </message>
     <message>
         <source>Double-click to insert a point into the curve</source>
         <translation>Double-cliquez pour insérer un point dans la courbe</translation>
@@ -770,6 +723,10 @@
     <message>
         <source>The ends of a curve must stay.</source>
         <translation>Les extrémités d’une courbe doivent rester.</translation>
+    </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Tirez le point de la courbe, tout droit avec Maj, une seule direction avec Ctrl&#x202f;; Suppr le supprime, le clic droit offre plus</translation>
     </message>
 </context>
 <context>
@@ -923,26 +880,7 @@
     </message>
 </context>
 <context>
-    <name>GradientTool</name>
-    <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
-        <translation>Glissez sur la forme&#x202f;: ce qui s’y trouve passe progressivement à ce qui est choisi à droite&#x202f;; Alt prélève, Échap annule</translation>
-    </message>
-    <message>
-        <source>Move gradient</source>
-        <translation>Déplacer le dégradé</translation>
-    </message>
-    <message>
-        <source>To %1</source>
-        <translation>Vers %1</translation>
-    </message>
-    <message>
-        <source>Blend to %1</source>
-        <translation>Dégradé vers %1</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
+    <name>GrabTool</name>
     <message>
         <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
         <translation>Entourez la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
@@ -956,20 +894,39 @@
         <translation>Tracez un rectangle sur la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>Ce contour ne contient rien de la forme.</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Partie</translation>
     </message>
     <message>
-        <source>Change %1</source>
-        <translation>Modifier %1</translation>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>Ce contour ne contient rien de la forme.</translation>
     </message>
     <message>
         <source>Select one part to take away from.</source>
         <translation>Sélectionnez une seule partie pour en retirer.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Une poignée ne peut pas rester vide&#x202f;: supprimez-la avec Suppr.</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Move gradient</source>
+        <translation>Déplacer le dégradé</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Vers %1</translation>
+    </message>
+    <message>
+        <source>Blend to %1</source>
+        <translation>Dégradé vers %1</translation>
+    </message>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <translation>Glissez sur la forme&#x202f;: ce qui s’y trouve passe progressivement à ce qui est choisi à droite&#x202f;; Maj par pas de 45°, Alt prélève, Échap annule</translation>
     </message>
 </context>
 <context>
@@ -1341,7 +1298,7 @@
     </message>
     <message>
         <source>Nearest – hard pixels</source>
-        <translation>Au plus proche – pixels nets</translation>
+        <translation>Plus proche – net</translation>
     </message>
     <message>
         <source>Bilinear – quick</source>
@@ -1389,11 +1346,11 @@
     </message>
     <message>
         <source>16 bit floating point (half)</source>
-        <translation>16 bits en virgule flottante (half)</translation>
+        <translation>16 bits flottant (half)</translation>
     </message>
     <message>
         <source>32 bit floating point</source>
-        <translation>32 bits en virgule flottante</translation>
+        <translation>32 bits flottant</translation>
     </message>
     <message>
         <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
@@ -1401,7 +1358,7 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Arrière-plan</translation>
+        <translation>Fon&amp;d</translation>
     </message>
     <message>
         <source>Transparent</source>
@@ -1507,10 +1464,6 @@
         <translation>Entourez ce qui doit aussi se déformer&#x202f;; avec Ctrl, c’est retiré. Échap annule</translation>
     </message>
     <message>
-        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
-        <translation>Cliquez coin après coin, le double-clic ferme&#x202f;; Ctrl retire, Retour arrière reprend un coin, Échap annule</translation>
-    </message>
-    <message>
         <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
         <translation>Passez le pinceau sur ce qui doit aussi se déformer, [ et ] changent la taille&#x202f;; Ctrl retire</translation>
     </message>
@@ -1556,6 +1509,22 @@
     <message>
         <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
         <translation>Le contour est désormais tel que vous le dessinez, sans marge à régler. « Détourage » comme contour rétablit celui qui a été trouvé.</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Entourez ce qui doit se déformer&#x202f;; avec Ctrl, c’est retiré. Échap annule</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Cliquez coin après coin, Maj par pas de 45°, le double-clic ferme&#x202f;; Ctrl retire, Retour arrière reprend un coin, Échap annule</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <translation>Passez le pinceau sur ce qui doit se déformer, [ et ] changent la taille&#x202f;; Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Cliquez sur une couleur qui doit se déformer&#x202f;; Ctrl la retire, [ et ] prennent moins ou plus de couleurs</translation>
     </message>
 </context>
 <context>
@@ -1757,14 +1726,6 @@
         <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
     </message>
     <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y, Z verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
-    </message>
-    <message>
-        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X, Y verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
         <translation>Cliquez sur la forme pour poser une épingle, tirez pour la déformer aussitôt ; à côté, entourez des épingles pour les sélectionner</translation>
     </message>
@@ -1788,6 +1749,14 @@
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
     </message>
+    <message>
+        <source>Shift keeps it straight; X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Maj garde une ligne droite&#x202f;; X, Y, Z verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Maj garde une ligne droite&#x202f;; X, Y verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>
@@ -1805,6 +1774,144 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>Enregistré tel quel jusqu’à ce que vous lâchiez&#x202f;; Échap abandonne</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Glissez depuis un point de la surface pour maintenir une sphère&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Glissez depuis un point de la surface vers ce qu’il faut maintenir&#x202f;: tout ce qui est au-delà du point</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Glissez depuis un point de la surface pour maintenir une boîte&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>Il n’y a aucun sommet dans cette région.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+</context>
+<context>
+    <name>SampleNames</name>
+    <message>
+        <source>back</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>visage</translation>
+    </message>
+    <message>
+        <source>far front hoof</source>
+        <translation>sabot avant éloigné</translation>
+    </message>
+    <message>
+        <source>far hind hoof</source>
+        <translation>sabot arrière éloigné</translation>
+    </message>
+    <message>
+        <source>front hoof</source>
+        <translation>sabot avant</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>tête</translation>
+    </message>
+    <message>
+        <source>hind hoof</source>
+        <translation>sabot arrière</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>coude gauche</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>extrémité gauche</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>œil gauche</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>pied gauche</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>main gauche</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>bras inférieur gauche</translation>
+    </message>
+    <message>
+        <source>left middle arm</source>
+        <translation>bras médian gauche</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>bras supérieur gauche</translation>
+    </message>
+    <message>
+        <source>left wing</source>
+        <translation>aile gauche</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>extrémité droite</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>œil droit</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>pied droit</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>bras inférieur droit</translation>
+    </message>
+    <message>
+        <source>right middle arm</source>
+        <translation>bras médian droit</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>bras supérieur droit</translation>
+    </message>
+    <message>
+        <source>right wing</source>
+        <translation>aile droite</translation>
+    </message>
+    <message>
+        <source>rump</source>
+        <translation>croupe</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>épaule</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>raide</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>queue</translation>
     </message>
 </context>
 <context>
@@ -2713,6 +2820,22 @@
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Plus le stylet est appuyé, plus l’intensité peinte est forte</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Ce que parcourt le pinceau passe devant si l’ordre est supérieur à 0, derrière s’il est inférieur</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Longueur des arêtes du maillage là où passe le pinceau, par rapport à ailleurs</translation>
+    </message>
 </context>
 <context>
     <name>wend::CheatSheet</name>
@@ -3332,6 +3455,18 @@
             <numerusform>%n cellule</numerusform>
             <numerusform>%n cellules</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That is looked for once the pose rests.</source>
+        <translation>La recherche se fait dès que la pose est au repos.</translation>
+    </message>
+    <message>
+        <source>There is no such place.</source>
+        <translation>Il n’y a pas de tel endroit.</translation>
+    </message>
+    <message>
+        <source>No place is farther from rest than another.</source>
+        <translation>Aucun endroit n’est plus loin du repos qu’un autre.</translation>
     </message>
 </context>
 <context>
@@ -4071,16 +4206,8 @@
         <translation>Parler la langue du bureau, si Wend la connaît</translation>
     </message>
     <message>
-        <source>Speak %1 from the next start on</source>
-        <translation>Parler %1 à partir du prochain démarrage</translation>
-    </message>
-    <message>
-        <source>Wend speaks English from its next start.</source>
-        <translation>Wend parlera français à partir du prochain démarrage.</translation>
-    </message>
-    <message>
-        <source>Start Again</source>
-        <translation>Redémarrer</translation>
+        <source>Speak %1</source>
+        <translation>Parler %1</translation>
     </message>
 </context>
 <context>
@@ -4256,6 +4383,26 @@
     <message>
         <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
         <translation>Une raideur de ×1 n’a pas de direction&#x202f;: choisissez d’abord combien de fois c’est plus raide.</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell stays lowest.</source>
+        <translation>Ce qu’un fichier dit de chaque cellule reste tout en bas.</translation>
+    </message>
+    <message>
+        <source>It is the lowest layer already.</source>
+        <translation>C’est déjà le calque le plus bas.</translation>
+    </message>
+    <message>
+        <source>It is the topmost layer already.</source>
+        <translation>C’est déjà le calque le plus haut.</translation>
+    </message>
+    <message>
+        <source>One of the two is switched off, is a picture, or erases.</source>
+        <translation>L’un des deux est désactivé, est une image ou efface.</translation>
+    </message>
+    <message>
+        <source>There is no layer below it.</source>
+        <translation>Il n’y a pas de calque en dessous.</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4787,6 @@
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation>Exporter ce qui est affiché&#x202f;: image, séquence, carte de déformation, maillage ou vue</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
@@ -4654,6 +4797,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>Exporter ce qui est affiché&#x202f;: image, séquence, ST map, maillage ou vue</translation>
     </message>
 </context>
 <context>
@@ -4771,30 +4918,6 @@
     <message>
         <source> %</source>
         <translation> %</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Ordre</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>Ce que parcourt le pinceau passe devant si l’ordre est supérieur à 0, derrière s’il est inférieur</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Arêtes</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>Longueur des arêtes du maillage là où passe le pinceau, par rapport à ailleurs</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Aima&amp;nter</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
@@ -5178,6 +5301,26 @@
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Aima&amp;nter</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ].</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5531,12 +5674,12 @@
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
-        <translation>Taille du cercle que maintient l’épingle, dans les unités de la forme&#x202f;; pour une image, ses pixels. Alt-glisser l’épingle fait de même.</translation>
-    </message>
-    <message>
         <source>Ra&amp;dius</source>
         <translation>Rayo&amp;n</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Jusqu’où l’épingle maintient la forme autour d’elle&#x202f;: 0 maintient un point, plus un cercle, ou une boule pour un solide. Dans les unités de la forme&#x202f;; pour une image, ses pixels. Alt-glisser l’épingle fait de même.</translation>
     </message>
 </context>
 <context>
@@ -5556,13 +5699,24 @@
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>«&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de diviser les triangles de la surface.</translation>
     </message>
+    <message>
+        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <translation>Une partie ne tient au reste que par un point et peut pivoter autour, si aucune épingle ne la maintient.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <translation>
+            <numerusform>%n partie ne tient au reste que par un point et peut pivoter autour, si aucune épingle ne la maintient.</numerusform>
+            <numerusform>%n parties ne tiennent au reste que par des points et peuvent pivoter autour, si aucune épingle ne les maintient.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pin It</source>
+        <translation>Épingler</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
-    <message>
-        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Ce cercle est plus petit que les mailles&#x202f;: tirez plus loin, ou augmentez le nombre de sommets.</translation>
-    </message>
     <message>
         <source>Widen %1</source>
         <translation>Élargir %1</translation>
@@ -5731,10 +5885,6 @@
         <translation>K lance la lecture ; dessinez les trajectoires d’autres épingles à partir du même temps, et elles bougent ensemble.</translation>
     </message>
     <message>
-        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>Cette boule est plus petite que les mailles : tirez plus loin, ou augmentez le nombre de sommets.</translation>
-    </message>
-    <message>
         <source>Relax</source>
         <translation>Détendre</translation>
     </message>
@@ -5745,6 +5895,14 @@
     <message>
         <source>What %1 did later is replaced by this; Undo brings it back.</source>
         <translation>Ce que %1 faisait après est remplacé ; Annuler le rétablit.</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Ce cercle est plus petit que les mailles&#x202f;: agrandissez-le, ou affinez le maillage.</translation>
+    </message>
+    <message>
+        <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>Cette boule est plus petite que les mailles&#x202f;: agrandissez-la, ou affinez le maillage.</translation>
     </message>
 </context>
 <context>
@@ -5879,6 +6037,10 @@
     <message>
         <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
         <translation>Les triangles de la surface sont conservés, seul l’intérieur change. «&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de les diviser aussi.</translation>
+    </message>
+    <message>
+        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
     </message>
 </context>
 <context>
@@ -6074,14 +6236,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Ouvrez d’abord un solide.</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Aima&amp;nter</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja_JP">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>つかむ頂点を長方形で囲みます。Shift で選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>つかむ頂点を囲んで描きます。Shift で選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>つかむ頂点をブラシでなぞります。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>表面の点からドラッグして球でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>表面の点から、つかむ側へドラッグします。その点より先がすべて対象になります</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>表面の点からドラッグして直方体でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>除外元のハンドルを 1 つ選択してください。</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>この領域に頂点はありません。</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>領域</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>範囲</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>ハンドルを空にはできません。削除するには Delete キーを押してください。</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -737,6 +690,10 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>これほど多くのセルのケージにはメモリーが足りません。頂点を減らすか、セルを大きくすると良いかもしれません</translation>
     </message>
+    <message>
+        <source>a list of points without a surface</source>
+        <translation>面のない点の一覧</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -747,10 +704,6 @@
 </context>
 <context>
     <name>CurveEditor</name>
-    <message>
-        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
-        <translation>曲線のポイントをドラッグ、Ctrl で片側の方向だけ。Delete で削除、右クリックでその他の操作</translation>
-    </message>
     <message>
         <source>Double-click to insert a point into the curve</source>
         <translation>曲線をダブルクリックするとポイントを挿入します</translation>
@@ -770,6 +723,10 @@
     <message>
         <source>The ends of a curve must stay.</source>
         <translation>曲線の両端は削除できません。</translation>
+    </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>曲線のポイントをドラッグ、Shift でまっすぐ、Ctrl で片側の方向だけ。Delete で削除、右クリックでその他の操作</translation>
     </message>
 </context>
 <context>
@@ -923,26 +880,7 @@
     </message>
 </context>
 <context>
-    <name>GradientTool</name>
-    <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
-        <translation>形状の上をドラッグすると、今の状態から右側で選んだものへ均一に変化します。Alt で取得、Esc で中止</translation>
-    </message>
-    <message>
-        <source>Move gradient</source>
-        <translation>グラデーションを移動</translation>
-    </message>
-    <message>
-        <source>To %1</source>
-        <translation>「%1」へ</translation>
-    </message>
-    <message>
-        <source>Blend to %1</source>
-        <translation>「%1」へ変化</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
+    <name>GrabTool</name>
     <message>
         <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
         <translation>つかむパーツを囲んで描きます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
@@ -956,20 +894,39 @@
         <translation>つかむパーツを長方形で囲みます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>この輪郭の中に形状はありません。</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>パーツ</translation>
     </message>
     <message>
-        <source>Change %1</source>
-        <translation>%1 を変更</translation>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>この輪郭の中に形状はありません。</translation>
     </message>
     <message>
         <source>Select one part to take away from.</source>
         <translation>除外元のパーツを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>ハンドルを空にはできません。削除するには Delete キーを押してください。</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Move gradient</source>
+        <translation>グラデーションを移動</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>「%1」へ</translation>
+    </message>
+    <message>
+        <source>Blend to %1</source>
+        <translation>「%1」へ変化</translation>
+    </message>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <translation>形状の上をドラッグすると、今の状態から右側で選んだものへ均一に変化します。Shift で 45° 刻み、Alt で取得、Esc で中止</translation>
     </message>
 </context>
 <context>
@@ -1341,7 +1298,7 @@
     </message>
     <message>
         <source>Nearest – hard pixels</source>
-        <translation>ニアレストネイバー – ハードなピクセル</translation>
+        <translation>ニアレスト – くっきり</translation>
     </message>
     <message>
         <source>Bilinear – quick</source>
@@ -1507,10 +1464,6 @@
         <translation>一緒に変形させる部分を囲みます。Ctrl で除外、Esc で中止</translation>
     </message>
     <message>
-        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
-        <translation>角を順にクリックし、ダブルクリックで閉じます。Ctrl で除外、Backspace で角を 1 つ戻す、Esc で中止</translation>
-    </message>
-    <message>
         <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
         <translation>一緒に変形させる部分をブラシでなぞります。[ と ] でサイズを変更、Ctrl で除外</translation>
     </message>
@@ -1555,6 +1508,22 @@
     <message>
         <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
         <translation>これ以降、輪郭は描いたとおりになり、余白の設定はありません。輪郭を「切り抜き」にすると、自動で見つけた輪郭に戻ります。</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <translation>変形させる部分を囲みます。Ctrl で除外、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>角を順にクリックし（Shift で 45° 刻み）、ダブルクリックで閉じます。Ctrl で除外、Backspace で角を 1 つ戻す、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <translation>変形させる部分をブラシでなぞります。[ と ] でサイズを変更、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>変形させる色をクリックします。Ctrl で除外、[ と ] で色の範囲を狭く、または広く</translation>
     </message>
 </context>
 <context>
@@ -1756,14 +1725,6 @@
         <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
     </message>
     <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X、Y、Z で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
-    </message>
-    <message>
-        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>X、Y で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
         <translation>形状をクリックしてピンを打ち、ドラッグですぐに変形。形状の外からはピンを囲んで選択します</translation>
     </message>
@@ -1787,6 +1748,14 @@
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
     </message>
+    <message>
+        <source>Shift keeps it straight; X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Shift でまっすぐに移動、X、Y、Z で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>Shift でまっすぐに移動、X、Y で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>
@@ -1804,6 +1773,144 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>離すまでの動きがそのまま記録されます。Esc で中止します</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>表面の点からドラッグして球でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>表面の点から、つかむ側へドラッグします。その点より先がすべて対象になります</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>表面の点からドラッグして直方体でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>この領域に頂点はありません。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>領域</translation>
+    </message>
+</context>
+<context>
+    <name>SampleNames</name>
+    <message>
+        <source>back</source>
+        <translation>背中</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>体</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>顔</translation>
+    </message>
+    <message>
+        <source>far front hoof</source>
+        <translation>奥の前足</translation>
+    </message>
+    <message>
+        <source>far hind hoof</source>
+        <translation>奥の後ろ足</translation>
+    </message>
+    <message>
+        <source>front hoof</source>
+        <translation>前足</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>頭</translation>
+    </message>
+    <message>
+        <source>hind hoof</source>
+        <translation>後ろ足</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>左ひじ</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>左端</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>左目</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>左足</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>左手</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>左下の腕</translation>
+    </message>
+    <message>
+        <source>left middle arm</source>
+        <translation>左中の腕</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>左上の腕</translation>
+    </message>
+    <message>
+        <source>left wing</source>
+        <translation>左の翼</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>右端</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>右目</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>右足</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>右下の腕</translation>
+    </message>
+    <message>
+        <source>right middle arm</source>
+        <translation>右中の腕</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>右上の腕</translation>
+    </message>
+    <message>
+        <source>right wing</source>
+        <translation>右の翼</translation>
+    </message>
+    <message>
+        <source>rump</source>
+        <translation>お尻</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>肩</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>硬い部分</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>しっぽ</translation>
     </message>
 </context>
 <context>
@@ -2712,6 +2819,22 @@
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>ペンを強く押すほど、強くペイントします</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>ブラシでなぞった部分は、0 より大きいと手前、小さいと奥になります</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>辺の長さ</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>ブラシでなぞった部分のメッシュの辺の長さ（ほかの部分との比）</translation>
+    </message>
 </context>
 <context>
     <name>wend::CheatSheet</name>
@@ -3330,6 +3453,18 @@
             <numerusform>%n セル</numerusform>
         </translation>
     </message>
+    <message>
+        <source>That is looked for once the pose rests.</source>
+        <translation>ポーズが静止してから調べます。</translation>
+    </message>
+    <message>
+        <source>There is no such place.</source>
+        <translation>そのような場所はありません。</translation>
+    </message>
+    <message>
+        <source>No place is farther from rest than another.</source>
+        <translation>ほかより大きく変わった場所はありません。</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -3480,7 +3615,7 @@
     </message>
     <message>
         <source>ST Map</source>
-        <translation>STマップ</translation>
+        <translation>ST マップ</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -4064,16 +4199,8 @@
         <translation>Wend が対応していれば、デスクトップの言語で表示します</translation>
     </message>
     <message>
-        <source>Speak %1 from the next start on</source>
-        <translation>次回の起動から %1 で表示します</translation>
-    </message>
-    <message>
-        <source>Wend speaks English from its next start.</source>
-        <translation>次回の起動から、Wend は日本語で表示されます。</translation>
-    </message>
-    <message>
-        <source>Start Again</source>
-        <translation>再起動</translation>
+        <source>Speak %1</source>
+        <translation>%1 で表示します</translation>
     </message>
 </context>
 <context>
@@ -4249,6 +4376,26 @@
     <message>
         <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
         <translation>剛性 ×1 には方向がありません。まず何倍の剛性かを選んでください。</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell stays lowest.</source>
+        <translation>セルごとの値のファイルは常に一番下です。</translation>
+    </message>
+    <message>
+        <source>It is the lowest layer already.</source>
+        <translation>すでに一番下のレイヤーです。</translation>
+    </message>
+    <message>
+        <source>It is the topmost layer already.</source>
+        <translation>すでに一番上のレイヤーです。</translation>
+    </message>
+    <message>
+        <source>One of the two is switched off, is a picture, or erases.</source>
+        <translation>どちらかが無効、画像、または消去のレイヤーです。</translation>
+    </message>
+    <message>
+        <source>There is no layer below it.</source>
+        <translation>下にレイヤーがありません。</translation>
     </message>
 </context>
 <context>
@@ -4632,10 +4779,6 @@
         <translation>書き出し</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation>表示中のものを、画像、連番、ワープマップ、メッシュ、ビューとして書き出します</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>ズーム</translation>
     </message>
@@ -4646,6 +4789,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>表示中のものを、画像、連番、ST マップ、メッシュ、ビューとして書き出します</translation>
     </message>
 </context>
 <context>
@@ -4763,30 +4910,6 @@
     <message>
         <source> %</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>順序</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>ブラシでなぞった部分は、0 より大きいと手前、小さいと奥になります</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>辺の長さ</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>ブラシでなぞった部分のメッシュの辺の長さ（ほかの部分との比）</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>スナップ(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
@@ -5170,6 +5293,26 @@
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>スナップ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>画面上でのブラシの直径。[ と ] のキーでも変更できます。</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5522,12 +5665,12 @@
         <translation>半径</translation>
     </message>
     <message>
-        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
-        <translation>ピンがつかむ円の大きさ（形状の単位、画像ではピクセル）。ピンを Alt+ドラッグしても変更できます。</translation>
-    </message>
-    <message>
         <source>Ra&amp;dius</source>
         <translation>半径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>ピンが周りをつかむ範囲。0 は点、それ以上は円、立体では球をつかみます（形状の単位、画像ではピクセル）。ピンを Alt+ドラッグしても変更できます。</translation>
     </message>
 </context>
 <context>
@@ -5547,13 +5690,23 @@
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>「メッシュ」パネルの「サーフェスを細分化」をオンにすると、サーフェスの三角形を分割できます。</translation>
     </message>
+    <message>
+        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <translation>一点だけでつながっている部分があり、ピンで留めないとそこで揺れ動くことがあります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <translation>
+            <numerusform>一点だけでつながっている部分が %n か所あり、ピンで留めないとそこで揺れ動くことがあります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pin It</source>
+        <translation>ピンで留める</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
-    <message>
-        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>円がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
-    </message>
     <message>
         <source>Widen %1</source>
         <translation>%1 を広げる</translation>
@@ -5721,10 +5874,6 @@
         <translation>K で再生。同じ時刻から他のピンのパスを描くと、一緒に動きます。</translation>
     </message>
     <message>
-        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>球がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
-    </message>
-    <message>
         <source>Relax</source>
         <translation>緩める</translation>
     </message>
@@ -5735,6 +5884,14 @@
     <message>
         <source>What %1 did later is replaced by this; Undo brings it back.</source>
         <translation>%1 のこれより後の動きは置き換えられました。取り消しで元に戻せます。</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>円がメッシュの目より小さくなっています。円を大きくするか、メッシュを細かくしてください。</translation>
+    </message>
+    <message>
+        <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>球がメッシュの目より小さくなっています。球を大きくするか、メッシュを細かくしてください。</translation>
     </message>
 </context>
 <context>
@@ -5869,6 +6026,10 @@
     <message>
         <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
         <translation>サーフェスの三角形は保たれ、内部だけが変わります。「メッシュ」パネルの「サーフェスを細分化」をオンにすると、三角形も分割されます。</translation>
+    </message>
+    <message>
+        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
     </message>
 </context>
 <context>
@@ -6064,14 +6225,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>まずソリッドを開いてください。</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>スナップ(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>

@@ -2,53 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
-    <name>AreaTool</name>
-    <message>
-        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>用矩形框住要抓取的顶点；按住 Shift 添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
-        <translation>圈出要抓取的顶点；按住 Shift 添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
-        <translation>用画笔刷过要抓取的顶点；[ 和 ] 更改大小，按住 Shift 添加，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>从表面上一点拖动，以球体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
-        <translation>从表面上一点朝要抓取的一侧拖动：该点以外的部分全部抓取</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
-        <translation>从表面上一点拖动，以长方体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
-    </message>
-    <message>
-        <source>Select one handle to take away from.</source>
-        <translation>请选择一个要从中减去的手柄。</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region.</source>
-        <translation>此区域中没有顶点。</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>范围</translation>
-    </message>
-    <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
-        <translation>手柄不能为空：要移除它，请按 Delete 键。</translation>
-    </message>
-</context>
-<context>
     <name>CheatSheet</name>
     <message>
         <source>Pointer</source>
@@ -737,6 +690,10 @@
         <source>there is no memory for a cage of so many cells; fewer vertices or larger cells may help</source>
         <translation>内存不足以生成这么多单元的笼子；减少顶点或增大单元可能有帮助</translation>
     </message>
+    <message>
+        <source>a list of points without a surface</source>
+        <translation>没有表面的点列表</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -747,10 +704,6 @@
 </context>
 <context>
     <name>CurveEditor</name>
-    <message>
-        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
-        <translation>拖动曲线上的点，按住 Ctrl 只动一侧方向；按 Delete 删除，右键单击显示更多</translation>
-    </message>
     <message>
         <source>Double-click to insert a point into the curve</source>
         <translation>双击曲线可插入点</translation>
@@ -770,6 +723,10 @@
     <message>
         <source>The ends of a curve must stay.</source>
         <translation>曲线的端点不能删除。</translation>
+    </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>拖动曲线上的点，按住 Shift 走直线，按住 Ctrl 只动一侧方向；按 Delete 删除，右键单击显示更多</translation>
     </message>
 </context>
 <context>
@@ -923,26 +880,7 @@
     </message>
 </context>
 <context>
-    <name>GradientTool</name>
-    <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
-        <translation>在形状上拖动：从原有内容均匀过渡到右侧所选内容；按住 Alt 吸取，按 Esc 放弃</translation>
-    </message>
-    <message>
-        <source>Move gradient</source>
-        <translation>移动渐变</translation>
-    </message>
-    <message>
-        <source>To %1</source>
-        <translation>渐变到%1</translation>
-    </message>
-    <message>
-        <source>Blend to %1</source>
-        <translation>渐变到“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>HoldTool</name>
+    <name>GrabTool</name>
     <message>
         <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
         <translation>圈出要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
@@ -956,20 +894,39 @@
         <translation>用矩形框住要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
-        <translation>此轮廓内没有形状。</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>部位</translation>
     </message>
     <message>
-        <source>Change %1</source>
-        <translation>更改 %1</translation>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>此轮廓内没有形状。</translation>
     </message>
     <message>
         <source>Select one part to take away from.</source>
         <translation>请选择一个要从中减去的部位。</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>手柄不能为空：要移除它，请按 Delete 键。</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Move gradient</source>
+        <translation>移动渐变</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>渐变到%1</translation>
+    </message>
+    <message>
+        <source>Blend to %1</source>
+        <translation>渐变到“%1”</translation>
+    </message>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <translation>在形状上拖动：从原有内容均匀过渡到右侧所选内容；按住 Shift 以 45° 为步长，按住 Alt 吸取，按 Esc 放弃</translation>
     </message>
 </context>
 <context>
@@ -1507,10 +1464,6 @@
         <translation>圈出也要变形的部分；按住 Ctrl 减去。按 Esc 放弃</translation>
     </message>
     <message>
-        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
-        <translation>逐个单击角点，双击闭合；按住 Ctrl 减去，按 Backspace 退回一个角点，按 Esc 放弃</translation>
-    </message>
-    <message>
         <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
         <translation>用画笔刷过也要变形的部分，[ 和 ] 更改大小；按住 Ctrl 减去</translation>
     </message>
@@ -1555,6 +1508,22 @@
     <message>
         <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
         <translation>从现在起轮廓以您所画为准，没有可调的边距。将轮廓设为“抠图”可恢复自动找到的轮廓。</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <translation>圈出要变形的部分；按住 Ctrl 减去。按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>逐个单击角点，按住 Shift 以 45° 为步长，双击闭合；按住 Ctrl 减去，按 Backspace 退回一个角点，按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <translation>用画笔刷过要变形的部分，[ 和 ] 更改大小；按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>单击要变形的颜色；按住 Ctrl 减去，[ 和 ] 缩小或扩大颜色范围</translation>
     </message>
 </context>
 <context>
@@ -1756,14 +1725,6 @@
         <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
     </message>
     <message>
-        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>按 X、Y、Z 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
-    </message>
-    <message>
-        <source>X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
-        <translation>按 X、Y 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, drag to bend it at once; beside it, draw around pins to select them</source>
         <translation>在形状上单击放置图钉，拖动立即变形；在形状外圈住图钉进行选择</translation>
     </message>
@@ -1787,6 +1748,14 @@
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
     </message>
+    <message>
+        <source>Shift keeps it straight; X, Y, Z lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>按住 Shift 走直线；按 X、Y、Z 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
+    </message>
+    <message>
+        <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
+        <translation>按住 Shift 走直线；按 X、Y 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>
@@ -1804,6 +1773,144 @@
     <message>
         <source>Recorded as it goes until you let go; Esc gives it up</source>
         <translation>松开之前的动作会原样录制；按 Esc 放弃</translation>
+    </message>
+</context>
+<context>
+    <name>RegionTool</name>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>从表面上一点拖动，以球体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>从表面上一点朝要抓取的一侧拖动：该点以外的部分全部抓取</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>从表面上一点拖动，以长方体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>此区域中没有顶点。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+</context>
+<context>
+    <name>SampleNames</name>
+    <message>
+        <source>back</source>
+        <translation>背部</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>身体</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>脸</translation>
+    </message>
+    <message>
+        <source>far front hoof</source>
+        <translation>远侧前蹄</translation>
+    </message>
+    <message>
+        <source>far hind hoof</source>
+        <translation>远侧后蹄</translation>
+    </message>
+    <message>
+        <source>front hoof</source>
+        <translation>前蹄</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>头</translation>
+    </message>
+    <message>
+        <source>hind hoof</source>
+        <translation>后蹄</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>左肘</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>左端</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>左眼</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>左脚</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>左手</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>左下腕</translation>
+    </message>
+    <message>
+        <source>left middle arm</source>
+        <translation>左中腕</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>左上腕</translation>
+    </message>
+    <message>
+        <source>left wing</source>
+        <translation>左翼</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>右端</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>右眼</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>右脚</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>右下腕</translation>
+    </message>
+    <message>
+        <source>right middle arm</source>
+        <translation>右中腕</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>右上腕</translation>
+    </message>
+    <message>
+        <source>right wing</source>
+        <translation>右翼</translation>
+    </message>
+    <message>
+        <source>rump</source>
+        <translation>臀部</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>肩</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>坚硬</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>尾巴</translation>
     </message>
 </context>
 <context>
@@ -2712,6 +2819,22 @@
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>笔压得越重，绘制的强度越大</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>次序</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>画笔刷过的部分，大于 0 时在前，小于 0 时在后</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>画笔刷过处的网格边长，相对于别处</translation>
+    </message>
 </context>
 <context>
     <name>wend::CheatSheet</name>
@@ -3329,6 +3452,18 @@
         <translation>
             <numerusform>%n 个单元</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That is looked for once the pose rests.</source>
+        <translation>姿态静止后才会查找。</translation>
+    </message>
+    <message>
+        <source>There is no such place.</source>
+        <translation>没有这样的位置。</translation>
+    </message>
+    <message>
+        <source>No place is farther from rest than another.</source>
+        <translation>没有哪处的变化比别处更大。</translation>
     </message>
 </context>
 <context>
@@ -4064,16 +4199,8 @@
         <translation>如果 Wend 支持，就使用桌面的语言</translation>
     </message>
     <message>
-        <source>Speak %1 from the next start on</source>
-        <translation>从下次启动起使用%1</translation>
-    </message>
-    <message>
-        <source>Wend speaks English from its next start.</source>
-        <translation>Wend 将从下次启动起使用简体中文。</translation>
-    </message>
-    <message>
-        <source>Start Again</source>
-        <translation>重新启动</translation>
+        <source>Speak %1</source>
+        <translation>使用%1</translation>
     </message>
 </context>
 <context>
@@ -4249,6 +4376,26 @@
     <message>
         <source>Stiffness ×1 has no direction: first choose how many times stiffer it is.</source>
         <translation>刚度 ×1 没有方向：请先选择刚度的倍数。</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell stays lowest.</source>
+        <translation>文件给出的逐单元数值始终在最底层。</translation>
+    </message>
+    <message>
+        <source>It is the lowest layer already.</source>
+        <translation>已经是最底层。</translation>
+    </message>
+    <message>
+        <source>It is the topmost layer already.</source>
+        <translation>已经是最顶层。</translation>
+    </message>
+    <message>
+        <source>One of the two is switched off, is a picture, or erases.</source>
+        <translation>两者之一已关闭、是图片，或用于擦除。</translation>
+    </message>
+    <message>
+        <source>There is no layer below it.</source>
+        <translation>下面没有图层。</translation>
     </message>
 </context>
 <context>
@@ -4632,10 +4779,6 @@
         <translation>导出</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation>导出所显示的内容：图片、序列、变形贴图、网格或视图</translation>
-    </message>
-    <message>
         <source>Zoom</source>
         <translation>缩放</translation>
     </message>
@@ -4646,6 +4789,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>导出所显示的内容：图片、序列、ST 贴图、网格或视图</translation>
     </message>
 </context>
 <context>
@@ -4763,30 +4910,6 @@
     <message>
         <source> %</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>顺序</translation>
-    </message>
-    <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
-        <translation>画笔刷过的部分，大于 0 时在前，小于 0 时在后</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>边长</translation>
-    </message>
-    <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
-        <translation>画笔刷过处的网格边长，相对于别处</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>吸附(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
     </message>
     <message>
         <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
@@ -5170,6 +5293,26 @@
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>吸附(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键更改。</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -5522,12 +5665,12 @@
         <translation>半径</translation>
     </message>
     <message>
-        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
-        <translation>图钉抓取的圆的大小，以形状自身的单位计；图片则以像素计。Alt 拖动图钉效果相同。</translation>
-    </message>
-    <message>
         <source>Ra&amp;dius</source>
         <translation>半径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>图钉抓取周围形状的范围：0 抓取一点，更大则抓取一个圆，立体则为球。以形状自身的单位计；图片则以像素计。Alt 拖动图钉效果相同。</translation>
     </message>
 </context>
 <context>
@@ -5547,13 +5690,23 @@
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>“网格”面板中的“细分表面”允许分割表面的三角形。</translation>
     </message>
+    <message>
+        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <translation>有一部分只以一点与其余相连，若没有图钉固定，可能会绕该点摆动。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <translation>
+            <numerusform>有 %n 个部分只以一点与其余相连，若没有图钉固定，可能会绕该点摆动。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pin It</source>
+        <translation>用图钉固定</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
-    <message>
-        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>此圆比网格的格子还小：请拖得更远，或增加顶点数。</translation>
-    </message>
     <message>
         <source>Widen %1</source>
         <translation>扩大 %1</translation>
@@ -5721,10 +5874,6 @@
         <translation>按 K 播放；从同一时刻绘制其他图钉的路径，它们会一起移动。</translation>
     </message>
     <message>
-        <source>This ball is smaller than the mesh: drag further, or set more vertices.</source>
-        <translation>此球比网格的格子还小：请拖得更远，或增加顶点数。</translation>
-    </message>
-    <message>
         <source>Relax</source>
         <translation>松弛</translation>
     </message>
@@ -5735,6 +5884,14 @@
     <message>
         <source>What %1 did later is replaced by this; Undo brings it back.</source>
         <translation>%1 此后的运动已被替换；撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>此圆比网格的格子还小：请把它调大，或把网格调细。</translation>
+    </message>
+    <message>
+        <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
+        <translation>此球比网格的格子还小：请把它调大，或把网格调细。</translation>
     </message>
 </context>
 <context>
@@ -5869,6 +6026,10 @@
     <message>
         <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
         <translation>表面的三角形保持不变，只有内部改变。“网格”面板中的“细分表面”也允许分割它们。</translation>
+    </message>
+    <message>
+        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <translation>请先选择抓取球、块或单侧的图钉。</translation>
     </message>
 </context>
 <context>
@@ -6064,14 +6225,6 @@
     <message>
         <source>Open a solid first.</source>
         <translation>请先打开实体。</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>吸附(&amp;N)</translation>
-    </message>
-    <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
-        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
     </message>
     <message>
         <source>Which axis of the world points up in the view; kept with the project</source>
