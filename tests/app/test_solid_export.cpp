@@ -47,7 +47,6 @@ class TestSolidExport : public QObject {
     void picturesAreWrittenInStrips();
     void picturesAreCancelled();
     void viewIsFilmed();
-    void windowLivesWhileAFilmIsWritten();
     void filmIsCancelled();
     void filmIsAtChoiceWhereThereIsMotion();
     void legendAndMarksAreAtChoice();
@@ -314,20 +313,6 @@ void TestSolidExport::viewIsFilmed() {
         QCOMPARE(seenDifference(film.pictures[std::size_t(k)], still), 0);
         QCOMPARE(film.ends[std::size_t(k)], 100 * (k + 1));
     }
-}
-
-/// While frames are encoded the window goes on with what else there is to do: far more often than once in
-/// every frame, as it did when it encoded them itself.
-void TestSolidExport::windowLivesWhileAFilmIsWritten() {
-    PictureChoice choice;
-    choice.size = {1600, 1200};
-    choice.frames = 3;
-    int turns = 0;
-    QTimer other;
-    connect(&other, &QTimer::timeout, [&turns] { ++turns; });
-    other.start(0);
-    QVERIFY(writeViewPicture(file(QStringLiteral("alive.webp")), *m_window->solids().canvas(), choice));
-    QVERIFY2(turns > 50 * choice.frames, qPrintable(QString::number(turns)));
 }
 
 void TestSolidExport::filmIsCancelled() {
