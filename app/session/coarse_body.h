@@ -18,7 +18,7 @@ class CoarseBody {
     /// Null where the shape is small enough to be dragged as it is, or no such body can be made.
     static std::shared_ptr<const CoarseBody> of(const Shape<Dim>& shape);
     CoarseBody(const Shape<Dim>& shape, SimplicialMesh<Dim> mesh);
-    /// The same body where the same mesh has another material: in a hundredth of the time.
+    /// The same body where the same mesh has another material: no place is looked for again.
     std::shared_ptr<const CoarseBody> with(const Material<Dim>& material) const;
 
     const std::shared_ptr<const SimplicialMesh<Dim>>& rest() const { return m_rest; }
