@@ -305,7 +305,7 @@ template <int Dim>
 void TestPinGestures::grab(DrawnOutline::Kind kind) {
     using enum DrawnOutline::Kind;
     QVERIFY(open<Dim>({-1.5}));
-    const QPoint reach = Dim == 2 ? QPoint(30, 20) : QPoint(90, 60), along(reach.x(), 0);
+    const QPoint reach = Dim == 2 ? QPoint(30, 20) : QPoint(110, 90), along(reach.x(), 0);
     const auto draw = [&](const QPoint& middle, Qt::KeyboardModifiers with = {}) {
         m_f->tool(kind == Rectangle ? "rectangle" : kind == Lasso ? "lasso" : "grabBrush")->trigger();
         const QPoint across(reach.x(), -reach.y());
@@ -334,7 +334,7 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     QVERIFY(held() < first);
     QCOMPARE(session().handleCount(), 2);
     const int steps = undo().count();
-    QVERIFY(draw(at<Dim>(0.2, 1.4)));
+    QVERIFY(draw(at<Dim>(0.2, 1.7)));
     QCOMPARE(undo().count(), steps);
     QVERIFY(m_f->window().statusBar()->currentMessage().contains(QStringLiteral("nothing of the shape")));
     const Vec<Dim> before = pin<Dim>(1);

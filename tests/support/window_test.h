@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/document/project.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
 #include "tests/support/window_fixture.h"
