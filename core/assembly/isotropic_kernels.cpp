@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/system/run_time_dispatch.h"
 
@@ -246,8 +247,9 @@ int geometry(const Cells<Dim>& cells, int begin, int end, const double* points) 
         geometry2(cells, begin, end, points);
     else
         geometry3(cells, begin, end, points);
-    const double* const bad = std::find_if(cells.measure + begin, cells.measure + end,
-                                           [](double m) { return !(m > 0) || !std::isfinite(1 / m); });
+    constexpr double kLeast = std::numeric_limits<double>::min();  // 1 / m is finite
+    const double* const bad =
+        std::find_if(cells.measure + begin, cells.measure + end, [](double m) { return !(m >= kLeast); });
     return static_cast<int>(bad - cells.measure);
 }
 
