@@ -65,6 +65,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     isotropic::Cells<Dim> m_cells;
     isotropic::Facets<Dim> m_facetArrays;
 
+    std::vector<int> m_forcePlace;  // of the plan's corners
     std::vector<double> m_force, m_massRegularization;
     // For the assembly: the contributions of every block in one list; coefficients of the cells, then of the
     // facets.
@@ -111,6 +112,8 @@ void IsotropicBackEnd<Dim>::prepareCells(const SimplicialMesh<Dim>& rest, const 
     m_dilation.assign(n * kCorners, 0.0);
     m_tensor.resize(n * kTensor);
     m_force.resize(n * kForces);
+    for (const int corner : m_plan->corners)
+        m_forcePlace.push_back(corner % kCorners * Dim * m_cellCount + corner / kCorners);
 }
 
 template <int Dim>
@@ -193,7 +196,7 @@ void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
         for (int p = begin; p < end; ++p) {
             Vec<Dim> total = Vec<Dim>::Zero();
             for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i)
-                total += Eigen::Map<const Vec<Dim>>(m_force.data() + m_plan->corners[i] * Dim);
+                for (int a = 0; a < Dim; ++a) total[a] += m_force[m_forcePlace[i] + a * m_cellCount];
             Av.col(p) = total;
             if (!m_massRegularization.empty()) addMassTimes(v, p, Av);
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/system/run_time_dispatch.h"
 
@@ -10,8 +11,6 @@
 
 namespace wend::isotropic {
 namespace {
-
-constexpr int kChunk = 64;  // cells whose forces are put in order while they are in the first cache
 
 /// A hint for the loop after it: no two iterations touch the same entry.
 #define WEND_INDEPENDENT _Pragma("GCC ivdep")
@@ -116,10 +115,9 @@ template <int Dim, Jump kJump>
     }
 }
 
-/// The forces of cells [begin, end), at most kChunk, as [Dim · corner + axis][cell − begin]: 2 L = f T + g X
-/// + h I with the cell's tensor T and the sum X of the weighted jumps.
+/// 2 L = f T + g X + h I with the cell's tensor T and the sum X of the weighted jumps.
 template <int Dim, Jump kJump>
-[[gnu::always_inline]] inline void chunkForces(const Cells<Dim>& s, int begin, int end, double (*f)[kChunk]) {
+[[gnu::always_inline]] inline void forcesBody(const Cells<Dim>& s, int begin, int end, double* f) {
     constexpr int kTensor = Dim * (Dim + 1) / 2;
     const int n = s.count;
     const double *const tensor = s.tensor, *const gradients = s.gradients;
@@ -171,25 +169,11 @@ template <int Dim, Jump kJump>
                 double force = 0;
 #pragma GCC unroll 3
                 for (int b = 0; b < Dim; ++b) force += L[a][b] * gradients[(k * Dim + b) * n + c];
-                f[(k + 1) * Dim + a][c - begin] = force;
+                f[((k + 1) * Dim + a) * n + c] = force;
                 sum -= force;
             }
-            f[a][c - begin] = sum;
+            f[a * n + c] = sum;
         }
-    }
-}
-
-template <int Dim, Jump kJump>
-[[gnu::always_inline]] inline void forcesBody(const Cells<Dim>& s, int begin, int end, double* force) {
-    constexpr int kForces = Dim * (Dim + 1);
-    alignas(64) double f[kForces][kChunk];
-    for (int c = begin; c < end; c += kChunk) {
-        const int stop = std::min(end, c + kChunk);
-        chunkForces<Dim, kJump>(s, c, stop, f);
-        double* out = force + static_cast<std::ptrdiff_t>(c) * kForces;
-        for (int i = 0; i < stop - c; ++i, out += kForces)
-#pragma GCC unroll 12
-            for (int j = 0; j < kForces; ++j) out[j] = f[j][i];
     }
 }
 
@@ -263,8 +247,9 @@ int geometry(const Cells<Dim>& cells, int begin, int end, const double* points) 
         geometry2(cells, begin, end, points);
     else
         geometry3(cells, begin, end, points);
-    const double* const bad = std::find_if(cells.measure + begin, cells.measure + end,
-                                           [](double m) { return !(m > 0) || !std::isfinite(1 / m); });
+    constexpr double kLeast = std::numeric_limits<double>::min();  // 1 / m is finite
+    const double* const bad =
+        std::find_if(cells.measure + begin, cells.measure + end, [](double m) { return !(m >= kLeast); });
     return static_cast<int>(bad - cells.measure);
 }
 

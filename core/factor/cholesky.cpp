@@ -116,7 +116,9 @@ struct Cholesky::Handles {
     void analyze(int blockSize, Ordering ordering);
 };
 
-/// The fill-reducing order of the graph of blocks: for METIS a third of the work of the scalar graph.
+/// The fill-reducing order of the graph of blocks: a third of the work of the scalar graph. Nested dissection
+/// by METIS's cuts, whose parts and cuts CHOLMOD orders by minimum degree: METIS's own order of a cut
+/// scatters what is added to its front, so that a factorization in the plane takes a sixth longer.
 std::vector<int> Cholesky::Handles::orderBlocks(int blockSize, Ordering ordering) {
     const auto* start = static_cast<const int*>(matrix->p);
     const auto* row = static_cast<const int*>(matrix->i);
@@ -133,11 +135,11 @@ std::vector<int> Cholesky::Handles::orderBlocks(int blockSize, Ordering ordering
             graphRow[count++] = row[i] / blockSize;
     }
     graphStart[blocks] = count;
-    std::vector<int> order(blocks);
+    std::vector<int> order(blocks), parents(blocks), parts(blocks);
     if (ordering == Ordering::MinimumDegree)
         cholmod_amd(graph, nullptr, 0, order.data(), &common);
     else
-        cholmod_metis(graph, nullptr, 0, 1, order.data(), &common);
+        cholmod_nested_dissection(graph, nullptr, 0, order.data(), parents.data(), parts.data(), &common);
     cholmod_free_sparse(&graph, &common);
     return order;
 }

@@ -29,17 +29,21 @@ void continueColumns(float* panel, int leading, int from, int to, int rowBegin, 
 /// `from` a multiple of kPad.
 void subtractSquare(const float* below, int leading, int columns, float* U, int leadingU, int from, int to);
 
-/// w = [b1; 0] → x1 = L11⁻¹ b1 and w2 = −L21 x1 in the rows up to `rowEnd`; w1 is lost.
-void forward(const float* panel, int leading, int columns, int rowEnd, const float* inverse, float* w,
-             float* x);
-/// The same in the rows [rowBegin, rowEnd) below: w −= L x.
-void continueForward(const float* panel, int leading, int columns, int rowBegin, int rowEnd, const float* x,
-                     float* w);
+/// What the solves take in place of such columns, in the rows [rowBegin, rowEnd): per block of columns with
+/// the triangle T on the diagonal and B below it, M = [T⁻¹; −B T⁻¹]. A block is then one product with a
+/// vector each way, where solving for one column after another waits for every result. `rowBegin` is 0, or
+/// not within the triangle: the rows that hold it come last, since all others read it.
+void prepareSolves(float* panel, int leading, int columns, int rowBegin, int rowEnd, const float* inverse);
 
-/// x1 = L11⁻ᵀ (x1 − L21ᵀ w2) for w = [0; w2] with the rows up to `rowEnd`; w1 becomes x1.
-void backward(const float* panel, int leading, int columns, int rowEnd, const float* inverse, float* w,
-              float* x);
-/// Before it, with the rows from `rowBegin` on: x −= Lᵀ w in the columns [from, to).
+/// w = [b1; 0] → x1 = L11⁻¹ b1 and w2 = −L21 x1 in the rows up to `rowEnd`; in w1 remains what
+/// continueForward() multiplies with.
+void forward(const float* panel, int leading, int columns, int rowEnd, float* w, float* x);
+/// The same in the rows [rowBegin, rowEnd) below.
+void continueForward(const float* panel, int leading, int columns, int rowBegin, int rowEnd, float* w);
+
+/// x1 += L11⁻ᵀ (w1 − L21ᵀ w2) with the rows up to `rowEnd`; w1 becomes x1.
+void backward(const float* panel, int leading, int columns, int rowEnd, float* w, float* x);
+/// Before it, with the rows from `rowBegin` on: their part of the sum in the columns [from, to), to x.
 void prepareBackward(const float* panel, int leading, int from, int to, int rowBegin, const float* w,
                      float* x);
 
@@ -48,12 +52,10 @@ bool factorColumns(double* panel, int leading, int from, int to, int rowEnd, dou
 void continueColumns(double* panel, int leading, int from, int to, int rowBegin, int rowEnd,
                      const double* inverse);
 void subtractSquare(const double* below, int leading, int columns, double* U, int leadingU, int from, int to);
-void forward(const double* panel, int leading, int columns, int rowEnd, const double* inverse, double* w,
-             double* x);
-void continueForward(const double* panel, int leading, int columns, int rowBegin, int rowEnd, const double* x,
-                     double* w);
-void backward(const double* panel, int leading, int columns, int rowEnd, const double* inverse, double* w,
-              double* x);
+void prepareSolves(double* panel, int leading, int columns, int rowBegin, int rowEnd, const double* inverse);
+void forward(const double* panel, int leading, int columns, int rowEnd, double* w, double* x);
+void continueForward(const double* panel, int leading, int columns, int rowBegin, int rowEnd, double* w);
+void backward(const double* panel, int leading, int columns, int rowEnd, double* w, double* x);
 void prepareBackward(const double* panel, int leading, int from, int to, int rowBegin, const double* w,
                      double* x);
 

@@ -149,6 +149,38 @@ WEND_CLONES void solveRows(Real* first, int leading, int rows, int columns, cons
     }
 }
 
+/// Rows of a block of eight columns times −T⁻¹, kLanes rows at a time. Missing columns are read as the first.
+WEND_CLONES void divideRows(Real* first, int leading, int rows, int columns, const Real (&T)[kBlock][kBlock],
+                            const Real (&inverse)[kBlock]) {
+    std::ptrdiff_t o[kBlock];
+    for (int j = 0; j < kBlock; ++j) o[j] = j < columns ? j * static_cast<std::ptrdiff_t>(leading) : 0;
+    for (int r = 0; r < rows; r += kLanes) {
+        Real* c = first + r;
+        Lanes y0 = at(c), y1 = at(c + o[1]), y2 = at(c + o[2]), y3 = at(c + o[3]);
+        if (columns > 4) {
+            const Lanes x7 = at(c + o[7]) * -inverse[7];
+            const Lanes x6 = (at(c + o[6]) + x7 * T[7][6]) * -inverse[6];
+            const Lanes x5 = (at(c + o[5]) + x7 * T[7][5] + x6 * T[6][5]) * -inverse[5];
+            const Lanes x4 = (at(c + o[4]) + x7 * T[7][4] + x6 * T[6][4] + x5 * T[5][4]) * -inverse[4];
+            y3 += x7 * T[7][3] + x6 * T[6][3] + (x5 * T[5][3] + x4 * T[4][3]);
+            y2 += x7 * T[7][2] + x6 * T[6][2] + (x5 * T[5][2] + x4 * T[4][2]);
+            y1 += x7 * T[7][1] + x6 * T[6][1] + (x5 * T[5][1] + x4 * T[4][1]);
+            y0 += x7 * T[7][0] + x6 * T[6][0] + (x5 * T[5][0] + x4 * T[4][0]);
+            at(c + o[4]) = x4;
+            if (columns > 5) at(c + o[5]) = x5;
+            if (columns > 6) at(c + o[6]) = x6;
+            if (columns > 7) at(c + o[7]) = x7;
+        }
+        const Lanes x3 = y3 * -inverse[3];
+        const Lanes x2 = (y2 + x3 * T[3][2]) * -inverse[2];
+        const Lanes x1 = (y1 + x3 * T[3][1] + x2 * T[2][1]) * -inverse[1];
+        at(c) = (y0 + x3 * T[3][0] + x2 * T[2][0] + x1 * T[1][0]) * -inverse[0];
+        if (columns > 1) at(c + o[1]) = x1;
+        if (columns > 2) at(c + o[2]) = x2;
+        if (columns > 3) at(c + o[3]) = x3;
+    }
+}
+
 /// What factorDiagonal() made, from the panel.
 void readDiagonal(const Real* block, int leading, int columns, Real (&T)[kBlock][kBlock]) {
     for (int i = 0; i < kBlock; ++i)
@@ -156,9 +188,12 @@ void readDiagonal(const Real* block, int leading, int columns, Real (&T)[kBlock]
             T[i][j] = i < columns ? block[j * static_cast<std::ptrdiff_t>(leading) + i] : Real(0);
 }
 
+using Place = std::conditional_t<sizeof(Real) == 4, int, long>;
+using Places = Place __attribute__((vector_size(64), may_alias));
+alignas(64) constexpr Place kPlaces[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
 using Four = Real __attribute__((vector_size(4 * sizeof(Real))));
-using FourPlaces =
-    std::conditional_t<sizeof(Real) == 4, int, long> __attribute__((vector_size(4 * sizeof(Real))));
+using FourPlaces = Place __attribute__((vector_size(4 * sizeof(Real))));
 
 /// The lanes added up by fours.
 [[gnu::always_inline]] inline void addUp(const Lanes& lanes, Four& sum) {
@@ -171,7 +206,7 @@ using FourPlaces =
 /// The sums of the lanes of four vectors: added up side by side, since one after another they cost more than
 /// the short columns that they are of.
 [[gnu::always_inline]] inline void sumsOf(const Lanes& s0, const Lanes& s1, const Lanes& s2, const Lanes& s3,
-                                          Real (&sums)[4]) {
+                                          Real* sums) {
     Four a, b, c, d;
     addUp(s0, a), addUp(s1, b), addUp(s2, c), addUp(s3, d);
     const Four ab = __builtin_shuffle(a, b, FourPlaces{0, 4, 1, 5}) +
@@ -183,10 +218,61 @@ using FourPlaces =
     __builtin_memcpy(sums, &all, sizeof all);
 }
 
-[[gnu::always_inline]] inline Real sumOf(const Lanes& lanes) {
-    Four sum;
-    addUp(lanes, sum);
-    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+/// M y of a block, the rows of one register. Missing columns are read as the first, with 0 in y.
+template <int kColumns>
+[[gnu::always_inline]] inline void timesColumns(const Real* M, const std::ptrdiff_t (&o)[kBlock],
+                                                const Real (&y)[kBlock], Lanes& sum) {
+    Lanes odd = at(M + o[1]) * y[1];
+    sum = at(M) * y[0];
+#pragma GCC unroll 4
+    for (int j = 2; j < kColumns; j += 2) {
+        sum += at(M + o[j]) * y[j];
+        odd += at(M + o[j + 1]) * y[j + 1];
+    }
+    sum += odd;
+}
+
+/// A block of a forward solve: in the rows of the block's own M y is x, in those below it is added.
+template <int kColumns>
+[[gnu::always_inline]] inline void forwardBlock(const Real* block, int leading, int c, int count, int rowEnd,
+                                                Real* w, Real* x) {
+    std::ptrdiff_t o[kBlock];
+    Real y[kBlock], first[kLanes];
+    for (int j = 0; j < kColumns; ++j) {
+        o[j] = j < count ? j * static_cast<std::ptrdiff_t>(leading) : 0;
+        y[j] = j < count ? w[c + j] : Real(0);
+    }
+    const int top = c & ~(kLanes - 1);
+    Lanes sum;
+    timesColumns<kColumns>(block + top, o, y, sum);
+    __builtin_memcpy(first, &sum, sizeof sum);
+    for (int j = 0; j < count; ++j) x[c + j] = first[c - top + j];
+    const Places& places = *reinterpret_cast<const Places*>(kPlaces);
+    at(w + top) += places >= c - top + count ? sum : Lanes{};
+    for (int r = top + kLanes; r < rowEnd; r += kLanes) {
+        timesColumns<kColumns>(block + r, o, y, sum);
+        at(w + r) += sum;
+    }
+}
+
+/// Mᵀ w of a block's columns, four at a time for 16 registers of half the width. Missing ones are read as the
+/// first.
+[[gnu::always_inline]] inline void transposedTimes(const Real* M, int leading, int columns, int rowBegin,
+                                                   int rowEnd, const Real* w, Real (&sums)[kBlock]) {
+    for (int c = 0; c < columns; c += 4) {
+        const Real* const a = M + c * static_cast<std::ptrdiff_t>(leading);
+        std::ptrdiff_t o[4];
+        for (int j = 0; j < 4; ++j) o[j] = c + j < columns ? j * static_cast<std::ptrdiff_t>(leading) : 0;
+        Lanes s0{}, s1{}, s2{}, s3{};
+        for (int r = rowBegin; r < rowEnd; r += kLanes) {
+            const Lanes y = at(w + r);
+            s0 += at(a + r) * y;
+            s1 += at(a + o[1] + r) * y;
+            s2 += at(a + o[2] + r) * y;
+            s3 += at(a + o[3] + r) * y;
+        }
+        sumsOf(s0, s1, s2, s3, sums + c);
+    }
 }
 
 }  // namespace
@@ -244,98 +330,68 @@ void subtractSquare(const Real* below, int leading, int columns, Real* U, int le
         }
 }
 
-WEND_CLONES void forward(const Real* panel, int leading, int columns, int rowEnd, const Real* inverse,
-                         Real* w, Real* x) {
-    const std::ptrdiff_t n = leading;
-    int c = 0;
-    for (; c + 4 <= columns; c += 4) {
-        const Real* const a = panel + c * n;
-        const Real x0 = w[c] * inverse[c];
-        const Real x1 = (w[c + 1] - a[c + 1] * x0) * inverse[c + 1];
-        const Real x2 = (w[c + 2] - a[c + 2] * x0 - a[n + c + 2] * x1) * inverse[c + 2];
-        const Real x3 =
-            (w[c + 3] - a[c + 3] * x0 - a[n + c + 3] * x1 - a[2 * n + c + 3] * x2) * inverse[c + 3];
-        x[c] = x0, x[c + 1] = x1, x[c + 2] = x2, x[c + 3] = x3;
-        for (int r = (c + 4) & ~(kLanes - 1); r < rowEnd; r += kLanes)
-            at(w + r) -=
-                at(a + r) * x0 + at(a + n + r) * x1 + (at(a + 2 * n + r) * x2 + at(a + 3 * n + r) * x3);
+// The rows of the triangle become T⁻¹ like all others: they are minus the identity's before.
+void prepareSolves(Real* panel, int leading, int columns, int rowBegin, int rowEnd, const Real* inverse) {
+    Real T[kBlock][kBlock], inverses[kBlock];
+    for (int c = 0; c < columns; c += kBlock) {
+        const int count = std::min(kBlock, columns - c), top = std::max(rowBegin, c & ~(kLanes - 1));
+        Real* const block = panel + static_cast<std::ptrdiff_t>(c) * leading;
+        readDiagonal(block + c, leading, count, T);
+        for (int j = 0; j < kBlock; ++j) inverses[j] = j < count ? inverse[c + j] : Real(1);
+        if (rowBegin == 0)
+            for (int j = 0; j < count; ++j)
+                for (int i = 0; i < count; ++i)
+                    block[j * static_cast<std::ptrdiff_t>(leading) + c + i] = i == j ? Real(-1) : Real(0);
+        divideRows(block + top, leading, rowEnd - top, count, T, inverses);
     }
-    for (; c < columns; ++c) {
-        const Real* const a = panel + c * n;
-        x[c] = w[c] * inverse[c];
-        for (int r = (c + 1) & ~(kLanes - 1); r < rowEnd; r += kLanes) at(w + r) -= at(a + r) * x[c];
+}
+
+WEND_CLONES void forward(const Real* panel, int leading, int columns, int rowEnd, Real* w, Real* x) {
+    for (int c = 0; c < columns; c += kBlock) {
+        const Real* const block = panel + static_cast<std::ptrdiff_t>(c) * leading;
+        if (columns - c <= 4)
+            forwardBlock<4>(block, leading, c, columns - c, rowEnd, w, x);
+        else
+            forwardBlock<8>(block, leading, c, std::min(kBlock, columns - c), rowEnd, w, x);
     }
 }
 
 WEND_CLONES void continueForward(const Real* panel, int leading, int columns, int rowBegin, int rowEnd,
-                                 const Real* x, Real* w) {
-    const std::ptrdiff_t n = leading;
-    int c = 0;
-    for (; c + 4 <= columns; c += 4) {
-        const Real* const a = panel + c * n;
-        const Real x0 = x[c], x1 = x[c + 1], x2 = x[c + 2], x3 = x[c + 3];
-        for (int r = rowBegin; r < rowEnd; r += kLanes)
-            at(w + r) -=
-                at(a + r) * x0 + at(a + n + r) * x1 + (at(a + 2 * n + r) * x2 + at(a + 3 * n + r) * x3);
-    }
-    for (; c < columns; ++c) {
-        const Real* const a = panel + c * n;
-        for (int r = rowBegin; r < rowEnd; r += kLanes) at(w + r) -= at(a + r) * x[c];
+                                 Real* w) {
+    for (int c = 0; c < columns; c += kBlock) {
+        std::ptrdiff_t o[kBlock];
+        Real y[kBlock];
+        for (int j = 0; j < kBlock; ++j) {
+            o[j] = c + j < columns ? j * static_cast<std::ptrdiff_t>(leading) : 0;
+            y[j] = c + j < columns ? w[c + j] : Real(0);
+        }
+        const Real* const block = panel + static_cast<std::ptrdiff_t>(c) * leading;
+        for (int r = rowBegin; r < rowEnd; r += kLanes) {
+            Lanes sum;
+            timesColumns<8>(block + r, o, y, sum);
+            at(w + r) += sum;
+        }
     }
 }
 
 WEND_CLONES void prepareBackward(const Real* panel, int leading, int from, int to, int rowBegin,
                                  const Real* w, Real* x) {
-    const std::ptrdiff_t n = leading;
-    int c = from;
-    for (; c + 4 <= to; c += 4) {
-        const Real* const a = panel + c * n;
-        Lanes s0{}, s1{}, s2{}, s3{};
-        for (int r = rowBegin; r < leading; r += kLanes) {
-            const Lanes y = at(w + r);
-            s0 += at(a + r) * y;
-            s1 += at(a + n + r) * y;
-            s2 += at(a + 2 * n + r) * y;
-            s3 += at(a + 3 * n + r) * y;
-        }
-        Real sums[4];
-        sumsOf(s0, s1, s2, s3, sums);
-        for (int j = 0; j < 4; ++j) x[c + j] -= sums[j];
-    }
-    for (; c < to; ++c) {
-        Lanes s{};
-        for (int r = rowBegin; r < leading; r += kLanes) s += at(panel + c * n + r) * at(w + r);
-        x[c] -= sumOf(s);
+    for (int c = from; c < to; c += kBlock) {
+        const int count = std::min(kBlock, to - c);
+        Real sums[kBlock];
+        transposedTimes(panel + static_cast<std::ptrdiff_t>(c) * leading, leading, count, rowBegin, leading,
+                        w, sums);
+        for (int j = 0; j < count; ++j) x[c + j] += sums[j];
     }
 }
 
-WEND_CLONES void backward(const Real* panel, int leading, int columns, int rowEnd, const Real* inverse,
-                          Real* w, Real* x) {
-    const std::ptrdiff_t n = leading;
-    int c = columns;
-    for (; c % 4 != 0; --c) {
-        const Real* const a = panel + (c - 1) * n;
-        Lanes s{};
-        for (int r = (c - 1) & ~(kLanes - 1); r < rowEnd; r += kLanes) s += at(a + r) * at(w + r);
-        x[c - 1] = w[c - 1] = (x[c - 1] - sumOf(s)) * inverse[c - 1];
-    }
-    for (c -= 4; c >= 0; c -= 4) {
-        const Real* const a = panel + c * n;
-        Lanes s0{}, s1{}, s2{}, s3{};
-        for (int r = c & ~(kLanes - 1); r < rowEnd; r += kLanes) {
-            const Lanes y = at(w + r);
-            s0 += at(a + r) * y;
-            s1 += at(a + n + r) * y;
-            s2 += at(a + 2 * n + r) * y;
-            s3 += at(a + 3 * n + r) * y;
-        }
-        Real sums[4];
-        sumsOf(s0, s1, s2, s3, sums);
-        const Real x3 = (x[c + 3] - sums[3]) * inverse[c + 3];
-        const Real x2 = (x[c + 2] - sums[2] - a[2 * n + c + 3] * x3) * inverse[c + 2];
-        const Real x1 = (x[c + 1] - sums[1] - a[n + c + 2] * x2 - a[n + c + 3] * x3) * inverse[c + 1];
-        const Real x0 = (x[c] - sums[0] - a[c + 1] * x1 - a[c + 2] * x2 - a[c + 3] * x3) * inverse[c];
-        x[c] = w[c] = x0, x[c + 1] = w[c + 1] = x1, x[c + 2] = w[c + 2] = x2, x[c + 3] = w[c + 3] = x3;
+WEND_CLONES void backward(const Real* panel, int leading, int columns, int rowEnd, Real* w, Real* x) {
+    for (int c = (columns - 1) / kBlock * kBlock; c >= 0; c -= kBlock) {
+        const int count = std::min(kBlock, columns - c);
+        Real sums[kBlock];
+        transposedTimes(panel + static_cast<std::ptrdiff_t>(c) * leading, leading, count, c & ~(kLanes - 1),
+                        rowEnd, w, sums);
+        for (int j = 0; j < count; ++j) x[c + j] = w[c + j] = x[c + j] + sums[j];
     }
 }
 

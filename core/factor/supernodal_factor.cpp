@@ -2,25 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
-#include <new>
 #include <numeric>
 
 #include "core/factor/dense_kernels.h"
 
 namespace wend {
 namespace {
-
-/// `count` zeros and a cache line behind them; returns the first that is aligned to a cache line. The system
-/// gives large ones as they are first written to: by all threads, and within what can be stopped.
-template <class Real>
-Real* allocate(std::unique_ptr<Real[], Freed>& storage, std::size_t count) {
-    storage.reset();  // never two at a time
-    storage.reset(static_cast<Real*>(std::calloc(count + 2 * dense::kPad<Real>, sizeof(Real))));
-    if (!storage) throw std::bad_alloc();
-    const auto address = reinterpret_cast<std::uintptr_t>(storage.get());
-    return storage.get() + (64 - address % 64) % 64 / sizeof(Real);
-}
 
 // A front with less work is left to one thread: the hand-over takes some microseconds.
 constexpr double kSharedWork = 2e6;
@@ -65,7 +52,7 @@ void SupernodalFactor<Real>::placePanels() {
     for (int s = 0; s < m_symbolic.count(); ++s)
         m_panelStart.push_back(m_panelStart.back() + dense::kPad<Real> +
                                static_cast<std::size_t>(leading(s)) * m_symbolic.columnsOf(s));
-    m_panels = allocate(m_storage, m_panelStart.back());
+    m_panels = LargeArray<Real>(m_panelStart.back() + dense::kPad<Real>);
     m_inverse.resize(m_symbolic.order.size());
 }
 
@@ -115,7 +102,9 @@ template <class Real>
 void SupernodalFactor<Real>::reserveStacks(int threads) {
     if (threads <= m_threads) return;
     m_threads = threads;
-    m_updates = allocate(m_updateStorage, m_threadStacks + static_cast<std::size_t>(threads) * m_stackSize);
+    m_updates = {};  // never two at a time
+    m_updates = LargeArray<Real>(m_threadStacks + static_cast<std::size_t>(threads) * m_stackSize +
+                                 dense::kPad<Real>);
 }
 
 template <class Real>
@@ -228,10 +217,9 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     const int columns = m_symbolic.columnsOf(s);
     assemblePanel(s, values);
     for (int child : m_tree.children[s]) extendAdd(child, s, 0, columns, stacks);
-    if (!dense::factorColumns(panel(s), leading(s), 0, columns, leading(s),
-                              m_inverse.data() + m_symbolic.first[s]))
-        return false;
+    if (!dense::factorColumns(panel(s), leading(s), 0, columns, leading(s), inverse(s))) return false;
     makeUpdate(s, 0, updateRows(s), stacks);
+    dense::prepareSolves(panel(s), leading(s), columns, 0, leading(s), inverse(s));
     return true;
 }
 
@@ -239,13 +227,13 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
 template <class Real>
 bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     const int columns = m_symbolic.columnsOf(s), rows = leading(s);
-    Real *const front = panel(s), *const inverse = m_inverse.data() + m_symbolic.first[s];
+    Real *const front = panel(s), *const inverses = inverse(s);
     for (int from = 0; from < columns; from += kPanelColumns) {
         const int to = std::min(columns, from + kPanelColumns), below = dense::padded<Real>(to);
         if (m_stop.stop_requested()) return false;
-        if (!dense::factorColumns(front, rows, from, to, below, inverse)) return false;
+        if (!dense::factorColumns(front, rows, from, to, below, inverses)) return false;
         workers.forPieces(rows - below, 16 * dense::kPad<Real>, [&](int begin, int end) {
-            dense::continueColumns(front, rows, from, to, below + begin, below + end, inverse);
+            dense::continueColumns(front, rows, from, to, below + begin, below + end, inverses);
         });
     }
     return true;
@@ -265,6 +253,11 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     workers.forPieces(below, kUpdateColumns, [&](int begin, int end) {
         if (!m_stop.stop_requested()) makeUpdate(s, begin, end, stacks);
     });
+    const int top = dense::padded<Real>(columns);
+    workers.forPieces(leading(s) - top, 16 * dense::kPad<Real>, [&](int begin, int end) {
+        dense::prepareSolves(panel(s), leading(s), columns, top + begin, top + end, inverse(s));
+    });
+    dense::prepareSolves(panel(s), leading(s), columns, 0, top, inverse(s));
     return !m_stop.stop_requested();
 }
 
@@ -274,7 +267,7 @@ bool SupernodalFactor<Real>::factorSubtrees(std::span<const double> values, Work
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> goesOn = true;
     workers.forPieces(m_threads, 1, [&](int thread, int) {
-        Real* const stacks = m_updates + m_threadStacks + thread * m_stackSize;
+        Real* const stacks = m_updates.data() + m_threadStacks + thread * m_stackSize;
         for (std::size_t i = next++; i < m_tree.subtrees.size(); i = next++) {
             const auto& subtree = m_tree.subtrees[i];
             for (int s = subtree.begin; s < subtree.end && goesOn; ++s)
@@ -290,8 +283,9 @@ bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPoo
     m_stop = std::move(stop);
     reserveStacks(workers.threads());
     return factorSubtrees(values, workers) &&
-           std::all_of(m_tree.separator.begin(), m_tree.separator.end(),
-                       [&](int s) { return factorFront(s, values, m_updates + m_separatorStacks, workers); });
+           std::all_of(m_tree.separator.begin(), m_tree.separator.end(), [&](int s) {
+               return factorFront(s, values, m_updates.data() + m_separatorStacks, workers);
+           });
 }
 
 template class SupernodalFactor<float>;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdlib>
-#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -9,13 +7,9 @@
 #include "core/factor/elimination_tree.h"
 #include "core/factor/supernodes.h"
 #include "core/factor/worker_pool.h"
+#include "core/system/large_array.h"
 
 namespace wend {
-
-/// Gives back what the C library allocated.
-struct Freed {
-    void operator()(void* memory) const { std::free(memory); }
-};
 
 /// A supernodal multifrontal Cholesky factorization. In double precision it solves, on small fronts, in half
 /// of CHOLMOD's time; in single precision in half of that again (half the bytes, twice the lanes), as a
@@ -54,9 +48,12 @@ class SupernodalFactor {
     int leading(int s) const;
     int updateRows(int s) const { return m_symbolic.rowsOf(s) - m_symbolic.columnsOf(s); }
     int updateLeading(int s) const;
-    Real* panel(int s) { return m_panels + m_panelStart[s]; }
+    Real* panel(int s) { return m_panels.data() + m_panelStart[s]; }
+    Real* inverse(int s) { return m_inverse.data() + m_symbolic.first[s]; }
     /// `stacks`: of the thread that does the subtree, or of the separator.
-    Real* update(int s, Real* stacks) { return (m_isSubtreeRoot[s] ? m_updates : stacks) + m_updateStart[s]; }
+    Real* update(int s, Real* stacks) {
+        return (m_isSubtreeRoot[s] ? m_updates.data() : stacks) + m_updateStart[s];
+    }
 
     bool factorSubtrees(std::span<const double> values, WorkerPool& workers);
     bool factorFront(int s, std::span<const double> values, Real* stacks);
@@ -81,14 +78,12 @@ class SupernodalFactor {
     std::vector<int> m_entryStart;  // per supernode: into m_entries
     std::vector<Entry> m_entries;
 
-    std::unique_ptr<Real[], Freed> m_storage;
+    LargeArray<Real> m_panels;
     std::vector<Real> m_inverse;
-    Real* m_panels = nullptr;
 
     // Update matrices: those of the subtrees' roots, then the stacks of the separator and of every thread.
     std::vector<char> m_isSubtreeRoot;  // per supernode: the root of a subtree
-    std::unique_ptr<Real[], Freed> m_updateStorage;
-    Real* m_updates = nullptr;
+    LargeArray<Real> m_updates;
     std::size_t m_separatorStacks = 0, m_threadStacks = 0,
                 m_stackSize = 0;  // where they begin; of one thread
     int m_threads = 0;            // that there are stacks for

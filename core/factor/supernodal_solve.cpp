@@ -56,10 +56,10 @@ void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
     std::fill(w + columns, w + n, Real(0));
     const bool shared = workers && isShared(n, columns);
     const int below = shared ? dense::padded<Real>(columns) : n;
-    dense::forward(panel(s), n, columns, below, m_inverse.data() + m_symbolic.first[s], w, x);
+    dense::forward(panel(s), n, columns, below, w, x);
     if (shared)
         workers->forPieces(n - below, kRows, [&](int begin, int end) {
-            dense::continueForward(panel(s), n, columns, below + begin, below + end, x, w);
+            dense::continueForward(panel(s), n, columns, below + begin, below + end, w);
         });
     for (int i = columns; i < rows; ++i) m_x[target[i]] += w[i];
 }
@@ -69,16 +69,16 @@ void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) 
     const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);
     const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
     Real* const x = m_x.data() + m_symbolic.first[s];
-    std::fill_n(w, columns, Real(0));
-    for (int i = columns; i < rows; ++i) w[i] = m_x[index[i]];
+    for (int i = 0; i < rows; ++i) w[i] = m_x[index[i]];
     std::fill(w + rows, w + n, Real(0));
+    std::fill_n(x, columns, Real(0));
     const bool shared = workers && isShared(n, columns);
     const int below = shared ? dense::padded<Real>(columns) : n;
     if (shared)
         workers->forPieces(columns, kColumns, [&](int begin, int end) {
             dense::prepareBackward(panel(s), n, begin, end, below, w, x);
         });
-    dense::backward(panel(s), n, columns, below, m_inverse.data() + m_symbolic.first[s], w, x);
+    dense::backward(panel(s), n, columns, below, w, x);
 }
 
 template <class Real>

@@ -25,6 +25,9 @@ constexpr double kUnfolded = 3;
 // Nearer than this part of where the contraction was measured it is not expected to be better: a factor that
 // was made ahead is never quite met.
 constexpr double kNearest = 0.5;
+// The rotations of a shape serve for others that are nearer to it than this part of the way from the
+// factor's.
+constexpr double kTurnedAgain = 0.2;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
@@ -118,6 +121,7 @@ SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const 
     if (ahead) m_backEnd.setStage();
     if (outcome.kind == SolveOutcome::Kind::Stopped) return outcome;
     m_memory.shape = m_shape;
+    m_memory.turned = nullptr;
     m_memory.kind = m_factor.kind();
     if (!exact) m_memory.best = m_factor.kind();
     if (m_memory.contraction) *m_memory.contraction *= kCarriedMargin;
@@ -140,6 +144,16 @@ bool FactorCache<Dim>::improve() {
     if (!isSingle()) return false;
     m_memory.best = FactorKind::Double;
     return true;
+}
+
+/// Stages of a step come in pairs that hardly differ: at its middle, and at its end, where the next one
+/// begins.
+template <int Dim>
+const Nodal<Dim>& FactorCache<Dim>::turnedShape() {
+    auto& stages = m_backEnd.stages();
+    if (!m_memory.turned || stages.distance(m_memory.turned) > kTurnedAgain * m_memory.lag)
+        m_memory.turned = stages.shape();
+    return m_memory.turned;
 }
 
 /// The contraction of the first iteration cannot be measured within it. At the factor's own shape it is what

@@ -48,6 +48,8 @@ class FactorCache {
     /// Whether the factor was made at another shape than the back end's at that time.
     bool isAhead() const { return m_memory.ahead > 0; }
     const Nodal<Dim>& shape() const { return m_memory.shape; }
+    /// To which shape the factor is to be turned for the back end's.
+    const Nodal<Dim>& turnedShape();
     bool isSingle() const { return m_memory.kind == FactorKind::Single; }
     /// x ≈ K⁻¹ b with the factor at hand; false if that is not finite.
     bool solve(std::span<const double> b, std::span<double> x) {

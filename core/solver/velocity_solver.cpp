@@ -148,9 +148,7 @@ void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets
 template <int Dim>
 void VelocitySolver<Dim>::turn(const Points<Dim>& from, const Points<Dim>& to,
                                std::vector<Points<Dim>>& fields) {
-    auto& rotations = m_impl->turning();
-    rotations.compute(from, to, m_impl->backEnd->workers(), VertexRotations<Dim>::Finish::Rough);
-    for (auto& field : fields) rotations.turn(field);
+    m_impl->turn(from, to, fields);
 }
 
 template <int Dim>

@@ -32,7 +32,8 @@ struct SolverStatistics {
 /// it was taken from. Cheap to copy.
 template <int Dim>
 struct FactorMemory {
-    Nodal<Dim> shape;                                                 // null: the next solve factorizes
+    Nodal<Dim> shape;   // null: the next solve factorizes
+    Nodal<Dim> turned;  // to which it was turned last, if it was
     FactorKind kind = FactorKind::Single, best = FactorKind::Single;  // best: that does not fail here
     // Measured contractions of an iteration, if they were: with the factor so far from its shape, and with
     // one in single precision at its own shape.

@@ -171,9 +171,22 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveReduced(Points<Dim>& v) {
 }
 
 template <int Dim>
-VertexRotations<Dim>& VelocitySolver<Dim>::Impl::turning() {
+void VelocitySolver<Dim>::Impl::turn(const Points<Dim>& from, const Points<Dim>& to,
+                                     std::vector<Points<Dim>>& fields) {
+    if (!fieldRotations) fieldRotations.emplace(*plan);
+    fieldRotations->compute(from, to, backEnd->workers(), VertexRotations<Dim>::Finish::Rough);
+    for (auto& field : fields) fieldRotations->turn(field);
+}
+
+/// The rotations between the factor's shape and the current one, or one near it.
+template <int Dim>
+void VelocitySolver<Dim>::Impl::turnFactor() {
+    const Nodal<Dim>& to = cache->turnedShape();
+    if (turnedFrom == cache->shape() && turnedTo == to) return;
     if (!rotations) rotations.emplace(*plan);
-    return *rotations;
+    rotations->compute(*cache->shape(), *to, backEnd->workers());
+    turnedFrom = cache->shape();
+    turnedTo = to;
 }
 
 /// Conjugate gradients with the factor at hand; false if a new one is the better way.
@@ -182,9 +195,7 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
     const double lag = cache->lag();
     const bool turned = turns && lag > 0 && sliders.empty();  // sliding is along fixed directions
-    if (turned) {
-        turning().compute(*cache->shape(), *backEnd->stages().shape(), backEnd->workers());
-    }
+    if (turned) turnFactor();
     const auto precondition = [&](std::span<const double> r, std::span<double> z) {
         if (!turned) return cache->solve(r, z);
         turnedRight.assign(r.begin(), r.end());

@@ -34,8 +34,9 @@ struct VelocitySolver<Dim>::Impl {
 
     SolverStatistics statistics;
 
-    bool reusable = false, turns = false;           // by the material
-    std::optional<VertexRotations<Dim>> rotations;  // made at the first use
+    bool reusable = false, turns = false;                           // by the material
+    std::optional<VertexRotations<Dim>> rotations, fieldRotations;  // made at the first use
+    Nodal<Dim> turnedFrom, turnedTo;                                // between which the first are
     std::vector<double> turnedRight;
     double tolerance = 0;
     std::stop_token stop;
@@ -52,7 +53,8 @@ struct VelocitySolver<Dim>::Impl {
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const;
     typename FactorCache<Dim>::Use use() const;
-    VertexRotations<Dim>& turning();
+    void turn(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields);
+    void turnFactor();
     bool iterate(Points<Dim>& v);
     SolveOutcome solveAnew(const Points<Dim>& prescribed, Points<Dim>& v, const Points<Dim>* velocity);
     SolveOutcome solveDirectly(Points<Dim>& v);

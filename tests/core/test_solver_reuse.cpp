@@ -27,6 +27,7 @@ class TestSolverReuse : public QObject {
     void equiaAlwaysFactorizes();
     void runsRepeat();
     void memoryGoesOnToTheSameBits();
+    void rotationsServeNearbyShapes();
     void rotationsAreThoseOfTheShape();
     void isotropicBackEndAgrees();
     void historyExtrapolates();
@@ -326,6 +327,35 @@ void compareMemories(int n) {
 void TestSolverReuse::memoryGoesOnToTheSameBits() {
     compareMemories<2>(12);
     compareMemories<3>(5);
+}
+
+/// Of one factor: a shape that is a tenth of the way farther takes the rotations of the one before it, one
+/// twice as far has its own. A solver that has others meanwhile makes them again.
+void TestSolverReuse::rotationsServeNearbyShapes() {
+    const Turn<2> turn(12);
+    const Points<2>& rest = turn.mesh->points;
+    const auto material =
+        std::make_shared<const Material<2>>(Material<2>::uniform(turn.mesh->cellCount(), phi::kMetr));
+    VelocitySolver<2> solver(turn.mesh, material, BackEndKind::Cpu, 1);
+    solver.setConstraints(turn.rows);
+    solver.setVelocityTolerance(1e-5);
+    Points<2> start, v, again;
+    QVERIFY(solver.solve(rest, turn.speeds(rest), start).done());
+    QVERIFY(!solver.remember().turned);
+    const auto solve = [&](double time, Points<2>& field) {
+        const Points<2> shape = rest + time * start;
+        QVERIFY(solver.solve(shape, turn.speeds(shape), field, start).done());
+    };
+    solve(0.1, v);
+    const FactorMemory<2> first = solver.remember();
+    QVERIFY(first.turned && *first.turned == rest + 0.1 * start);
+    solve(0.11, v);
+    QVERIFY(solver.remember().turned == first.turned);
+    solve(0.2, again);
+    QVERIFY(solver.remember().turned != first.turned && solver.remember().shape == first.shape);
+    solver.recall(first);
+    solve(0.11, again);
+    QVERIFY(again == v);
 }
 
 /// A shape turned and stretched as a whole has one rotation, however flat its cells are; Rᵀ undoes R.

@@ -148,7 +148,7 @@ void TestSupernodalFactor::factorThreads() {
 
 void TestSupernodalFactor::factorsSolve() {
     for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
-    for (int n : {2, 3, 6}) compareFactors<3>(n);
+    for (int n : {2, 3, 6, 11}) compareFactors<3>(n);  // the last with fronts that threads share in a solve
 }
 
 void TestSupernodalFactor::floatFactorRefuses() {
