@@ -602,7 +602,8 @@ void TestCanvas::partsAreFramedWhereTheyAre() {
 
 /// Twenty pixels beside the pin that is pointed at, once the pointer has stayed there, and no longer.
 void TestCanvas::namesOfPinsWaitForAMoment() {
-    PinTool<2> tool(*m_canvas, true);
+    PinChoice choice;
+    PinTool<2> tool(*m_canvas, choice, true);
     m_canvas->viewport().setTool(&tool);
     const int pin = m_session->addPin({40, 80});
     m_session->selection().clear();

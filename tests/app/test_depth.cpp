@@ -447,7 +447,7 @@ void TestDepth::pinsInFrontArePicked() {
     const int steps = m_session.document().undoStack()->count();
     const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
     QVERIFY(settle(m_session));
-    const PinChoice choice;
+    PinChoice choice;
     PinTool<2> tool(m_canvas, choice, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
