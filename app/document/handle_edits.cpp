@@ -318,6 +318,24 @@ std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double toler
     return result;
 }
 
+std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& project,
+                                         const std::function<std::string(const std::string&)>& nameOf) {
+    auto renamed = std::make_shared<Project>(*project);
+    bool differs = false;
+    const auto rename = [&](std::string& name) {
+        const std::string next = nameOf(name);
+        differs = differs || next != name;
+        name = next;
+    };
+    std::visit(
+        [&](auto& design) {
+            for (auto& handle : design.handles) rename(handle.name);
+            for (auto& region : design.material.regions) rename(region.name);
+        },
+        renamed->design);
+    return differs ? renamed : project;
+}
+
 #define WEND_INSTANTIATE(Dim)                                                                                \
     template bool hasMotion(const Design<Dim>&);                                                             \
     template bool movesAfter(const Design<Dim>&, double);                                                    \

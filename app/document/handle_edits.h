@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,9 @@ bool isActive(const Handle<Dim>& handle, double t);
 template <int Dim>
 Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name,
                        double time = 0);
+/// Other names for its handles and layers; the same project where none differs.
+std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& project,
+                                         const std::function<std::string(const std::string&)>& nameOf);
 /// A handle of one point of the rest shape that holds at the end.
 template <int Dim = 2>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name);

@@ -19,20 +19,18 @@ bool isOn(const Outline& outline, const Vec<2>& p) {
 
 }  // namespace
 
-OutlineEdit withOutline(const Project& project, Outline outline) {
-    OutlineEdit edit{project, 0};
-    auto& handles = std::get<Design<2>>(edit.project.design).handles;
+int setOutline(Project& project, Outline outline) {
+    auto& handles = std::get<Design<2>>(project.design).handles;
     for (Handle<2>& handle : handles)
         if (auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at))
             std::erase_if(*points,
                           [&](const Vec<2>& p) { return !isInside(outline, p) && !isOn(outline, p); });
-    edit.pinsGone = static_cast<int>(std::erase_if(handles, [](const Handle<2>& handle) {
+    project.domain.outline = OutlineKind::Polygons;
+    project.domain.polygons = std::move(outline);
+    return static_cast<int>(std::erase_if(handles, [](const Handle<2>& handle) {
         const auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at);
         return points && points->empty();
     }));
-    edit.project.domain.outline = OutlineKind::Polygons;
-    edit.project.domain.polygons = std::move(outline);
-    return edit;
 }
 
 }  // namespace wend

@@ -1,15 +1,12 @@
 #pragma once
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
+#include "core/meshing/outline.h"
 
 namespace wend {
 
-/// A picture's project with an outline of the user's own, without the points of pins that lie beside it (and
-/// pins that have none left).
-struct OutlineEdit {
-    Project project;
-    int pinsGone = 0;
-};
-OutlineEdit withOutline(const Project& project, Outline outline);
+/// Gives a picture's project an outline of the user's own and takes away the points of pins that lie beside
+/// it, and pins that have none left: so many.
+int setOutline(Project& project, Outline outline);
 
 }  // namespace wend

@@ -7,6 +7,7 @@
 #include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
+#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
 #include "app/session/mark_size.h"
@@ -323,21 +324,22 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
         emit session().notice(said(QT_TRANSLATE_NOOP("OutlineTool", "Nothing would be left of the shape.")));
         return;
     }
-    OutlineEdit edit = withOutline(project, std::move(next));
-    if (edit.pinsGone > 0) {
+    Project changed = project;
+    const int pinsGone = setOutline(changed, std::move(next));
+    if (pinsGone > 0) {
         session().selection().clear();
         emit session().notice(QCoreApplication::translate(
-            "OutlineTool", "%n pins lay beside the new outline and were removed.", nullptr, edit.pinsGone));
+            "OutlineTool", "%n pins lay beside the new outline and were removed.", nullptr, pinsGone));
     }
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
-    if (edit.pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
+    if (pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
         emit session().notice(
             said(QT_TRANSLATE_NOOP("OutlineTool",
                                    "The outline is as you draw it from now on, and has no margin to change. "
                                    "“Cut-out” as outline brings the found one back.")));
-    document.change(said(name), std::move(edit.project), key);
+    document.change(said(name), std::move(changed), key);
 }
 
 void OutlineTool::paintOutline(QPainter& painter) const {

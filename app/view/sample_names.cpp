@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/document/project.h"
+#include "app/document/handle_edits.h"
 
 namespace wend {
 
@@ -40,24 +40,12 @@ namespace {
     QT_TRANSLATE_NOOP("SampleNames", "tail"),
 };
 
-/// True if it is another one now.
-bool speak(std::string& name) {
-    const std::string spoken = QCoreApplication::translate("SampleNames", name.c_str()).toStdString();
-    return std::exchange(name, spoken) != spoken;
-}
-
 }  // namespace
 
 std::shared_ptr<const Project> withSpokenNames(const std::shared_ptr<const Project>& sample) {
-    auto spoken = std::make_shared<Project>(*sample);
-    bool differs = false;
-    std::visit(
-        [&differs](auto& design) {
-            for (auto& handle : design.handles) differs = speak(handle.name) || differs;
-            for (auto& region : design.material.regions) differs = speak(region.name) || differs;
-        },
-        spoken->design);
-    return differs ? spoken : sample;
+    return withNames(sample, [](const std::string& name) {
+        return QCoreApplication::translate("SampleNames", name.c_str()).toStdString();
+    });
 }
 
 }  // namespace wend

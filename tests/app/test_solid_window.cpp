@@ -402,6 +402,13 @@ void TestSolidWindow::cutShowsTheInsideAndMoves() {
 void TestSolidWindow::coloursFollowTheMeasure() {
     QVERIFY(m_f->open());
     holdEnds();
+    Project painted = *m_f->session().document().project();  // what is painted nowhere is seen nowhere
+    MaterialRegion<3> right;
+    right.shape = HalfSpace<3>{Vec<3>::Zero(), -Vec<3>::UnitX()};
+    right.phi = phi::kAkvf;
+    right.stiffness = Stiffness<3>{Vec<3>::UnitZ(), 30};
+    std::get<Design<3>>(painted.design).material.regions.push_back(right);
+    m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
     Grip grip;
     m_f->session().moveSelected<3>(grip, {0, 0.3, 0.8});
