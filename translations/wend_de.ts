@@ -702,6 +702,10 @@
         <source>a list of points without a surface</source>
         <translation>eine Liste von Punkten ohne Oberfläche</translation>
     </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
+        <translation>das Netz hat %1 Eckpunkte, wo %2 angestrebt waren: Sein Umriss braucht sie</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -702,6 +702,10 @@
         <source>a list of points without a surface</source>
         <translation>una lista de puntos sin superficie</translation>
     </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
+        <translation>la malla tiene %1 vértices, cuando se pretendían %2: su contorno los necesita</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -702,6 +702,10 @@
         <source>a list of points without a surface</source>
         <translation>une liste de points sans surface</translation>
     </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
+        <translation>le maillage a %1 sommets, alors que %2 étaient visés&#x202f;: son contour en a besoin</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

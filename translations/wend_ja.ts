@@ -702,6 +702,10 @@
         <source>a list of points without a surface</source>
         <translation>面のない点の一覧</translation>
     </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
+        <translation>目標 %2 に対してメッシュの頂点は %1 個です。輪郭に必要です</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

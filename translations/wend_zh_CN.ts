@@ -702,6 +702,10 @@
         <source>a list of points without a surface</source>
         <translation>没有表面的点列表</translation>
     </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
+        <translation>网格有 %1 个顶点，而目标为 %2：其轮廓需要这些顶点</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

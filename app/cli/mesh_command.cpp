@@ -97,6 +97,7 @@ Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop)
         Meshed meshed;
         const auto rest =
             meshPicture(project.domain, std::get<Design<2>>(project.design), project.domain.polygons, stop);
+        tellOfAim(project.domain, *rest, meshed.notices);
         tellOfHanging<2>(*rest, meshed.notices);
         meshed.file = toMeshFile<2>(*rest);
         return meshed;

@@ -179,6 +179,7 @@ constexpr const char* kSentences[] = {
                       "the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them"),
     QT_TRANSLATE_NOOP("Core",
                       "the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is"),
+    QT_TRANSLATE_NOOP("Core", "the mesh has %1 vertices, where %2 were aimed at: its outline needs them"),
     QT_TRANSLATE_NOOP("Core",
                       "the surface's triangles are far larger than the cells inside and are kept as they "
                       "are, which makes uneven cells"),

@@ -103,6 +103,7 @@ void SurfacePanel::connectControls() {
     connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
     connect(m_fix, &QPushButton::clicked, this, &SurfacePanel::fixRequested);
     connect(m_fixAll, &QPushButton::clicked, this, &SurfacePanel::fixAllRequested);
+    m_fixAll->installEventFilter(this);
     connect(m_preview, &QPushButton::clicked, this, [this](bool on) {
         m_show->setChecked(!on && !m_contents.isCaged);
         emit repairShown(on);
@@ -110,6 +111,13 @@ void SurfacePanel::connectControls() {
     connect(m_repair, &QPushButton::clicked, this, [this] { emit repairRequested(largestHole()); });
     connect(m_hole, &OptionField::changed, this, [this] { emit limitChanged(largestHole()); });
     connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
+}
+
+bool SurfacePanel::eventFilter(QObject* watched, QEvent* event) {
+    const bool comes = event->type() == QEvent::Enter || event->type() == QEvent::FocusIn;
+    const bool goes = event->type() == QEvent::Leave || event->type() == QEvent::FocusOut;
+    if (comes || goes) emit fixOfAllShown(comes && m_fixAll->isEnabled());
+    return QWidget::eventFilter(watched, event);
 }
 
 void SurfacePanel::step(int by) {

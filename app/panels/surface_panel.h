@@ -52,6 +52,8 @@ class SurfacePanel : public QWidget {
     void fixRequested();
     /// All of the kind that is looked at are.
     void fixAllRequested();
+    /// What that would change is to be seen, as long as the pointer or the keys are on its button.
+    void fixOfAllShown(bool shown);
     void repairRequested(int largestHole);
     /// Holes of so many edges are to be filled by it.
     void limitChanged(int largestHole);
@@ -59,6 +61,9 @@ class SurfacePanel : public QWidget {
     void repairShown(bool shown);
     /// A cage around it, or else the exact surface.
     void fitRequested(bool cage);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void arrange();

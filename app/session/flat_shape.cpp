@@ -19,6 +19,7 @@ namespace wend {
 namespace {
 
 constexpr double kCoincident = 1e-9;  // of the diagonal: the mesher's own measure
+constexpr double kPromised = 1.15;    // times the vertices that are aimed at
 
 double outlineDiagonal(const Outline& outline) {
     Eigen::AlignedBox2d box;
@@ -92,6 +93,12 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const
         };
     options.stop = stop;
     return std::make_shared<const SimplicialMesh<2>>(meshOutline(outline, options));
+}
+
+void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<std::string>& notices) {
+    if (domain.edge > 0 || mesh.vertexCount() <= kPromised * domain.vertices) return;
+    notices.push_back("the mesh has " + std::to_string(mesh.vertexCount()) + " vertices, where " +
+                      std::to_string(domain.vertices) + " were aimed at: its outline needs them");
 }
 
 int restMarginOf(const Domain& domain) {

@@ -18,6 +18,9 @@ Outline domainOutline(const Domain& domain, const Image& picture);
 std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
                                                      const Outline& outline, std::stop_token stop = {});
 
+/// Tells of a mesh that has far more vertices than were aimed at.
+void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<std::string>& notices);
+
 /// The shape of a file's mesh in the plane, without material. Throws InputError that names the file.
 Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder);
 

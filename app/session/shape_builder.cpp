@@ -114,6 +114,7 @@ Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token st
     if (project.domain.kind == DomainKind::Image) {
         shape.picture = inputs.picture ? inputs.picture : loadPicture(project.domain, inputs.folder);
         shape.rest = meshOutline(inputs, *shape.picture, stop);
+        tellOfAim(project.domain, *shape.rest, shape.notices);
     } else {
         shape = loadFlatMesh(project.domain, inputs.folder);
     }

@@ -69,6 +69,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
     connect(&panel, &SurfacePanel::fixRequested, this, [this] { fix(m_fix, tr("Fix one fault")); });
     connect(&panel, &SurfacePanel::fixAllRequested, this, &SurfaceCheck::fixAll);
+    connect(&panel, &SurfacePanel::fixOfAllShown, this, &SurfaceCheck::showFixOfAll);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
     connect(&panel, &SurfacePanel::limitChanged, this, &SurfaceCheck::tryLimit);
     connect(&panel, &SurfacePanel::repairShown, this, &SurfaceCheck::showRepair);
@@ -195,12 +196,12 @@ SurfaceCheck::Place SurfaceCheck::placeToBeginWith() const {
 }
 
 /// The triangles that are kept, in colours: wrong ones, and among them the chosen ones.
-VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::vector<int>& chosen) const {
+VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::vector<int>& chosen,
+                                    const FaultFix* fix) const {
     const Surface& surface = m_found->surface;
     std::vector<QRgb> all(surface.triangles.size(), kFine);
     for (const int t : m_found->problems.triangles(surface)) all[t] = kWrong;
     for (const int t : chosen) all[t] = kChosen;
-    const FaultFix* fix = m_isPlaceShown ? m_fix.get() : nullptr;
     if (fix)
         for (const int t : fix->changed) all[t] = kChosen;
     std::vector<std::array<int, 3>> triangles;
@@ -222,12 +223,16 @@ VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::ve
     return picture;
 }
 
+/// Of all of it, with what a fix would change.
+VolumePicture SurfaceCheck::picture(const FaultFix* fix) const {
+    return picture(std::vector<bool>(m_found->surface.triangles.size(), true), {}, fix);
+}
+
 void SurfaceCheck::showSurface() {
     if (!m_found || !m_canvas) return;
     m_isPlaceShown = false;
     m_canvas->setCutKind(CutKind::None);
-    m_canvas->showRefused(picture(std::vector<bool>(m_found->surface.triangles.size(), true), {}),
-                          directionToWrong());
+    m_canvas->showRefused(picture(nullptr), directionToWrong());
 }
 
 /// From where the first wrong triangle is seen.
@@ -255,12 +260,26 @@ void SurfaceCheck::showPlace(bool fromNear) {
         adds ? intoTriangle(m_fix->after.surface, m_fix->after.surface.triangleCount() - m_fix->added)
              : intoTriangle(surface, chosen.front());
     const Points<3> place = surroundingsOf(surface, chosen);
-    VolumePicture marked = picture(notBefore(surface, place, direction), chosen);
+    VolumePicture marked = picture(notBefore(surface, place, direction), chosen, m_fix.get());
     m_canvas->setCutKind(CutKind::None);
     if (fromNear)
         m_canvas->showPlace(std::move(marked), direction, place);
     else
         m_canvas->showRefused(std::move(marked), direction);
+}
+
+/// In the view as it is, once it is known; and then again what was seen before.
+void SurfaceCheck::showFixOfAll(bool shown) {
+    if (!m_found || !m_canvas) return;
+    const bool isKnown = m_all.fix && !m_all.fix->steps.empty();
+    if (!shown && !m_isFixOfAllShown) return;
+    m_isFixOfAllShown = shown && isKnown;
+    if (m_isFixOfAllShown)
+        m_canvas->showRefused(picture(m_all.fix.get()), directionToWrong());
+    else if (m_isPlaceShown)
+        showPlace(false);
+    else if (!shown)
+        m_isCaged ? m_canvas->showSolid() : showSurface();
 }
 
 void SurfaceCheck::showSolid() {

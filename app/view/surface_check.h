@@ -59,7 +59,9 @@ class SurfaceCheck : public QObject {
     void takeShape();
     void keepPlace();
     void showSurface();
-    VolumePicture picture(const std::vector<bool>& kept, const std::vector<int>& chosen) const;
+    VolumePicture picture(const std::vector<bool>& kept, const std::vector<int>& chosen,
+                          const FaultFix* fix) const;
+    VolumePicture picture(const FaultFix* fix) const;
     Vec<3> directionToWrong() const;
     void showCase(int kind, int number);
     void showPlace(bool fromNear);
@@ -69,6 +71,7 @@ class SurfaceCheck : public QObject {
     void tellOfFix();
     void fix(const std::shared_ptr<const FaultFix>& fix, const QString& name);
     void fixAll();
+    void showFixOfAll(bool shown);
     void showSolid();
     void fitCage(bool cage);
     void saveList();
@@ -86,7 +89,7 @@ class SurfaceCheck : public QObject {
     std::shared_ptr<const Found> m_found;
     std::shared_ptr<const Repaired> m_repaired;  // with the limit that the panel has
     Place m_place;                               // in m_found
-    bool m_isPlaceShown = false;
+    bool m_isPlaceShown = false, m_isFixOfAllShown = false;
     std::shared_ptr<const FaultFix> m_fix;  // what could be done there, once that is known
     All m_all;
     bool m_goesOn = false;                // one was fixed: the next one is looked at …

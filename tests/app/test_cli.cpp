@@ -441,6 +441,19 @@ void TestCli::meshCommand() {
     double area = 0;
     for (const auto& cell : mesh.cells) area += cellMeasure<2>(mesh.points, cell);
     QVERIFY(std::abs(area - 96) < 1e-10);
+    // A star of 200 corners keeps them all, and says so.
+    std::string corners;
+    for (int i = 0; i < 200; ++i) {
+        const double angle = i * std::numbers::pi / 100, radius = i % 2 == 0 ? 10 : 8;
+        corners += (i > 0 ? ", [" : "[") + std::to_string(radius * std::cos(angle)) + ", " +
+                   std::to_string(radius * std::sin(angle)) + "]";
+    }
+    put(path(), "star.json", json("{'polygons': [[" + corners + "]]}"));
+    const CliResult star = runCli(path(), {"mesh", "star.json", "-o", "star.obj", "--vertices", "50"});
+    const auto count = readMeshFile(file("star.obj")).points.cols();
+    QVERIFY(count >= 200);
+    QVERIFY2(star.error.contains(QString("has %1 vertices, where 50 were aimed at: its outline").arg(count)),
+             qPrintable(star.error));
     succeed({"mesh", "disc.wend", "-o", "again.vtu"});
     QCOMPARE(readMeshFile(file("again.vtu")).points.col(1).head<2>(),
              Vec<2>(140, 100));  // the handle's point

@@ -289,6 +289,17 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
         QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
     const QString both = QStringLiteral("It would add triangles (2). It would leave 0 of 2 faults.");
     QVERIFY(QTest::qWaitFor([&] { return all->toolTip().contains(both); }, 20000));
+    // Both are seen in the view while the pointer is on the button.
+    m_f->actions().front->trigger();
+    const QImage one = m_f->canvas().grabFramebuffer();
+    QEnterEvent enter(all->rect().center(), all->rect().center(), all->mapToGlobal(all->rect().center()));
+    QCoreApplication::sendEvent(all, &enter);
+    const QImage seen = m_f->canvas().grabFramebuffer();
+    m_f->picture(QStringLiteral("all-fixes-seen"));
+    QVERIFY(seen != one);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(all, &leave);
+    QVERIFY(m_f->canvas().grabFramebuffer() == one);
     QTest::mouseClick(all, Qt::LeftButton);
     QCOMPARE(domain().fixes.size(), std::size_t(2));
     QVERIFY(settle(m_f->session()));
