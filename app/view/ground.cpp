@@ -43,7 +43,8 @@ void fillWithChecks(QPainter& painter, const QRectF& paper, const Theme& theme) 
 void Ground::draw(QPainter& painter, const Look& look, const Theme& theme) {
     painter.fillRect(QRect(QPoint(), look.size), theme.workspace);
     if (!look.paper) return;
-    drawPaper(painter, look.view.matrix().mapRect(*look.paper).toAlignedRect(), look.colour, theme);
+    // Pixels that the picture hardly covers are no paper, or a bright line would run beside dark ones.
+    drawPaper(painter, look.view.matrix().mapRect(*look.paper).toRect(), look.colour, theme);
 }
 
 void Ground::paint(QPainter& painter, const Look& look, const Theme& theme, bool keeps) {

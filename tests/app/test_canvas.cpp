@@ -31,6 +31,7 @@ class TestCanvas : public QObject {
     void zoomKeepsThePointUnderThePointer();
     void wheelZoomsToThePointer();
     void fitShowsWhatIsBentBeyondThePicture();
+    void paperEndsWithThePicture();
     void middleDragPans();
     void pictureIsWhatAnExportWrites();
     void everyDepthComesOutTheSame_data();
@@ -152,6 +153,25 @@ void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
     const Points<2>& pose = m_session->frame<2>()->pose;
     for (Eigen::Index v = 0; v < pose.cols(); ++v)
         QVERIFY(m_canvas->rect().contains(m_canvas->toWidget(pose.col(v)).toPoint()));
+}
+
+/// The checks reach as far as the picture, to the nearest pixel: a dark photograph would have a bright line
+/// beside it.
+void TestCanvas::paperEndsWithThePicture() {
+    const Theme theme = Theme::of(m_canvas->palette());
+    std::array<int, 2> seen{};
+    for (const double zoom : {0.61, 0.7, 0.83, 0.97, 1.13, 1.27, 1.39}) {
+        m_canvas->zoomTo(zoom);
+        const QPointF corner = m_canvas->toWidget({240, 0}), below = m_canvas->toWidget({240, 30});
+        const int last = static_cast<int>(std::floor(corner.x()));
+        const double part = corner.x() - last;
+        if (std::abs(part - 0.5) < 0.05) continue;
+        const QRgb pixel = m_canvas->grab().toImage().pixel(last, qRound(below.y()));
+        const bool isPaper = pixel == theme.checkerA.rgb() || pixel == theme.checkerB.rgb();
+        QVERIFY2(isPaper == (part > 0.5), qPrintable(QString("%1: %2").arg(zoom).arg(part)));
+        ++seen[isPaper ? 1 : 0];
+    }
+    QVERIFY(seen[0] > 0 && seen[1] > 0);
 }
 
 void TestCanvas::middleDragPans() {

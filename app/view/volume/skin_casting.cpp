@@ -7,8 +7,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kOnBorder =
-    1e-9;  // barycentric: so far outside its cell a point of the border may lie by rounding
+constexpr double kOnBorder = 1e-9;  // barycentric: so far beside its cell rounding may bring a point
 
 /// Where along the ray the cut has left something: from the first number to the second.
 std::pair<double, double> leftOf(const Ray& ray, const std::optional<CutPlane>& cut) {
