@@ -5738,6 +5738,10 @@
             <numerusform>%n Teile hängen nur an Punkten am Rest und können um sie schwingen, wenn keine Pins sie halten.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>See Why</source>
+        <translation>Warum?</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>

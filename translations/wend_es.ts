@@ -5738,6 +5738,10 @@
             <numerusform>%n partes están unidas al resto solo por puntos y pueden girar en torno a ellos si ningún alfiler las sujeta.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>See Why</source>
+        <translation>Ver por qué</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>

@@ -5738,6 +5738,10 @@
             <numerusform>%n parties ne tiennent au reste que par des points et peuvent pivoter autour, si aucune épingle ne les maintient.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>See Why</source>
+        <translation>Voir pourquoi</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>

@@ -5728,6 +5728,10 @@
             <numerusform>一点だけでつながっている部分が %n か所あり、ピンで留めないとそこで揺れ動くことがあります。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>See Why</source>
+        <translation>理由を見る</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>

@@ -5728,6 +5728,10 @@
             <numerusform>有 %n 个部分只以一点与其余相连，若没有图钉固定，可能会绕该点摆动。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>See Why</source>
+        <translation>查看原因</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>

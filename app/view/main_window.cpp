@@ -196,7 +196,7 @@ void MainWindow::makeCentre() {
 void MainWindow::connectFiles() {
     Actions& a = *m_actions;
     const auto tellIn = [this](Topic topic) {
-        return [this, topic](const QString& text) { m_banner->tell(topic, text); };
+        return [this, topic](const auto&... what) { m_banner->tell(topic, what...); };
     };
     connect(a.open, &QAction::triggered, m_files, &FileWorkflow::askOpen);
     connect(a.save, &QAction::triggered, m_files, &FileWorkflow::save);
@@ -215,10 +215,9 @@ void MainWindow::connectFiles() {
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
-    connect(new ShapeNotices(m_session, this), &ShapeNotices::told, m_banner,
-            [this](const QString& text, const QList<InfoBanner::Remedy>& remedies) {
-                m_banner->tell(Topic::Mesh, text, remedies);
-            });
+    auto* notices = new ShapeNotices(m_session, this);
+    connect(notices, &ShapeNotices::told, this, tellIn(Topic::Mesh));
+    connect(notices, &ShapeNotices::reasonWanted, this, [this] { m_tools->setMode(Mode::Mesh); });
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     const MeshPanel* mesh = &m_properties->mesh();
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);

@@ -50,6 +50,8 @@ void ShapeNotices::tell() {
         lines << (notice == hanging ? hangingText<Dim>() : sentence(said(notice)));
         if (notice == hanging) remedies = {{tr("Pin It"), [this] { pinHanging<Dim>(); }}};
     }
+    if (frame->built->cage && !frame->built->cage->why.empty())
+        remedies << InfoBanner::Remedy{tr("See Why"), [this] { emit reasonWanted(); }};
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
     if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);

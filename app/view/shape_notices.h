@@ -18,6 +18,8 @@ class ShapeNotices : public QObject {
   signals:
     /// Line by line, with what mends it; empty where there is nothing to say any more.
     void told(const QString& text, const QList<wend::InfoBanner::Remedy>& remedies);
+    /// Why a cage was taken is to be seen.
+    void reasonWanted();
 
   private:
     void follow();
