@@ -148,6 +148,11 @@ void FrameExport::writeMesh(const std::string& path, const RunOptions& options, 
         writeMesh<2>(path, options, inSequence, watch, remark);
 }
 
+int FrameExport::vertexCount(const std::string& extension) const {
+    const auto solid = posed<3>(m_frame);
+    return solid && isSkinFile("mesh" + extension) ? solid->built->skin->vertexCount() : m_frame->vertices;
+}
+
 void FrameExport::writeFrames(const std::string& path, const RunOptions& options,
                               const RunWatch& watch) const {
     RunOptions all = options;

@@ -32,6 +32,8 @@ class FrameExport {
     int dimension() const { return m_frame->dimension; }
     const FramePtr& frame() const { return m_frame; }
     double seconds() const { return m_seconds; }
+    /// That a mesh file with this extension gets.
+    int vertexCount(const std::string& extension) const;
 
     /// The picture that the shape carries, or null; rest and pose are in its pixels.
     const std::shared_ptr<const Image>& picture() const { return m_picture; }

@@ -245,8 +245,8 @@ QString ExportForm::pixels() const {
     const QLocale locale;
     const auto count = static_cast<int>(kind() == ExportKind::Frames ? field("--count")->number() : 1);
     if (!isPicture()) {
-        const FramePtr& frame = shape()->frame();
-        const QString one = tr("%1 vertices").arg(locale.toString(frame->vertices));
+        const int vertices = shape()->vertexCount(extension().toStdString());
+        const QString one = tr("%1 vertices").arg(locale.toString(vertices));
         return kind() == ExportKind::Frames ? tr("%n shapes of %1", nullptr, count).arg(one) : one;
     }
     try {

@@ -40,6 +40,7 @@ class TestSolidExport : public QObject {
     void cleanupTestCase();
     void meshIsThatOfTheCommandLine_data();
     void meshIsThatOfTheCommandLine();
+    void verticesAreThoseOfTheFile();
     void borderTrianglesAreAtChoice();
     void sequenceIsThatOfTheCommandLine();
     void animationIsThatOfTheCommandLine();
@@ -164,6 +165,24 @@ void TestSolidExport::meshIsThatOfTheCommandLine() {
     QVERIFY(window.points.cols() > 50);
     compareMeshes(window, readMeshFile(file(other).toStdString()));
     QVERIFY(window.points.row(2).maxCoeff() > 0.6);  // bent
+}
+
+/// A surface has fewer than the solid behind it.
+void TestSolidExport::verticesAreThoseOfTheFile() {
+    ShapeSession& session = m_window->session();
+    const auto shape = std::make_shared<const FrameExport>(session.document(), session.frame(),
+                                                           session.track().frames(), 1.0);
+    ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
+    auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
+    const auto* facts = dialog.findChild<QLabel*>(QStringLiteral("facts"));
+    for (const char* extension : {".vtu", ".off", ".obj", ".mesh"}) {
+        format->setCurrentIndex(format->findData(QLatin1String(extension)));
+        const QString name = file(QStringLiteral("told") + QLatin1String(extension));
+        QVERIFY2(finish([&] { m_window->exporter().write(ExportKind::Mesh, name, {}); }),
+                 qPrintable(m_failure));
+        const auto written = readMeshFile(name.toStdString()).points.cols();
+        QCOMPARE(facts->text().section(' ', 0, 0).toInt(), static_cast<int>(written));
+    }
 }
 
 /// A check box in the dialog, where the format holds triangles beside tetrahedra, and what it says is what is
