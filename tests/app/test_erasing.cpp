@@ -20,6 +20,7 @@ class TestErasing : public PaintTest {
     void eraserTakesFromAllLayersThatAreSeen_data() { dimensions(); }
     void eraserTakesFromAllLayersThatAreSeen();
     void halfAnEraserLeavesHalf_data() { dimensions(); }
+    void layersErasedPieceByPieceGo();
     void halfAnEraserLeavesHalf();
     void fillsAreTakenBack_data() { dimensions(); }
     void fillsAreTakenBack();
@@ -168,6 +169,23 @@ void TestErasing::takeFromAll() {
     stroke<Dim>({-1.3, 0}, {1.3, 0});
     QVERIFY(steps() == before && told.count() == 1);
     QVERIFY(undo() && isStiff(-0.9));
+}
+
+/// No single place of the eraser covers a place of the brush; together they leave nothing.
+void TestErasing::layersErasedPieceByPieceGo() {
+    QVERIFY(Bar<2>::open(*m_f));
+    m_f->tool("paint")->trigger();
+    set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = 40, b.hardness = 1; });
+    stroke<2>({0, 0}, {0.1, 0});
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(layers().size(), std::size_t(1));
+    eraseWith<2>(25);
+    stroke<2>({-0.8, 0}, {0.9, 0});
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(layers().size(), std::size_t(1));  // beside that way something is left
+    for (const double v : {-0.5, -0.25, 0.25, 0.5}) stroke<2>({-0.8, v}, {0.9, v});
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(layers().empty() && undo() && layers().size() == 1);
 }
 
 void TestErasing::halfAnEraserLeavesHalf() {
