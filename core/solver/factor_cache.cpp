@@ -31,6 +31,14 @@ constexpr double kTurnedAgain = 0.2;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
+/// Whether every cell is oriented in both shapes as in the other.
+template <int Dim>
+bool noneFolds(const std::vector<Cell<Dim>>& cells, const Points<Dim>& from, const Points<Dim>& to) {
+    return std::all_of(cells.begin(), cells.end(), [&](const Cell<Dim>& cell) {
+        return cellMeasure<Dim>(from, cell) * cellMeasure<Dim>(to, cell) > 0;
+    });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -39,6 +47,7 @@ void FactorCache<Dim>::analyze(const AssemblyPlan<Dim>& plan) {
     if (!m_system.unknowns().empty())
         m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
+    m_plan = &plan;
     SolverCost cost;
     cost.factorFlops = m_factor.flops();
     cost.factorEntries = m_factor.entries();
@@ -101,7 +110,8 @@ Nodal<Dim> FactorCache<Dim>::goAhead(const Points<Dim>& velocity) {
     const Points<Dim> way = distance / speed * velocity;
     const Nodal<Dim> here = m_backEnd.stages().shape();
     auto shape = std::make_shared<const Points<Dim>>(*here + way);
-    if (m_backEnd.setShape(*here + kUnfolded * way) < 0 && m_backEnd.setShape(*shape) < 0) {
+    if (!noneFolds<Dim>(m_plan->cells, *here, *here + kUnfolded * way)) return nullptr;
+    if (m_backEnd.setShape(*shape) < 0) {
         m_memory.ahead = distance;
         return shape;
     }

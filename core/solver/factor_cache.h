@@ -24,7 +24,7 @@ class FactorCache {
     FactorCache(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, SolverStatistics& statistics)
         : m_backEnd(backEnd), m_system(system), m_statistics(statistics) {}
 
-    /// Of another system: nothing is kept.
+    /// Of another system: nothing is kept. The plan outlives it, too.
     void analyze(const AssemblyPlan<Dim>& plan);
 
     FactorMemory<Dim> remember() const;
@@ -69,6 +69,7 @@ class FactorCache {
     BackEnd<Dim>& m_backEnd;
     const ReducedSystem<Dim>& m_system;
     SolverStatistics& m_statistics;
+    const AssemblyPlan<Dim>* m_plan = nullptr;
     Factor m_factor;
     Nodal<Dim> m_shape;          // where the factor at hand was made; null: it has served
     FactorMemory<Dim> m_memory;  // its counts are the policy's
