@@ -69,6 +69,7 @@ void PinActions::makeOutlines() {
            {{selectRectangle, Rectangle}, {selectLasso, Lasso}, {selectBrush, Brush}});
     snap =
         addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
+    snap->setChecked(m_choice.now().snaps);
     connect(snap, &QAction::toggled, this, [this](bool on) { m_choice.change(&PinSettings::snaps, on); });
     brushSize = new NumberAction(tr("Size"), tr("The brush across, on the screen; also by the keys [ and ]."),
                                  tr(" px"), this);

@@ -638,6 +638,10 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
     QTRY_COMPARE(tool.hovered(), pin);
     if (animation.named() < 0) QCOMPARE(beside(), nothing);
     QTRY_COMPARE(animation.named(), pin);
+    PinAnimation another(*m_session);
+    another.hover(pin);
+    QCOMPARE(another.named(), -1);
+    QTRY_COMPARE(another.named(), pin);
     QVERIFY(beside() != nothing);
     QTest::mouseMove(m_canvas.get(), at + QPoint(0, 90));
     QTRY_COMPARE(animation.named(), -1);

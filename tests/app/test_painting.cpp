@@ -226,7 +226,7 @@ void TestPainting::paintOnSolidsIsSoft() {
         double largest = 0;
         for (std::size_t i = 1; i < colours.size(); ++i)
             largest = std::max(largest, (colours[i] - colours[i - 1]).norm());
-        QVERIFY2(largest < 0.25 * whole, qPrintable(QString("%1 of %2").arg(largest).arg(whole)));
+        QVERIFY2(largest < 0.12 * whole, qPrintable(QString("%1 of %2").arg(largest).arg(whole)));
     }
 }
 

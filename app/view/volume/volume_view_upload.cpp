@@ -1,5 +1,6 @@
 // What goes to the GPU when something has changed.
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/texture_file.h"
@@ -77,7 +78,8 @@ void VolumeView::uploadColours() {
     uploadPlaces(SurfaceRenderer::Section, m_section, false);
 }
 
-/// Linear within the cells, so that a section shows what its neighbours on the surface do.
+/// Linear within the cells, so that a section shows what its neighbours on the surface do. A surface may lie
+/// beside the cells that carry it, where what is linear leaves the bounds of paint.
 void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin) {
     const SolidPaint& paint = m_picture.paint;
     const bool isPainted = paint.opacity > 0;
@@ -90,8 +92,9 @@ void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh
         const Points<3> opacities =
             isPainted ? onPoints(paint.opacities) : Points<3>::Zero(3, ofPoints.cols());
         for (const DrawMesh::Vertex& vertex : mesh.vertices) {
-            const Eigen::Vector3f place = ofPoints.col(vertex.point).cast<float>();
-            const auto opacity = static_cast<float>(opacities(0, vertex.point));
+            Eigen::Vector3f place = ofPoints.col(vertex.point).cast<float>();
+            const auto opacity = static_cast<float>(std::clamp(opacities(0, vertex.point), 0.0, 1.0));
+            if (isPainted) place = place.cwiseMax(0).cwiseMin(opacity);
             places.push_back({place.x(), place.y(), place.z(), opacity});
         }
     }
