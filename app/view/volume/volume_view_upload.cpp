@@ -1,6 +1,5 @@
 // What goes to the GPU when something has changed.
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/texture_file.h"
@@ -92,10 +91,10 @@ void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh
         const Points<3> opacities =
             isPainted ? onPoints(paint.opacities) : Points<3>::Zero(3, ofPoints.cols());
         for (const DrawMesh::Vertex& vertex : mesh.vertices) {
-            Eigen::Vector3f place = ofPoints.col(vertex.point).cast<float>();
-            const auto opacity = static_cast<float>(std::clamp(opacities(0, vertex.point), 0.0, 1.0));
-            if (isPainted) place = place.cwiseMax(0).cwiseMin(opacity);
-            places.push_back({place.x(), place.y(), place.z(), opacity});
+            Eigen::Vector4f place;
+            place << ofPoints.col(vertex.point).cast<float>(), static_cast<float>(opacities(0, vertex.point));
+            if (isPainted) place = place.cwiseMax(0).cwiseMin(1).eval();
+            places.push_back({place.x(), place.y(), place.z(), place.w()});
         }
     }
     m_renderer.setPlaces(layer, places);
