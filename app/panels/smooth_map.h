@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// What is painted is always seen with soft edges.
+/// What is painted is seen with edges as soft as it is.
 bool isPainted(Measure measure);
 /// For that: colours of cells at the vertices, where they mix: red, green, blue and alpha, premultiplied,
 /// from 0 to 255. (On the way from one to the other there is no third, as between places.)

@@ -62,16 +62,22 @@ int alphaAt(const RenderRequest& request, double position) {
     return static_cast<int>(std::lround(255 * paintOpacity(request.opacity) * part));
 }
 
-/// What is painted has soft edges: corners have the mean colour of their cells.
+/// What is painted has edges as soft as it: corners have the mean colour of their cells, but where it is
+/// sharp.
 template <class ColourOf>
-void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
-                const ColourOf& colourOf) {
+void fillPaint(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
+               const std::vector<double>& values, const ColourOf& colourOf) {
     std::vector<QRgb> ofCells;
     for (std::size_t c = 0; c < rest.cells.size(); ++c) ofCells.push_back(colourOf(c));
     const auto means = softColours<2>(rest, ofCells);
+    const auto sharp = sharpCells<2>(rest, values);
     for (const int index : order) {
-        const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
-        filler.fill(cell, std::array{means[cell[0]], means[cell[1]], means[cell[2]]});
+        const auto c = static_cast<std::size_t>(index);
+        const Cell<2>& cell = rest.cells[c];
+        if (sharp[c])
+            filler.fill(cell, ofCells[c]);
+        else
+            filler.fill(cell, std::array{means[cell[0]], means[cell[1]], means[cell[2]]});
     }
 }
 
@@ -116,7 +122,7 @@ void fillCells(QImage& image, const RenderRequest& request) {
         request.plan ? request.plan : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
     CellFiller filler(image.size(), *plan, frame.pose, toPixels(request));
     if (request.map && isPainted(request.measure)) {
-        fillSoftly(filler, *frame.rest, plan->order, colourOf);
+        fillPaint(filler, *frame.rest, plan->order, values, colourOf);
     } else if (request.map && request.smooth) {
         fillSmoothly(filler, request, plan->order, values);
     } else {
