@@ -53,15 +53,22 @@ WEND_CLONES void edgeSums3(Neighbours edges, int begin, int end, const double* x
 }
 
 /// Every matrix and those of its vertex's neighbours, added up. Sums of edges over a wider surrounding: their
-/// lengths and number are the weights.
+/// lengths and number are the weights. Two sums side by side, since one waits for each of its additions.
 template <int kSize>
-inline void addNeighbours(Neighbours edges, int begin, int end, const double* in, double* out) {
-    for (int v = begin; v < end; ++v) {
-        double sum[kSize];
+inline void addNeighbours(Neighbours edges, int first, int last, const double* in, double* out) {
+    for (int v = first; v < last; ++v) {
+        double sum[kSize], other[kSize] = {};
         std::copy_n(in + v * kSize, kSize, sum);
-        for (int i = edges.start[v]; i < edges.start[v + 1]; ++i)
+        int i = edges.start[v];
+        const int end = edges.start[v + 1];
+        for (; i + 1 < end; i += 2)
+            for (int k = 0; k < kSize; ++k) {
+                sum[k] += in[edges.list[i] * kSize + k];
+                other[k] += in[edges.list[i + 1] * kSize + k];
+            }
+        if (i < end)
             for (int k = 0; k < kSize; ++k) sum[k] += in[edges.list[i] * kSize + k];
-        std::copy_n(sum, kSize, out + v * kSize);
+        for (int k = 0; k < kSize; ++k) out[v * kSize + k] = sum[k] + other[k];
     }
 }
 
