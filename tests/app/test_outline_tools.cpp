@@ -377,6 +377,11 @@ void TestOutlineTools::noiseIsLeftOut() {
     QCOMPARE(domain().polygons.loops.size(), std::size_t(1));
     draw({{200, 150}, {206, 150}, {206, 156}, {200, 156}});
     QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
+    // Two pixels of a corner, cut off.
+    draw({{130, 30}, {148, 30}, {148, 42}, {160, 42}, {160, 60}, {130, 60}}, Qt::ControlModifier);
+    QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
+    draw({{60, 130}, {60, 100}, {40, 100}, {40, 90}, {70, 90}, {70, 130}}, Qt::ControlModifier);
+    QCOMPARE(domain().polygons.loops.size(), std::size_t(3));
 }
 
 /// A straight stroke of a lasso is a slip of the hand; a narrow band is none.
