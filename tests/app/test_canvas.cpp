@@ -40,8 +40,10 @@ class TestCanvas : public QObject {
     void mapColoursAreOrdered();
     void cellsAreFilledOnce();
     void smoothMapGoesByMeans();
+    void mapsHaveALightRimInTheDark();
     void areaIsCentredOnOne();
     void rangesReachTheGreatestValuesButAHundredth();
+    void nothingHasAPlainRange();
     void pictureIsSeenBeforeItsMesh();
     void nothingIsSeenBeforeItsPicture();
     void picturesOfMeshesAreDrawn_data();
@@ -343,6 +345,40 @@ void TestCanvas::rangesReachTheGreatestValuesButAHundredth() {
     }
     for (double& value : values) value = std::exp(value);
     QVERIFY(std::abs(std::log(rangeOf(values, Measure::Area).high) - 1.98) < 1e-12);
+}
+
+/// Speeds and ways when nothing moves: no scale of rounding errors.
+void TestCanvas::nothingHasAPlainRange() {
+    for (const Measure measure : {Measure::Speed, Measure::Way}) {
+        QCOMPARE(rangeOf(std::vector<double>(100, 0.0), measure).high, 1.0);
+        QCOMPARE(rangeOf(std::vector<double>(100, 1e-14), measure).high, 1.0);
+        QCOMPARE(rangeOf(std::vector<double>(100, 1e-3), measure).high, 1e-3);
+    }
+}
+
+/// The dark end of a map would vanish on a dark ground: a line around what is drawn, which the picture covers
+/// where it is inside. Beside the shape of the light window, and without a map, there is none.
+void TestCanvas::mapsHaveALightRimInTheDark() {
+    const auto rim = [&](Appearance appearance, bool map, Measure measure) {
+        m_canvas->setPalette(wendPalette(appearance, {}));
+        m_canvas->viewport().set(&Looks::map, map);
+        m_canvas->viewport().set(&Looks::colours, MapLook{measure, {0, 1}});
+        if (!QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000)) return -1;
+        const Theme theme = Theme::of(m_canvas->palette());
+        const QImage seen = m_canvas->grab().toImage(), shape = m_canvas->drawn()->image;
+        int most = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width() / 2; ++x)  // left of the legend
+                if (qAlpha(shape.pixel(x, y)) == 0)     // beside it
+                    most = std::max(most, qGray(seen.pixel(x, y)) - qGray(theme.checkerA.rgb()));
+        return most;
+    };
+    m_canvas->zoomTo(0.5);  // where the edge of the picture is hard
+    const int dark = rim(Appearance::Dark, true, Measure::Way);
+    QVERIFY2(dark > 40, qPrintable(QString::number(dark)));
+    QCOMPARE(rim(Appearance::Dark, false, Measure::Way), 0);
+    QCOMPARE(rim(Appearance::Dark, true, Measure::Phi), 0);  // the picture's own colours
+    QCOMPARE(rim(Appearance::Light, true, Measure::Way), 0);
 }
 
 /// A picture whose mesh takes so long that nobody sees it.
