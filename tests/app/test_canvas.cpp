@@ -3,6 +3,7 @@
 #include <QSemaphore>
 #include <QThreadPool>
 #include <QWheelEvent>
+#include <map>
 #include <set>
 
 #include "app/document/design.h"
@@ -55,6 +56,7 @@ class TestCanvas : public QObject {
     void worstPlaceIsMarkedWhereItIs();
     void namesOfPinsWaitForAMoment();
     void partsAreFramedWhereTheyAre();
+    void framesStandOnTheirPath();
     void edgesAreThoseOfThePose();
     void restIsShown();
     void legendTellsItsEnds();
@@ -682,6 +684,41 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
     QTest::mouseMove(m_canvas.get(), at + QPoint(0, 90));
     QTRY_COMPARE(animation.named(), -1);
     QCOMPARE(beside(), nothing);
+}
+
+/// Of a curve after another motion, and where it is short on the screen not one over the other.
+void TestCanvas::framesStandOnTheirPath() {
+    Project next = *m_session->document().project();
+    Handle<2> pin;
+    pin.at = std::vector<Vec<2>>{{120, 80}};
+    pin.motions = {
+        {Translate<2>{{0, 50}}, 0, 0.5},
+        {CurveMotion<2>{Interpolation::Polyline, {{120, 130}, {200, 130}}, FrameKind::Minimal}, 0.5, 1}};
+    std::get<Design<2>>(next.design).handles = {pin};
+    m_session->document().change(QStringLiteral("Path"), next);
+    QVERIFY(settle(*m_session));
+    const auto levels = [&] {  // of what has the colour of the second axis
+        std::map<int, int> count;
+        const QImage seen = m_canvas->grab().toImage();
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x) {
+                const QColor off = seen.pixelColor(x, y);
+                const bool isAxis = std::abs(off.red() - 0x12) < 25 && std::abs(off.green() - 0xa5) < 25 &&
+                                    std::abs(off.blue() - 0x94) < 25;
+                if (isAxis) ++count[qRound(m_canvas->toShape(QPointF(x, y)).y() / 10)];
+            }
+        return count;
+    };
+    m_session->selection().set({0});
+    m_canvas->zoomTo(2);
+    const auto wide = levels();
+    QVERIFY(wide.contains(13));
+    for (const auto& [level, count] : wide)
+        QVERIFY2(level == 13 || level == 14 || count < 4, qPrintable(QString::number(level)));
+    m_canvas->zoomTo(0.2);  // sixteen pixels
+    int pixels = 0;
+    for (const auto& [level, count] : levels()) pixels += count;
+    QVERIFY2(pixels > 10 && pixels < 100, qPrintable(QString::number(pixels)));
 }
 
 void TestCanvas::edgesAreThoseOfThePose() {
