@@ -252,11 +252,12 @@ QString measureName(Measure measure, int dimension) {
 
 QString measureText(Measure measure, double value) {
     const MeasureRow& row = rowOf(measure);
-    const bool plain = !*row.before && !*row.after;
+    const bool plain = !*row.before && !*row.after, times = row.scale == Scale::Times;
     const bool large = std::abs(value) >= 100;  // never with an exponent
-    const QString number = plain && value == 0 ? QStringLiteral("0")
-                           : plain && large    ? QLocale().toString(value, 'f', 0)
-                                               : QLocale().toString(value, plain ? 'g' : 'f', 2);
+    const bool whole = (plain && value == 0) || ((plain || times) && large) || measure == Measure::Influence;
+    const QString number = whole   ? QLocale().toString(value, 'f', 0)
+                           : times ? QLocale().toString(value, 'g', 3)
+                                   : QLocale().toString(value, plain ? 'g' : 'f', 2);
     return QString::fromUtf8(row.before) + number + QString::fromUtf8(row.after);
 }
 

@@ -572,6 +572,10 @@ void TestCanvas::everyMeasureIsComplete() {
     }
     QCOMPARE(names.removeDuplicates(), 0);
     QVERIFY(measuresOf(3).size() > measuresOf(2).size() && measureName(Measure::Area, 3) != names[1]);
+    QCOMPARE(measureText(Measure::Influence, 50.04), QStringLiteral("50 %"));
+    QCOMPARE(measureText(Measure::Stiffness, 1), QStringLiteral("×1"));
+    QCOMPARE(measureText(Measure::Stiffness, 31.62), QStringLiteral("×") + QLocale().toString(31.6));
+    QCOMPARE(measureText(Measure::Stiffness, 1e6), QStringLiteral("×") + QLocale().toString(1000000));
     QCOMPARE(measureText(Measure::Shear, 12.5), QLocale().toString(12.5, 'f', 2) + QStringLiteral("°"));
 }
 
