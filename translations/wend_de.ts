@@ -2501,10 +2501,6 @@
         <translation>Das Ende der Bewegung zeigen</translation>
     </message>
     <message>
-        <source>S&amp;ettle</source>
-        <translation>&amp;Entspannen</translation>
-    </message>
-    <message>
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>Die Form am Ende zur Ruhe hin entspannen, mit den Pins, wo sie sind</translation>
     </message>
@@ -2707,6 +2703,10 @@
     <message>
         <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
         <translation>Wie groß Pins, Ringe und Kurven über der Form sind, für das Auge und für die Hand</translation>
+    </message>
+    <message>
+        <source>Rela&amp;x</source>
+        <translation>&amp;Entspannen</translation>
     </message>
 </context>
 <context>
@@ -5636,20 +5636,8 @@
         <translation>Was das Gebiet ist; eine andere Art behält seinen Ort.</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>The radius of the ball.</source>
-        <translation>Der Radius der Kugel.</translation>
-    </message>
-    <message>
         <source>&amp;Region</source>
         <translation>&amp;Gebiet</translation>
-    </message>
-    <message>
-        <source>Ra&amp;dius</source>
-        <translation>Ra&amp;dius</translation>
     </message>
     <message>
         <source>centre</source>

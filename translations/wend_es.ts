@@ -2513,10 +2513,6 @@
         <translation>Mostrar el final del movimiento</translation>
     </message>
     <message>
-        <source>S&amp;ettle</source>
-        <translation>Re&amp;lajar</translation>
-    </message>
-    <message>
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>Dejar que la forma se relaje hacia su reposo al final, con los alfileres donde están</translation>
     </message>
@@ -2707,6 +2703,10 @@
     <message>
         <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
         <translation>El tamaño de alfileres, anillos y curvas sobre la forma, para el ojo y para la mano</translation>
+    </message>
+    <message>
+        <source>Rela&amp;x</source>
+        <translation>Re&amp;lajar</translation>
     </message>
 </context>
 <context>
@@ -5636,20 +5636,8 @@
         <translation>Qué es la región; otro tipo conserva su sitio.</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Radio</translation>
-    </message>
-    <message>
-        <source>The radius of the ball.</source>
-        <translation>El radio de la esfera.</translation>
-    </message>
-    <message>
         <source>&amp;Region</source>
         <translation>Re&amp;gión</translation>
-    </message>
-    <message>
-        <source>Ra&amp;dius</source>
-        <translation>Ra&amp;dio</translation>
     </message>
     <message>
         <source>centre</source>

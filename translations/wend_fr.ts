@@ -2513,10 +2513,6 @@
         <translation>Montrer la fin du mouvement</translation>
     </message>
     <message>
-        <source>S&amp;ettle</source>
-        <translation>Dé&amp;tendre</translation>
-    </message>
-    <message>
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>Laisser la forme se détendre vers son repos à la fin, épingles en place</translation>
     </message>
@@ -2707,6 +2703,10 @@
     <message>
         <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
         <translation>La taille des épingles, anneaux et courbes sur la forme, pour l’œil et pour la main</translation>
+    </message>
+    <message>
+        <source>Rela&amp;x</source>
+        <translation>Dé&amp;tendre</translation>
     </message>
 </context>
 <context>
@@ -5636,20 +5636,8 @@
         <translation>Ce qu’est la région&#x202f;; un autre type garde sa place.</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Rayon</translation>
-    </message>
-    <message>
-        <source>The radius of the ball.</source>
-        <translation>Le rayon de la sphère.</translation>
-    </message>
-    <message>
         <source>&amp;Region</source>
         <translation>Ré&amp;gion</translation>
-    </message>
-    <message>
-        <source>Ra&amp;dius</source>
-        <translation>Ra&amp;yon</translation>
     </message>
     <message>
         <source>centre</source>

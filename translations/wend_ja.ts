@@ -2512,10 +2512,6 @@
         <translation>モーションの最後を表示します</translation>
     </message>
     <message>
-        <source>S&amp;ettle</source>
-        <translation>落ち着かせる(&amp;E)</translation>
-    </message>
-    <message>
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>モーションの最後で、ピンの位置は変えずに形状を元の形へ近づけます</translation>
     </message>
@@ -2706,6 +2702,10 @@
     <message>
         <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
         <translation>形状の上のピン、リング、曲線の大きさ。見やすさとつかみやすさのために</translation>
+    </message>
+    <message>
+        <source>Rela&amp;x</source>
+        <translation>緩める(&amp;X)</translation>
     </message>
 </context>
 <context>
@@ -5628,20 +5628,8 @@
         <translation>領域の種類。変更しても位置は変わりません。</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>半径</translation>
-    </message>
-    <message>
-        <source>The radius of the ball.</source>
-        <translation>球の半径。</translation>
-    </message>
-    <message>
         <source>&amp;Region</source>
         <translation>領域(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Ra&amp;dius</source>
-        <translation>半径(&amp;D)</translation>
     </message>
     <message>
         <source>centre</source>

@@ -2512,10 +2512,6 @@
         <translation>显示运动的结尾</translation>
     </message>
     <message>
-        <source>S&amp;ettle</source>
-        <translation>松弛(&amp;E)</translation>
-    </message>
-    <message>
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>在运动结尾，图钉不动，让形状向原始形状松弛</translation>
     </message>
@@ -2706,6 +2702,10 @@
     <message>
         <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
         <translation>形状上图钉、圆环和曲线的大小，便于看清和抓取</translation>
+    </message>
+    <message>
+        <source>Rela&amp;x</source>
+        <translation>松弛(&amp;X)</translation>
     </message>
 </context>
 <context>
@@ -5628,20 +5628,8 @@
         <translation>区域的类型；更换类型时位置不变。</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>半径</translation>
-    </message>
-    <message>
-        <source>The radius of the ball.</source>
-        <translation>球体的半径。</translation>
-    </message>
-    <message>
         <source>&amp;Region</source>
         <translation>区域(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Ra&amp;dius</source>
-        <translation>半径(&amp;D)</translation>
     </message>
     <message>
         <source>centre</source>

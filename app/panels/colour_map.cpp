@@ -72,6 +72,8 @@ double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return frame.distortion->angle[cell];
 }
 
+constexpr double kNothing = 1e-9;  // of ways and speeds: nothing moves
+
 /// In the order of the list from which one is chosen.
 const MeasureRow kMeasures[] = {
     // measure, flat, scale, least, before, after, ranks, of a cell, words
@@ -84,13 +86,13 @@ const MeasureRow kMeasures[] = {
                QT_TRANSLATE_NOOP("Measure", "Angle"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
     MeasureRow{Measure::Shear, true, Scale::Even, 1, "", "°", &Distortion::angle, shearAt<2>, shearAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Shear"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
-    MeasureRow{Measure::Way, true, Scale::Even, 1e-9, "", "", nullptr, wayAt<2>, wayAt<3>,
+    MeasureRow{Measure::Way, true, Scale::Even, kNothing, "", "", nullptr, wayAt<2>, wayAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Way from rest")},
     MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
                QT_TRANSLATE_NOOP("Measure", "What is kept")},
     MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Stiffness")},
-    MeasureRow{Measure::Speed, true, Scale::Even, 1e-9, "", "", nullptr, speedAt<2>, speedAt<3>,
+    MeasureRow{Measure::Speed, true, Scale::Even, kNothing, "", "", nullptr, speedAt<2>, speedAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Speed")},
     MeasureRow{Measure::Influence, true, Scale::Even, 100, "", " %", nullptr, influenceOn<2>, influenceOn<3>,
                QT_TRANSLATE_NOOP("Measure", "Influence of the pin")},
@@ -198,7 +200,8 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
     const auto nth =
         sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), nth, sizes.end());
-    const double span = std::max(*nth, row.minimum);
+    double span = std::max(*nth, row.minimum);
+    if (span <= kNothing) span = 1;  // rather than a scale of what is not there
     return row.scale == Scale::Ratio ? MeasureRange{std::exp(-span), std::exp(span)} : MeasureRange{0, span};
 }
 
@@ -249,11 +252,12 @@ QString measureName(Measure measure, int dimension) {
 
 QString measureText(Measure measure, double value) {
     const MeasureRow& row = rowOf(measure);
-    const bool plain = !*row.before && !*row.after;
+    const bool plain = !*row.before && !*row.after, times = row.scale == Scale::Times;
     const bool large = std::abs(value) >= 100;  // never with an exponent
-    const QString number = plain && value == 0 ? QStringLiteral("0")
-                           : plain && large    ? QLocale().toString(value, 'f', 0)
-                                               : QLocale().toString(value, plain ? 'g' : 'f', 2);
+    const bool whole = (plain && value == 0) || ((plain || times) && large) || measure == Measure::Influence;
+    const QString number = whole   ? QLocale().toString(value, 'f', 0)
+                           : times ? QLocale().toString(value, 'g', 3)
+                                   : QLocale().toString(value, plain ? 'g' : 'f', 2);
     return QString::fromUtf8(row.before) + number + QString::fromUtf8(row.after);
 }
 

@@ -43,8 +43,6 @@ class RegionNumbers : public QWidget {
     QComboBox* m_kind;
     QLabel *m_firstName, *m_secondName;
     Numbers m_first, m_second;
-    QWidget* m_radiusRow;
-    ExactBox* m_radius;
 };
 
 }  // namespace wend

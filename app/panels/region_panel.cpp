@@ -60,9 +60,13 @@ bool RegionPanel::isPoint() const {
     return (vertices && vertices->size() == 1) || (points && points->size() == 1);
 }
 
-const Ball<2>* RegionPanel::circle() const {
-    const Region<2>* now = region<2>();
-    return now ? std::get_if<Ball<2>>(now) : nullptr;
+/// That of a circle or a ball; of a point 0.
+template <int Dim>
+std::optional<double> RegionPanel::radius() const {
+    const Region<Dim>* now = region<Dim>();
+    const auto* ball = now ? std::get_if<Ball<Dim>>(now) : nullptr;
+    if (ball) return ball->radius;
+    return isPoint<Dim>() ? std::optional(0.0) : std::nullopt;
 }
 
 /// One undo step for numbers that follow each other. What holds nothing is not taken.
@@ -89,8 +93,8 @@ void RegionPanel::widen() {
 }
 
 void RegionPanel::applyRadius() {
-    if (circle() || isPoint<2>()) return widen<2>();
-    if (isPoint<3>()) widen<3>();
+    if (radius<2>()) widen<2>();
+    if (radius<3>()) widen<3>();
 }
 
 /// Poses change nothing here.
@@ -105,38 +109,28 @@ void RegionPanel::showHandle() {
     const Region<3>* solid = region<3>();
     const bool isSolid = solid && RegionNumbers::canShow(*solid);
     const bool point = isPoint<2>() || isPoint<3>();
-    setVisible(frame && (isSolid || circle() || point));
+    const auto wide = place<2>() ? radius<2>() : radius<3>();
+    setVisible(frame && (isSolid || wide));
     m_numbers->setVisible(isSolid);
-    m_radiusRow->setVisible(!isSolid);
+    m_radiusRow->setVisible(wide.has_value());
     m_count->setVisible(!point);
-    if (frame && isSolid) showSolid();
-    if (frame && circle()) showPicture();
-    if (frame && point) showPoint();
-}
-
-void RegionPanel::showSolid() {
-    const auto frame = m_session.frame<3>();
     if (!frame) return;
-    m_numbers->showRegion(*region<3>(), frame->diagonal);
-    showCount(verticesIn(*region<3>(), *frame->rest).size());
-}
-
-void RegionPanel::showPicture() {
-    const auto frame = m_session.frame<2>();
-    if (!frame) return;
-    m_radius->showDigits(2);
-    m_radius->put(circle()->radius);
-    showCount(verticesInside<2>(*circle(), *frame->rest).size());
+    if (isSolid) m_numbers->showRegion(*solid, frame->diagonal);
+    if (wide) showRadius(*wide, frame->diagonal);
+    if (region<2>()) showCount<2>();
+    if (isSolid) showCount<3>();
 }
 
 /// As fine as the shape is large; pixels of a picture are fine enough.
-void RegionPanel::showPoint() {
-    m_radius->showDigits(place<2>() ? 2 : digitsFor(m_session.frame()->diagonal));
-    m_radius->put(0);
+void RegionPanel::showRadius(double radius, double diagonal) {
+    m_radius->showDigits(place<2>() ? 2 : digitsFor(diagonal));
+    m_radius->put(radius);
 }
 
-void RegionPanel::showCount(std::size_t vertices) {
-    m_count->setText(tr("%n vertices", nullptr, static_cast<int>(vertices)));
+template <int Dim>
+void RegionPanel::showCount() {
+    const auto held = verticesInside<Dim>(*region<Dim>(), *m_session.frame<Dim>()->rest);
+    m_count->setText(tr("%n vertices", nullptr, static_cast<int>(held.size())));
 }
 
 }  // namespace wend

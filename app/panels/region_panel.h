@@ -12,8 +12,8 @@ class ExactBox;
 class RegionNumbers;
 
 /// The region that the one selected handle holds, in numbers of the rest shape, and how many vertices that
-/// are; of a picture how large a circle is. A point has a radius of 0, and any other widens it. Only there
-/// for such a handle.
+/// are; of a picture only how large a circle is. A point has a radius of 0: another number makes a circle or
+/// a ball of it, and 0 a point of those. Only there for such a handle.
 class RegionPanel : public QWidget {
     Q_OBJECT
 
@@ -32,17 +32,17 @@ class RegionPanel : public QWidget {
     bool isPoint() const;
     template <int Dim>
     void widen();
-    const Ball<2>* circle() const;
+    template <int Dim>
+    std::optional<double> radius() const;
     void applyRadius();
-    void showSolid();
-    void showPicture();
-    void showPoint();
-    void showCount(std::size_t vertices);
+    void showRadius(double radius, double diagonal);
+    template <int Dim>
+    void showCount();
 
     ShapeSession& m_session;
     RegionNumbers* m_numbers;
     QWidget* m_radiusRow = nullptr;
-    ExactBox* m_radius;  // of a circle, or a point
+    ExactBox* m_radius;
     QLabel* m_count;
     std::shared_ptr<const void> m_mesh;  // whose vertices were counted
 };

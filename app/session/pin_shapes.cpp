@@ -29,6 +29,16 @@ Vec<Dim> middleOf(const Placement<Dim>& at, const SimplicialMesh<Dim>& rest) {
     return meanOfVertices(verticesInside<Dim>(region, rest), rest);
 }
 
+/// Where a pin holds the shape as a single point: in its middle, or at the vertex nearest to that where the
+/// middle is in a hole.
+template <int Dim>
+Vec<Dim> pointNear(const Vec<Dim>& middle, const SimplicialMesh<Dim>& rest) {
+    if (PointLocator<Dim>(rest.points, rest.cells).find(middle, 1e-9)) return middle;
+    Eigen::Index nearest = 0;
+    (rest.points.colwise() - middle).colwise().squaredNorm().minCoeff(&nearest);
+    return rest.points.col(nearest);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -38,7 +48,14 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     if (!shape || session.document().dimension() != Dim) return false;
     Document& document = session.document();
     const Handle<Dim>& own = document.design<Dim>().handles.at(handle);
-    const Region<Dim> wide = Ball<Dim>{middleOf<Dim>(own.at, *shape->rest), radius};
+    const Vec<Dim> middle = middleOf<Dim>(own.at, *shape->rest);
+    if (radius == 0) {
+        const Placement<Dim> point = std::vector<Vec<Dim>>{pointNear<Dim>(middle, *shape->rest)};
+        document.changeDesign(ShapeSession::tr("Change %1").arg(QString::fromStdString(own.name)),
+                              withHandlePlace<Dim>(document.design<Dim>(), handle, point), key);
+        return true;
+    }
+    const Region<Dim> wide = Ball<Dim>{middle, radius};
     if (static_cast<int>(verticesInside<Dim>(wide, *shape->rest).size()) < kMinHeld<Dim>) {
         emit session.notice(
             Dim == 2

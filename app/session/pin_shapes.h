@@ -11,8 +11,9 @@ std::vector<Vec<Dim>> shownStarts(const std::vector<Vec<Dim>>& starts) {
     return starts.size() <= kMost ? starts : std::vector<Vec<Dim>>{meanOf<Dim>(starts)};
 }
 
-/// A pin becomes all that lies within a circle, or a ball, around it; false, with a notice, where that is too
-/// small to hold a part. Changes of one `key` that follow each other are one step.
+/// A pin becomes all that lies within a circle, or a ball, around it, or with a radius of 0 a single point;
+/// false, with a notice, where that is too small to hold a part. Changes of one `key` that follow each other
+/// are one step.
 template <int Dim>
 bool widenPin(ShapeSession& session, int handle, double radius, const QString& key = {});
 

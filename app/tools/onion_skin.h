@@ -22,6 +22,8 @@ class OnionSkin {
     /// Below a picture; a solid has outlines only.
     void paintFills(QPainter& painter, SurfaceOf<Dim>& surface);
     void paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface);
+    /// Around what is shown, whether or not the skins are: drawn below it, only its outer half is seen.
+    void paintRim(QPainter& painter, SurfaceOf<Dim>& surface, const PosedFrame<Dim>& frame);
 
   private:
     using Loop = std::vector<int>;

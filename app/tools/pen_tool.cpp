@@ -89,7 +89,9 @@ bool PenTool<Dim>::begin(const QPointF& at) {
     m_joints.clear();
     if (const int pin = pinAt(at); pin >= 0) {
         session().selection().set({pin});
-        return beginAt({pin});
+        if (!beginAt({pin})) return false;
+        emit session().notice({});  // of a click beside all pins
+        return true;
     }
     if (beginAt(session().selection().handles())) return true;
     if (session().selection().isEmpty()) emit session().notice(hint());

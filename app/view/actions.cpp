@@ -134,7 +134,7 @@ void Actions::makeMotion() {
     speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
     setSpeed(1);
     settle = add(
-        {tr("S&ettle"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
+        {tr("Rela&x"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
         {});
 }
 

@@ -1,4 +1,5 @@
 // What is drawn of a picture.
+#include "app/panels/smooth_map.h"
 #include "app/session/shape.h"
 #include "app/tools/stiffness_marks.h"
 #include "app/tools/velocity_arrows.h"
@@ -64,6 +65,10 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     m_onion.setShown(looks.onionSkin);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!looks.hidden) m_onion.paintFills(painter, *this);
+    const auto frame = drawnFrame();
+    const bool isMapped = frame && frame != m_unbent && m_viewport.showsMap();
+    if (theme.dark && isMapped && !isPainted(looks.colours.measure))
+        m_onion.paintRim(painter, *this, *frame);  // the dark end of a map is as dark as the ground
     painter.setRenderHint(QPainter::Antialiasing, false);
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -60,7 +60,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::startAgain() {
-    m_again = WindowState{m_files->handOver(), saveGeometry(), m_tools->mode()};
+    const OpenedFile file = m_files->handOver();  // with what is being typed
+    m_again = WindowState{file, saveGeometry(), m_tools->mode(), session().selection().handles(),
+                          session().playback().time()};
     close();
 }
 
@@ -69,6 +71,8 @@ void MainWindow::takeOver(const WindowState& state) {
     if (!state.file.project) return;
     m_files->takeOver(state.file);
     m_tools->setMode(state.mode);
+    session().selection().set(state.selected);
+    session().playback().setTime(state.time);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

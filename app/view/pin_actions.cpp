@@ -3,11 +3,14 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QColorDialog>
+#include <QComboBox>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QSpinBox>
 #include <algorithm>
 
 #include "app/document/design.h"
+#include "app/document/free_name.h"
 #include "app/document/pin_edits.h"
 #include "app/panels/marks.h"
 #include "app/session/mirroring.h"
@@ -200,17 +203,22 @@ void PinActions::refresh() {
     link->setChecked(has && linked == all);
 }
 
+/// For a new group a name is offered, so that Enter will do; those that are there can be chosen.
 void PinActions::askGroup() {
+    const auto taken = groupNames(m_session.document().design());
+    const std::string& own = traitsOf(m_session.document().design(), selected().front()).group;
     QStringList names;
-    for (const std::string& name : groupNames(m_session.document().design()))
-        names << QString::fromStdString(name);
-    const QString own =
-        QString::fromStdString(traitsOf(m_session.document().design(), selected().front()).group);
-    const int at = static_cast<int>(names.indexOf(own));
-    bool given = false;
-    const QString name = QInputDialog::getItem(QApplication::activeWindow(), tr("Group"),
-                                               tr("Name of the group:"), names, std::max(at, 0), true, &given)
-                             .trimmed();
+    for (const std::string& name : taken) names << QString::fromStdString(name);
+    if (own.empty()) names.prepend(QString::fromStdString(freeName(taken, tr("Group").toStdString())));
+    QInputDialog dialog(QApplication::activeWindow());
+    dialog.setWindowTitle(tr("Group"));
+    dialog.setLabelText(tr("Name of the group:"));
+    dialog.setComboBoxItems(names);
+    dialog.setComboBoxEditable(true);
+    dialog.setTextValue(own.empty() ? names.first() : QString::fromStdString(own));
+    dialog.findChild<QComboBox*>()->lineEdit()->selectAll();
+    const bool given = dialog.exec() == QDialog::Accepted;
+    const QString name = dialog.textValue().trimmed();
     if (given && !name.isEmpty()) setGroup(m_session, selected(), name);
 }
 

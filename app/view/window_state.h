@@ -12,6 +12,8 @@ struct WindowState {
     OpenedFile file;  // without a project: nothing is open
     QByteArray geometry;
     Mode mode = Mode::Pins;
+    std::vector<int> selected;  // handles
+    double time = 0;            // that is shown
 };
 
 }  // namespace wend

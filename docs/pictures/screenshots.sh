@@ -80,7 +80,7 @@ shot window.png "$root/resources/samples/giraffe.wend"
 WAIT=12 KEYS="y d" shot compare.png "$root/resources/samples/giraffe.wend"
 sed -e 's|"octopus.png"|"'"$root"'/resources/samples/octopus.png"|' -e 's|"name": "right .* arm"|"group": "Right arms", &|' -e 's|"name": "left .* arm"|"group": "Left arms", &|' \
     -e 's|"name": ".* middle arm"|"link": 1, &|' -e 's|"name": "head"|"locked": true, &|' "$root/resources/samples/octopus.wend" >"$scratch/arms.wend"
-WAIT=10 DRAG="740 500 830 575" shot pin-list.png "$scratch/arms.wend"
+WAIT=10 KEYS=v DRAG="740 500 830 575" shot pin-list.png "$scratch/arms.wend"
 python3 - "$root/resources/samples/giraffe.wend" "$root/resources/samples/giraffe.png" "$scratch/film.wend" <<'END'
 import json, sys
 project = json.load(open(sys.argv[1]))

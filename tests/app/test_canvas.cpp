@@ -3,6 +3,7 @@
 #include <QSemaphore>
 #include <QThreadPool>
 #include <QWheelEvent>
+#include <map>
 #include <set>
 
 #include "app/document/design.h"
@@ -40,8 +41,10 @@ class TestCanvas : public QObject {
     void mapColoursAreOrdered();
     void cellsAreFilledOnce();
     void smoothMapGoesByMeans();
+    void mapsHaveALightRimInTheDark();
     void areaIsCentredOnOne();
     void rangesReachTheGreatestValuesButAHundredth();
+    void nothingHasAPlainRange();
     void pictureIsSeenBeforeItsMesh();
     void nothingIsSeenBeforeItsPicture();
     void picturesOfMeshesAreDrawn_data();
@@ -53,6 +56,7 @@ class TestCanvas : public QObject {
     void worstPlaceIsMarkedWhereItIs();
     void namesOfPinsWaitForAMoment();
     void partsAreFramedWhereTheyAre();
+    void framesStandOnTheirPath();
     void edgesAreThoseOfThePose();
     void restIsShown();
     void legendTellsItsEnds();
@@ -345,6 +349,40 @@ void TestCanvas::rangesReachTheGreatestValuesButAHundredth() {
     QVERIFY(std::abs(std::log(rangeOf(values, Measure::Area).high) - 1.98) < 1e-12);
 }
 
+/// Speeds and ways when nothing moves: no scale of rounding errors.
+void TestCanvas::nothingHasAPlainRange() {
+    for (const Measure measure : {Measure::Speed, Measure::Way}) {
+        QCOMPARE(rangeOf(std::vector<double>(100, 0.0), measure).high, 1.0);
+        QCOMPARE(rangeOf(std::vector<double>(100, 1e-14), measure).high, 1.0);
+        QCOMPARE(rangeOf(std::vector<double>(100, 1e-3), measure).high, 1e-3);
+    }
+}
+
+/// The dark end of a map would vanish on a dark ground: a line around what is drawn, which the picture covers
+/// where it is inside. Beside the shape of the light window, and without a map, there is none.
+void TestCanvas::mapsHaveALightRimInTheDark() {
+    const auto rim = [&](Appearance appearance, bool map, Measure measure) {
+        m_canvas->setPalette(wendPalette(appearance, {}));
+        m_canvas->viewport().set(&Looks::map, map);
+        m_canvas->viewport().set(&Looks::colours, MapLook{measure, {0, 1}});
+        if (!QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000)) return -1;
+        const Theme theme = Theme::of(m_canvas->palette());
+        const QImage seen = m_canvas->grab().toImage(), shape = m_canvas->drawn()->image;
+        int most = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width() / 2; ++x)  // left of the legend
+                if (qAlpha(shape.pixel(x, y)) == 0)     // beside it
+                    most = std::max(most, qGray(seen.pixel(x, y)) - qGray(theme.checkerA.rgb()));
+        return most;
+    };
+    m_canvas->zoomTo(0.5);  // where the edge of the picture is hard
+    const int dark = rim(Appearance::Dark, true, Measure::Way);
+    QVERIFY2(dark > 40, qPrintable(QString::number(dark)));
+    QCOMPARE(rim(Appearance::Dark, false, Measure::Way), 0);
+    QCOMPARE(rim(Appearance::Dark, true, Measure::Phi), 0);  // the picture's own colours
+    QCOMPARE(rim(Appearance::Light, true, Measure::Way), 0);
+}
+
 /// A picture whose mesh takes so long that nobody sees it.
 OpenedFile TestCanvas::shapeless() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
@@ -534,6 +572,10 @@ void TestCanvas::everyMeasureIsComplete() {
     }
     QCOMPARE(names.removeDuplicates(), 0);
     QVERIFY(measuresOf(3).size() > measuresOf(2).size() && measureName(Measure::Area, 3) != names[1]);
+    QCOMPARE(measureText(Measure::Influence, 50.04), QStringLiteral("50 %"));
+    QCOMPARE(measureText(Measure::Stiffness, 1), QStringLiteral("×1"));
+    QCOMPARE(measureText(Measure::Stiffness, 31.62), QStringLiteral("×") + QLocale().toString(31.6));
+    QCOMPARE(measureText(Measure::Stiffness, 1e6), QStringLiteral("×") + QLocale().toString(1000000));
     QCOMPARE(measureText(Measure::Shear, 12.5), QLocale().toString(12.5, 'f', 2) + QStringLiteral("°"));
 }
 
@@ -646,6 +688,41 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
     QTest::mouseMove(m_canvas.get(), at + QPoint(0, 90));
     QTRY_COMPARE(animation.named(), -1);
     QCOMPARE(beside(), nothing);
+}
+
+/// Of a curve after another motion, and where it is short on the screen not one over the other.
+void TestCanvas::framesStandOnTheirPath() {
+    Project next = *m_session->document().project();
+    Handle<2> pin;
+    pin.at = std::vector<Vec<2>>{{120, 80}};
+    pin.motions = {
+        {Translate<2>{{0, 50}}, 0, 0.5},
+        {CurveMotion<2>{Interpolation::Polyline, {{120, 130}, {200, 130}}, FrameKind::Minimal}, 0.5, 1}};
+    std::get<Design<2>>(next.design).handles = {pin};
+    m_session->document().change(QStringLiteral("Path"), next);
+    QVERIFY(settle(*m_session));
+    const auto levels = [&] {  // of what has the colour of the second axis
+        std::map<int, int> count;
+        const QImage seen = m_canvas->grab().toImage();
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x) {
+                const QColor off = seen.pixelColor(x, y);
+                const bool isAxis = std::abs(off.red() - 0x12) < 25 && std::abs(off.green() - 0xa5) < 25 &&
+                                    std::abs(off.blue() - 0x94) < 25;
+                if (isAxis) ++count[qRound(m_canvas->toShape(QPointF(x, y)).y() / 10)];
+            }
+        return count;
+    };
+    m_session->selection().set({0});
+    m_canvas->zoomTo(2);
+    const auto wide = levels();
+    QVERIFY(wide.contains(13));
+    for (const auto& [level, count] : wide)
+        QVERIFY2(level == 13 || level == 14 || count < 4, qPrintable(QString::number(level)));
+    m_canvas->zoomTo(0.2);  // sixteen pixels
+    int pixels = 0;
+    for (const auto& [level, count] : levels()) pixels += count;
+    QVERIFY2(pixels > 10 && pixels < 100, qPrintable(QString::number(pixels)));
 }
 
 void TestCanvas::edgesAreThoseOfThePose() {

@@ -27,6 +27,7 @@ class TestLanguage : public QObject {
     void choosingWhatIsSpokenChangesNothing();
     void nextWindowTakesAllOver_data();
     void nextWindowTakesAllOver();
+    void nextWindowShowsTheSame();
     void nextWindowIsEmptyAsWell();
     void namesOfSamplesAreSpoken();
 
@@ -196,6 +197,29 @@ void TestLanguage::nextWindowTakesAllOver() {
     QCOMPARE(document.isModified(), saved);
     QVERIFY(settle(m_window->session()));
     undo().setClean();
+}
+
+/// The pins that are selected, and the time in the middle of the film.
+void TestLanguage::nextWindowShowsTheSame() {
+    open();
+    ShapeSession& first = m_window->session();
+    for (const double x : {60.0, 120.0, 180.0}) first.addPin({x, 80});
+    first.selection().set({2});
+    first.beginDrag();
+    first.dragTo({180, 50});
+    first.endDrag(0.5);
+    QVERIFY(settle(first));
+    first.selection().set({0, 2});
+    first.playback().setTime(0.4);
+    QVERIFY(settle(first));
+    const Points<2> pose = first.frame<2>()->pose;
+    leaveFor(QStringLiteral("Deutsch"));
+    ShapeSession& next = m_window->session();
+    QVERIFY(settle(next));
+    QCOMPARE(next.selection().handles(), (std::vector<int>{0, 2}));
+    QCOMPARE(next.playback().time(), 0.4);
+    QVERIFY(QTest::qWaitFor([&] { return next.frame<2>()->pose == pose; }, 20000));
+    next.document().undoStack()->setClean();
 }
 
 void TestLanguage::nextWindowIsEmptyAsWell() {

@@ -273,6 +273,8 @@ void TestPen::whatCannotMoveIsNotDrawn() {
     click(pin(1) + QPoint(-60, 0));
     key(Qt::Key_Return);
     QCOMPARE(steps(), before);
+    click(pin(0));  // what was said holds no more
+    QVERIFY(told.last().first().toString().isEmpty());
 }
 
 /// Another time, another tool, another change of the project: nothing of the path is left.

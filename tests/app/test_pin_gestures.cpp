@@ -521,7 +521,7 @@ void TestPinGestures::pointsAreWidenedByANumber() {
     BOTH(widenByNumber);
 }
 
-/// A point has a radius of 0; too small a one is told, and not taken.
+/// A point has a radius of 0; too small a one is told, and not taken. 0 makes a point of a circle or a ball.
 template <int Dim>
 void TestPinGestures::widenByNumber() {
     QVERIFY(open<Dim>({0.2, 0.8}));
@@ -542,11 +542,19 @@ void TestPinGestures::widenByNumber() {
     QCOMPARE(radius->value(), 0.0);
     type(0.5 * Bar<Dim>::kUnit);
     QCOMPARE(undo().count(), before + 1);
-    const auto& at = session().document().template design<Dim>().handles[1].at;
-    const auto& ball = std::get<Ball<Dim>>(std::get<Region<Dim>>(at));
+    const auto place = [this] { return session().document().template design<Dim>().handles[1].at; };
+    const auto ball = std::get<Ball<Dim>>(std::get<Region<Dim>>(place()));
     QCOMPARE(ball.radius, 0.5 * Bar<Dim>::kUnit);
     QVERIFY((ball.centre - Bar<Dim>::place(0.8, 0)).norm() < 0.1 * Bar<Dim>::kUnit);
     QVERIFY(settle(session()));
+    type(0);
+    const Placement<Dim> point = place();
+    const auto* points = std::get_if<std::vector<Vec<Dim>>>(&point);
+    QVERIFY(points && points->size() == 1);
+    QVERIFY((points->front() - Bar<Dim>::place(0.8, 0)).norm() < 0.1 * Bar<Dim>::kUnit);
+    QVERIFY(settle(session()));
+    QVERIFY(radius->isVisible() && radius->value() == 0);
+    QCOMPARE(session().template pins<Dim>()[1].points.size(), 1U);
     session().selection().set({0});
     QVERIFY(radius->isVisible() && radius->value() == 0);
 }

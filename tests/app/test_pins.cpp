@@ -242,12 +242,22 @@ void TestPins::group() {
     QTreeWidget& tree = *list().list();
     QCOMPARE(tree.topLevelItemCount(), 3);
     session().selection().set({0, 2});
-    withNext<QInputDialog>(this, [](QInputDialog& dialog) {
-        dialog.setTextValue(QStringLiteral("Ends"));
-        dialog.accept();
-    });
-    pins().group->trigger();
+    // A name is offered; who types another one replaces it, and then it is kept.
+    QStringList offered;
+    const auto typed = [&](const QString& keys) {
+        withNext<QInputDialog>(this, [&offered, keys](QInputDialog& dialog) {
+            offered << dialog.textValue();
+            QTest::keyClicks(dialog.findChild<QComboBox*>()->lineEdit(), keys);
+            dialog.accept();
+        });
+        pins().group->trigger();
+    };
+    typed(QString());
+    QVERIFY(list().headingOf(QStringLiteral("Group 1")));
+    session().document().undoStack()->undo();
+    typed(QStringLiteral("Ends"));
     QVERIFY(settle(session()));
+    QCOMPARE(offered, (QStringList{QStringLiteral("Group 1"), QStringLiteral("Group 1")}));
     QCOMPARE(tree.topLevelItemCount(), 2);
     QTreeWidgetItem* heading = list().headingOf(QStringLiteral("Ends"));
     QVERIFY(heading && heading->childCount() == 2 && list().rowOf(2)->parent() == heading);

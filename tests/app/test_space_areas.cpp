@@ -188,7 +188,7 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
     QTest::keyClick(kind, Qt::Key_Down);  // a box at the same place
     QVERIFY(settle(m_f->session()));
     QVERIFY(std::holds_alternative<Box<3>>(std::get<Region<3>>(m_f->handles()[0].at)));
-    const auto boxes = panel->findChildren<QDoubleSpinBox*>();  // the radius, then the two rows
+    const auto boxes = panel->findChildren<QDoubleSpinBox*>();  // the two rows, then the radius
     const auto type = [&](int which, const QString& text) {
         boxes[which]->setFocus();
         boxes[which]->selectAll();
@@ -196,9 +196,9 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
         QTest::keyClick(boxes[which], Qt::Key_Return);
     };
     const int steps = m_f->session().document().undoStack()->count();
-    type(1, QStringLiteral("1"));
+    type(0, QStringLiteral("1"));
+    type(1, QStringLiteral("-1"));
     type(2, QStringLiteral("-1"));
-    type(3, QStringLiteral("-1"));
     QVERIFY(settle(m_f->session()));
     const auto& box = std::get<Box<3>>(std::get<Region<3>>(m_f->handles()[0].at));
     QVERIFY(box.min == Vec<3>(1, -1, -1));
@@ -208,7 +208,7 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
     m_f->session().moveSelected<3>(Grip{Grip::Kind::Turn, m_f->pin(0), Vec<3>::UnitX()}, {0.6, 0, 0});
     QVERIFY(settle(m_f->session()));
     m_f->picture(QStringLiteral("region"));
-    type(1, QStringLiteral("50"));  // from 50 to 2.6: nothing is in it
+    type(0, QStringLiteral("50"));  // from 50 to 2.6: nothing is in it
     QVERIFY(count().contains(QStringLiteral("nothing")));
     QVERIFY(std::get<Box<3>>(std::get<Region<3>>(m_f->handles()[0].at)).min == Vec<3>(1, -1, -1));
 }

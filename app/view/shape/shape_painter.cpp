@@ -16,7 +16,7 @@ namespace wend {
 namespace {
 
 constexpr int kFramesAlongCurve = 9;
-constexpr double kBeside = 24, kHalfLabel = 12;  // pixels
+constexpr double kBeside = 24, kHalfLabel = 12, kFramesApart = 16;  // pixels
 
 /// An axis of the frames that a curve carries along, and how long it is, in pixels.
 struct Axis {
@@ -47,23 +47,32 @@ QPolygonF ShapePainter<Dim>::toWidget(const std::vector<Vec<Dim>>& points) const
     return line;
 }
 
-/// The local frames that a curve carries along.
+/// The local frames that a curve carries along, from where the motions before it lead; none over another.
 template <int Dim>
 void ShapePainter<Dim>::frames(const Handle<Dim>& handle, const Vec<Dim>& start) {
+    Vec<Dim> from = start;
     for (const Motion<Dim>& motion : handle.motions) {
         const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
-        if (!curve || curve->frame == FrameKind::None) continue;
         const Trajectory<Dim> trajectory(motion);
-        for (int i = 0; i < kFramesAlongCurve; ++i) {
+        std::optional<QPointF> last;
+        for (int i = 0; curve && curve->frame != FrameKind::None && i < kFramesAlongCurve; ++i) {
             const double t = motion.start + (motion.end - motion.start) * i / (kFramesAlongCurve - 1);
-            const Vec<Dim> at = trajectory.at(t).position(start);
-            const Mat<Dim> F = trajectory.frame(t);
-            const double pixel = marked(m_surface.pixelSize(at));
-            for (int k = 0; k < Dim; ++k) {
-                const auto [colour, size] = axisOf(Dim, k);
-                m_marks.line(toWidget({at, at + size * pixel * F.col(k)}), colour, 1.75, Qt::SolidLine);
-            }
+            const Vec<Dim> at = trajectory.at(t).position(from);
+            const QPointF seen = m_surface.toWidget(at);
+            if (last && QLineF(*last, seen).length() < marked(kFramesApart)) continue;
+            last = seen;
+            frame(at, trajectory.frame(t));
         }
+        from = trajectory.at(motion.end).position(from);
+    }
+}
+
+template <int Dim>
+void ShapePainter<Dim>::frame(const Vec<Dim>& at, const Mat<Dim>& axes) {
+    const double pixel = marked(m_surface.pixelSize(at));
+    for (int k = 0; k < Dim; ++k) {
+        const auto [colour, size] = axisOf(Dim, k);
+        m_marks.line(toWidget({at, at + size * pixel * axes.col(k)}), colour, 1.75, Qt::SolidLine);
     }
 }
 

@@ -36,6 +36,7 @@ class ShapePainter {
     ShapeSession& session() const { return m_surface.session(); }
     QPolygonF toWidget(const std::vector<Vec<Dim>>& points) const;
     void frames(const Handle<Dim>& handle, const Vec<Dim>& start);
+    void frame(const Vec<Dim>& at, const Mat<Dim>& axes);
     void spots(const PinView<Dim>& view);
     void region(const PinView<Dim>& view, bool hovered);
 
