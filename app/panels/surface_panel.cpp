@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
@@ -31,7 +32,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     m_previous->setArrowType(Qt::LeftArrow);
     m_next->setArrowType(Qt::RightArrow);
     m_case->setAlignment(Qt::AlignCenter);
-    m_fixText->setMinimumHeight(2 * fontMetrics().lineSpacing());  // buttons below stay where they are
+    m_fixText->setMinimumHeight(3 * fontMetrics().lineSpacing());  // buttons below stay where they are
     m_show->setCheckable(true);
     m_preview->setCheckable(true);
     arrange();
@@ -163,14 +164,18 @@ void SurfacePanel::showProblems(const Contents& contents) {
 }
 
 void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {
-    const QString verdict =
-        helps ? tr("“Repair” helps.") : tr("“Repair” does not help: a cage around it can carry it.");
-    m_text->setText((m_contents.more + QStringList{verdict, repair}).join('\n').trimmed());
+    m_text->setText((m_contents.more + QStringList{verdict(helps), repair}).join('\n').trimmed());
     allow(m_preview, !repair.isEmpty(), tr("There is nothing that the simple repairs would change."));
-    allow(m_repair, helps, tr("The simple repairs do not help: fit a cage."));
+    allow(m_repair, helps, verdict(false));
     if (!m_preview->isChecked()) return;
     m_preview->setChecked(!repair.isEmpty());
     emit repairShown(m_preview->isChecked());
+}
+
+QString SurfacePanel::verdict(bool helps) const {
+    if (helps) return tr("“Repair” helps.");
+    return m_contents.isCaged ? tr("“Repair” does not help: the cage carries the surface as it is.")
+                              : tr("“Repair” does not help: a cage around it can carry it.");
 }
 
 int SurfacePanel::largestHole() const {
@@ -179,7 +184,16 @@ int SurfacePanel::largestHole() const {
 
 void SurfacePanel::showFix(const QString& text, bool mayFix) {
     m_fixText->setText(text);
-    m_fix->setEnabled(mayFix);
+    if (isVisible())
+        m_fixText->setMinimumHeight(
+            std::max(m_fixText->minimumHeight(), m_fixText->heightForWidth(m_fixText->width())));
+    offer(m_fix, mayFix);
+}
+
+/// Who has just pressed one that goes does not stand on the one that takes the cage away.
+void SurfacePanel::offer(QPushButton* button, bool offered) {
+    if (!offered && button->hasFocus()) m_next->setFocus();
+    button->setEnabled(offered);
 }
 
 /// What it would do comes with its help: it may come late, and moves nothing.
@@ -189,7 +203,13 @@ void SurfacePanel::showFixOfAll(const QString& text, bool mayFix) {
            "of no more edges than are chosen below.");
     describe(m_fixAll, m_fixAll->text(), text.isEmpty() ? help : text + ' ' + help);
     const int kind = m_kind->currentIndex();
-    m_fixAll->setEnabled(mayFix && kind >= 0 && m_contents.kinds[kind].count > 1);
+    offer(m_fixAll, mayFix && kind >= 0 && m_contents.kinds[kind].count > 1);
+}
+
+bool SurfacePanel::leave() {
+    const bool looks = m_show->isChecked() || m_preview->isChecked();
+    for (QPushButton* button : {m_show, m_preview}) button->setChecked(false);
+    return looks;
 }
 
 }  // namespace wend

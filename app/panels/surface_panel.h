@@ -39,6 +39,8 @@ class SurfacePanel : public QWidget {
     void showFix(const QString& text, bool mayFix);
     /// And about all of its kind.
     void showFixOfAll(const QString& text, bool mayFix);
+    /// The solid is seen again in place of the surface. False if it was seen already.
+    bool leave();
 
   signals:
     /// What is wrong is told: with a cage around it all the rest can go on.
@@ -71,6 +73,8 @@ class SurfacePanel : public QWidget {
     void connectControls();
     void step(int by);
     void tellCase();
+    void offer(QPushButton* button, bool offered);
+    QString verdict(bool helps) const;
 
     QLabel *m_title, *m_text, *m_case, *m_fixText;
     QComboBox* m_kind;

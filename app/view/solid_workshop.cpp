@@ -51,6 +51,10 @@ void SolidWorkshop::setActive(bool active) {
     showCut();
 }
 
+void SolidWorkshop::takeUpTool() {
+    m_check->leave();
+}
+
 void SolidWorkshop::makePage() {
     if (!VolumeView::available()) {
         auto* label =

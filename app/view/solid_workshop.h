@@ -38,6 +38,8 @@ class SolidWorkshop : public QObject {
     bool isActive() const { return m_isActive; }
     /// What belongs to the solid's mesh, when the tools for solids are there.
     void showDomain();
+    /// Another tool, or another step: what is worked on is seen.
+    void takeUpTool();
     /// Asks for size and name and writes the view as a picture.
     void exportView();
     /// The solid from where the view looks, as files get it: without map and cut. Null without one.

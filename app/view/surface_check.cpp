@@ -83,6 +83,12 @@ void SurfaceCheck::hide() {
     m_panel.hide();
 }
 
+void SurfaceCheck::leave() {
+    if (!m_isCaged || !m_canvas || !m_panel.leave()) return;
+    m_isPlaceShown = false;
+    m_canvas->showLooks();
+}
+
 /// What is wrong with a file that cannot be read is told elsewhere.
 void SurfaceCheck::preview() {
     const Document& document = m_session.document();
@@ -138,6 +144,7 @@ void SurfaceCheck::takeShape() {
     m_isCaged =
         frame->built->source && frame->built->skin && isCage(*frame->built->source, *frame->built->skin);
     hide();
+    if (!m_isCaged && std::exchange(m_goesOn, false) && m_canvas) m_canvas->fit();  // nothing is left
     if (m_isCaged && m_session.document().domain().fit == Fit::Automatic && m_canvas) look();
 }
 

@@ -22,6 +22,8 @@ class SurfaceCheck : public QObject {
     SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& window);
     void setCanvas(SolidCanvas* canvas) { m_canvas = canvas; }
     void hide();
+    /// Who takes up a tool works on the solid, where there is one: it is seen again.
+    void leave();
 
   private:
     struct Repaired {

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QStringList>
+#include <utility>
 
 #include "app/document/domain.h"
 #include "app/document/in_background.h"
@@ -43,8 +44,9 @@ void SurfaceCheck::proposeAll() {
     const auto take = [this, sought = m_all](const std::shared_ptr<const FaultFix>& all) {
         if (m_all.found != sought.found || m_all.kind != sought.kind || m_all.limit != sought.limit) return;
         m_all.fix = all;
+        const bool isWanted = std::exchange(m_all.isWanted, false);
         tellOfFix();
-        if (m_all.isWanted) fixAll();
+        if (isWanted) fixAll();
     };
     inBackground(this, find, take);
 }
@@ -64,6 +66,10 @@ void SurfaceCheck::tellOfFix() {
         if (!fix) return QString();
         return fix->steps.empty() ? none : textOf(*fix);
     };
+    if (m_all.isWanted) {
+        m_panel.showFix(tr("Looking for what puts all of these right …"), false);
+        return m_panel.showFixOfAll({}, false);
+    }
     m_panel.showFix(told(m_fix, tr("No simple step puts this one right.")), m_fix && !m_fix->steps.empty());
     m_panel.showFixOfAll(told(m_all.fix, tr("No simple steps put all of these right.")),
                          !m_all.fix || !m_all.fix->steps.empty());
@@ -87,11 +93,10 @@ void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString
 
 /// As soon as it is known what that means.
 void SurfaceCheck::fixAll() {
+    if (const auto known = m_all.fix) return fix(known, tr("Fix all faults of a kind"));
     m_all.isWanted = true;
-    if (!m_all.fix) return proposeAll();
-    const auto known = m_all.fix;
-    m_all.isWanted = false;
-    fix(known, tr("Fix all faults of a kind"));
+    tellOfFix();
+    proposeAll();
 }
 
 void SurfaceCheck::repair(int largestHole) {
@@ -106,6 +111,7 @@ void SurfaceCheck::repair(int largestHole) {
 void SurfaceCheck::tryLimit(int largestHole) {
     if (!m_found) return;
     m_all = {m_found, m_place.kind, largestHole};
+    tellOfFix();
     if (m_isPlaceShown) proposeAll();
     const auto attempt = [found = m_found, largestHole] {
         return std::make_shared<const Repaired>(found->surface, largestHole);

@@ -50,6 +50,7 @@ void Workspace::show() {
     SolidCanvas* solid = m_parts.solids.canvas();
     m_bench.solid = solid;
     if (solid) solid->cutTool().setFirst(m_parts.tools.mode() == Mode::Mesh);
+    m_parts.solids.takeUpTool();
     takeTool();
     if (Viewport* view = viewport(); view && kind) view->setTool(toolOf(*kind));
     if (solid) solid->viewport().set(&Looks::values, m_parts.tools.isChosen("measure"));

@@ -43,12 +43,17 @@ class TestSurfaceWindow : public QObject {
     void cleanup() { m_f.reset(); }
     void badSurfacesAreShownAndRepaired();
     void singleFaultsAreFixedOneByOne();
+    void deskLeavesTheSolidToTools();
+    void allAreFixedOnceThatIsKnown();
     void factsAreToldAndGapsAreOpened();
     void noteOfWorkIsWhole();
     void detailedSurfaceIsShownAndTellsItsNotices();
     void whatACageCarriesIsPinned();
 
   private:
+    void openHoles();
+    QPushButton* button(const QString& name);
+    bool says(const QString& words);
     bool saysThatThereIsNoSolid();
     bool edgesAreAsTheButtonSays();
     bool axesAreSeen();
@@ -222,8 +227,8 @@ bool TestSurfaceWindow::saysThatThereIsNoSolid() {
 }
 
 /// A red plate lies on the bar; most of it lies outside, which the window says.
-/// The bar without its first and its last triangle: two holes, filled one after the other.
-void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
+/// The bar without its first and its last triangle: two holes, in a cage, in the step where they are filled.
+void TestSurfaceWindow::openHoles() {
     QVERIFY(m_f->open());
     m_f->session().document().undoStack()->setClean();
     QFile good(m_f->folder().filePath(QStringLiteral("bar.obj")));
@@ -237,24 +242,35 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     bad.write(text);
     bad.close();
     m_f->window().openPath(bad.fileName());
-    const auto domain = [&] { return m_f->session().document().project()->domain; };
-    QVERIFY(QTest::qWaitFor([&] { return domain().path.ends_with("holes.obj"); }, 20000));
+    const auto isOpen = [&] {
+        return m_f->session().document().project()->domain.path.ends_with("holes.obj");
+    };
+    QVERIFY(QTest::qWaitFor(isOpen, 20000));
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<SurfacePanel*>();
     m_f->window().tools().setMode(Mode::Mesh);
     settleLayout(*panel);
-    const auto button = [&](const QString& name) {
-        QPushButton* found = nullptr;
-        for (QPushButton* one : panel->findChildren<QPushButton*>())
-            if (one->text() == name) found = one;
-        return found;
-    };
-    const auto says = [&](const QString& words) {
-        return std::ranges::any_of(panel->findChildren<QLabel*>(),
-                                   [&](const QLabel* label) { return label->text() == words; });
-    };
-    QPushButton* fix = button(QStringLiteral("Fix this one"));
+    const QPushButton* fix = button(QStringLiteral("Fix this one"));
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && fix->isEnabled(); }, 20000));
+}
+
+QPushButton* TestSurfaceWindow::button(const QString& name) {
+    for (auto* one : m_f->window().findChild<SurfacePanel*>()->findChildren<QPushButton*>())
+        if (one->text() == name) return one;
+    return nullptr;
+}
+
+bool TestSurfaceWindow::says(const QString& words) {
+    return std::ranges::any_of(m_f->window().findChild<SurfacePanel*>()->findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text().contains(words); });
+}
+
+/// One after the other.
+void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
+    openHoles();
+    const auto domain = [&] { return m_f->session().document().project()->domain; };
+    auto* panel = m_f->window().findChild<SurfacePanel*>();
+    QPushButton* fix = button(QStringLiteral("Fix this one"));
     QVERIFY(says(QStringLiteral("It would add triangles (1). It would leave 1 of 2 faults.")));
     QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
     m_f->picture(QStringLiteral("fix-seen"));
@@ -310,6 +326,63 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     m_f->window().actions().redo->trigger();
     QCOMPARE(domain().fixes.size(), std::size_t(2));
     QVERIFY(settle(m_f->session()));
+}
+
+/// A place of the surface is seen in place of the solid: whoever takes up a tool works on the solid again.
+void TestSurfaceWindow::deskLeavesTheSolidToTools() {
+    openHoles();
+    const QString verdict = QStringLiteral("“Repair” does not help: the cage carries the surface as it is.");
+    m_f->window().findChild<SurfacePanel*>()->findChild<QSpinBox*>()->setValue(2);
+    QVERIFY(QTest::qWaitFor([&] { return says(verdict); }, 20000));
+    QPushButton* shows = button(QStringLiteral("Show them"));
+    shows->setFocus();
+    const QImage off = shows->grab().toImage();
+    QTest::mouseClick(shows, Qt::LeftButton);
+    QVERIFY(shows->isChecked() && shows->grab().toImage() != off);  // its state is seen
+    m_f->picture(QStringLiteral("desk-shows"));
+    const QPointF middle(m_f->canvas().rect().center());
+    m_f->actions().front->trigger();
+    m_f->window().actions().fit->trigger();
+    QVERIFY(!m_f->canvas().touch(middle));
+    const Eigen::Matrix4d view = m_f->canvas().camera().view();
+    m_f->window().tools().setMode(Mode::Pins);
+    m_f->window().actions().pinTool->trigger();
+    QVERIFY(m_f->canvas().touch(middle));
+    QVERIFY(!shows->isChecked() && m_f->canvas().camera().view() == view);
+    m_f->click(middle.toPoint());
+    QCOMPARE(m_f->handles().size(), std::size_t(1));
+    // Within the step it is the same.
+    m_f->window().tools().setMode(Mode::Mesh);
+    QTest::mouseClick(shows, Qt::LeftButton);
+    QVERIFY(shows->isChecked());
+    m_f->tool("measure")->trigger();
+    QVERIFY(!shows->isChecked() && m_f->canvas().touch(middle));
+}
+
+/// What is not known yet is looked for when it is wanted, and that is told; then the whole solid is seen.
+void TestSurfaceWindow::allAreFixedOnceThatIsKnown() {
+    openHoles();
+    QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
+    QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
+    QSpinBox* limit = m_f->window().findChild<SurfacePanel*>()->findChild<QSpinBox*>();
+    limit->setValue(limit->value() + 1);  // what was known is no more
+    QPushButton* all = button(QStringLiteral("Fix all"));
+    QPushButton* one = button(QStringLiteral("Fix this one"));
+    const int place = one->y();
+    const double whole = m_f->canvas().camera().pixelSize(m_f->canvas().size());
+    m_f->canvas().camera().zoom(4, {100, 100}, m_f->canvas().size());
+    QTest::mouseClick(all, Qt::LeftButton);
+    QVERIFY(says(QStringLiteral("Looking for what puts all of these right")));
+    QVERIFY(!all->isEnabled() && !one->isEnabled());
+    QVERIFY(!button(QStringLiteral("Exact surface only"))->hasFocus());
+    settleLayout(*one);
+    QCOMPARE(one->y(), place);  // more or fewer words move nothing
+    const auto fixes = [&] { return m_f->session().document().project()->domain.fixes.size(); };
+    QVERIFY(QTest::qWaitFor([&] { return fixes() == 2; }, 20000));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->session().frame<3>() && !m_f->session().frame<3>()->built->cage);
+    const double seen = m_f->canvas().camera().pixelSize(m_f->canvas().size());
+    QVERIFY2(std::abs(seen / whole - 1) < 0.2, qPrintable(QString("%1 of %2").arg(seen).arg(whole)));
 }
 
 /// From the first time that it is shown.
