@@ -55,7 +55,7 @@ class TestExportDialog : public QObject {
     QString file(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
     ShapeSession& session() { return m_window->session(); }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
@@ -88,8 +88,7 @@ void keepPicture(QWidget& widget, const char* name) {
 }  // namespace
 
 void TestExportDialog::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     if (qEnvironmentVariableIsSet("WEND_TEST_DARK")) m_window->actions().darkLook->trigger();
     m_window->resize(1100, 760);

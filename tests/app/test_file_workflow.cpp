@@ -40,7 +40,7 @@ class TestFileWorkflow : public QObject {
     bool recover();
     Document& document() { return m_window->session().document(); }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     QString m_copies;
     std::unique_ptr<MainWindow> m_window;
 };
@@ -59,10 +59,9 @@ void answerNext(QObject* scope, const QString& name) {
 }  // namespace
 
 void TestFileWorkflow::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
+    m_folder = std::make_unique<TestFolder>();
     m_copies = m_folder->filePath("copies");
     QDir().mkpath(m_copies);
-    isolateSettings(*m_folder);
     m_window = std::make_unique<MainWindow>();
     m_window->show();
 }

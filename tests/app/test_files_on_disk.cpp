@@ -63,7 +63,7 @@ class TestFilesOnDisk : public QObject {
     Document& document() { return m_window->session().document(); }
     QString file(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
@@ -85,8 +85,7 @@ std::size_t pinsIn(const QString& path) {
 }  // namespace
 
 void TestFilesOnDisk::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1000, 700);
     m_window->show();

@@ -36,14 +36,13 @@ class TestLanguage : public QObject {
     WindowState leaveFor(const QString& name);
     void open();
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<SpokenLanguage> m_spoken;
     std::unique_ptr<MainWindow> m_window;
 };
 
 void TestLanguage::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     QSettings().remove("language");
 }
 

@@ -32,15 +32,14 @@ class TestLiveliness : public QObject {
     void open();
     ShapeSession& session() { return m_window->session(); }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
 void TestLiveliness::init() {
     if (m_window) session().document().undoStack()->setClean();
     m_window.reset();
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->show();
     QVERIFY(!isLively());

@@ -142,8 +142,7 @@ void TestLooks::iconsDiffer() {
 
 /// Also the one that brings the program its style.
 void TestLooks::firstWindowIsAsAnyOther() {
-    const QTemporaryDir folder;
-    isolateSettings(folder);
+    const TestFolder folder;
     qApp->setStyleSheet({});
     MainWindow first, second;
     for (const char* name : {"topBar", "optionRow"}) {

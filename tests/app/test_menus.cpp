@@ -42,13 +42,12 @@ class TestMenus : public QObject {
     QMenu* popup() const { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
     const std::vector<Handle<2>>& handles() { return m_window->session().document().design<2>().handles; }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
 void TestMenus::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1100, 800);
     m_window->show();

@@ -85,13 +85,12 @@ class TestPosing : public QObject {
     QMenu* menuAt(const Vec<2>& p);
     void picture(const QString& name);
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
 void TestPosing::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1100, 760);
     m_window->show();

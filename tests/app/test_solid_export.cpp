@@ -58,7 +58,7 @@ class TestSolidExport : public QObject {
     QString file(const QString& name) const { return m_folder->filePath(name); }
     QByteArray bytes(const QString& name) const;
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
     QString m_failure;
 };
@@ -101,8 +101,7 @@ void compareMeshes(const MeshFile& window, const MeshFile& commandLine) {
 
 void TestSolidExport::initTestCase() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     put(m_folder->path(), "bar.obj", objOf(box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 4)));
     put(m_folder->path(), "bar.mtl", "newmtl blue\nKd 0.2 0.3 0.9\n");
     putProject(

@@ -47,7 +47,7 @@ class TestSolidLooks : public QObject {
     ShapeSession& session() { return m_window->session(); }
     QColor colourAt(const Vec<3>& p);
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
@@ -72,8 +72,7 @@ bool isRed(const QColor& c) {
 
 void TestSolidLooks::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1200, 800);
     m_window->show();

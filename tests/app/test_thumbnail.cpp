@@ -36,12 +36,11 @@ class TestThumbnail : public QObject {
     QStringList kept() const { return QDir(at("cache")).entryList(QDir::Files); }
     Thumbnail thumbnail(const QString& name) const { return thumbnailOf(at(name), at("cache")); }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
 };
 
 void TestThumbnail::init() {
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     QCoreApplication::setApplicationName(QStringLiteral("TestThumbnail"));  // a cache of its own
 }
 

@@ -53,15 +53,14 @@ class TestTutorial : public QObject {
     }
     void drag(double x, double y, double toX, double toY);
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
     ShapeCanvas* m_canvas = nullptr;
 };
 
 void TestTutorial::init() {
     m_window.reset();
-    m_folder = std::make_unique<QTemporaryDir>();
-    isolateSettings(*m_folder);
+    m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1366, 768);
     m_window->show();

@@ -31,7 +31,6 @@ inline void settleLayout(const QWidget& widget) {
 class SolidFixture {
   public:
     SolidFixture() {
-        isolateSettings(m_folder);
         m_window.resize(1200, 800);
         m_window.show();
         m_window.activateWindow();
@@ -166,7 +165,7 @@ class SolidFixture {
     }
 
   private:
-    QTemporaryDir m_folder;
+    TestFolder m_folder;
     MainWindow m_window;
 };
 

@@ -44,13 +44,17 @@ inline bool settle(ShapeSession& session) {
     return settled;
 }
 
-/// Settings of tests stay in a folder of their own.
-inline void isolateSettings(const QTemporaryDir& folder) {
-    QCoreApplication::setOrganizationName(QStringLiteral("WendTest"));
-    QCoreApplication::setApplicationName(QStringLiteral("WendTest"));
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
-    QSettings().setValue("lessMotion", true);  // pictures of windows are compared
-}
+/// A folder that keeps the settings, too: from when it is there, so before the windows, which read and write
+/// them as soon as they are made.
+class TestFolder : public QTemporaryDir {
+  public:
+    TestFolder() {
+        QCoreApplication::setOrganizationName(QStringLiteral("WendTest"));
+        QCoreApplication::setApplicationName(QStringLiteral("WendTest"));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path());
+        QSettings().setValue("lessMotion", true);  // pictures of windows are compared
+    }
+};
 
 }  // namespace wend::test

@@ -11,8 +11,7 @@ namespace wend::test {
 class WindowTest : public QObject {
   protected:
     void begin() {
-        m_folder = std::make_unique<QTemporaryDir>();
-        isolateSettings(*m_folder);
+        m_folder = std::make_unique<TestFolder>();
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1100, 760);
         m_window->show();
@@ -43,7 +42,7 @@ class WindowTest : public QObject {
     }
     std::size_t pinCount() { return m_window->session().document().design<2>().handles.size(); }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
 
