@@ -93,9 +93,7 @@ void TestPosing::init() {
     m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1100, 760);
-    m_window->show();
-    m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
+    QVERIFY(showActive(*m_window));
     open();
 }
 

@@ -63,7 +63,7 @@ void TestTutorial::init() {
     m_folder = std::make_unique<TestFolder>();
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1366, 768);
-    m_window->show();
+    QVERIFY(showActive(*m_window));
     m_canvas = m_window->findChild<ShapeCanvas*>();
 }
 

@@ -44,6 +44,14 @@ inline bool settle(ShapeSession& session) {
     return settled;
 }
 
+/// Shows it, and makes it the active window, to which keys go: where no window manager is, none does that.
+template <class Window>  // tests without widgets include this, too
+bool showActive(Window& window) {
+    window.show();
+    window.activateWindow();
+    return QTest::qWaitForWindowActive(&window, 20000);
+}
+
 /// A folder that keeps the settings, too: from when it is there, so before the windows, which read and write
 /// them as soon as they are made.
 class TestFolder : public QTemporaryDir {

@@ -14,9 +14,7 @@ class WindowTest : public QObject {
         m_folder = std::make_unique<TestFolder>();
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1100, 760);
-        m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
+        QVERIFY(showActive(*m_window));
     }
     void end() {
         if (!m_window->session().document().isEmpty()) m_window->session().document().undoStack()->setClean();
