@@ -6,6 +6,7 @@
 
 #include "app/panels/theme.h"
 #include "app/view/main_window.h"
+#include "tests/support/contrast.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -24,23 +25,8 @@ class TestLooks : public QObject {
     void firstWindowIsAsAnyOther();
 
   private:
-    static double luminance(const QColor& colour);
-    static double contrast(const QColor& a, const QColor& b);
     static QColor over(QColor tint, const QColor& ground);
 };
-
-double TestLooks::luminance(const QColor& colour) {
-    const auto linear = [](double c) {
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
-}
-
-double TestLooks::contrast(const QColor& a, const QColor& b) {
-    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
-    return std::max(x, y) / std::min(x, y);
-}
 
 QColor TestLooks::over(QColor tint, const QColor& ground) {
     const double a = tint.alphaF();

@@ -2,15 +2,19 @@
 #include <QLineF>
 #include <QPainter>
 #include <QTextStream>
+#include <algorithm>
 
 #include "app/panels/distortion_panel.h"
+#include "app/panels/panel_parts.h"
 #include "app/panels/surface_panel.h"
 #include "app/view/actions.h"
+#include "app/view/backdrop_choice.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
+#include "tests/support/contrast.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
 
@@ -37,6 +41,7 @@ class TestSolidLooks : public QObject {
     void anotherDocumentIsSeenAsItIs();
     void movedSolidsAreClosed();
     void solidAfterAMovedOneIsSeenWhole();
+    void arrowsAreSeenBeforeEveryGround();
 
   private:
     QString file(const char* name, const QByteArray& text);
@@ -378,6 +383,36 @@ void TestSolidLooks::solidAfterAMovedOneIsSeenWhole() {
     for (const double x : {-40.0, 40.0})
         QVERIFY(canvas().rect().contains(canvas().toWidget({x, 10, 10}).toPoint()));
     QVERIFY(canvas().toWidget({40, 0, 0}).x() - canvas().toWidget({-40, 0, 0}).x() > canvas().width() / 4);
+}
+
+/// Black and white as backdrops, and what both appearances have there.
+void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
+    open(project({}));
+    Actions& common = m_window->actions();
+    const auto least = [&] {  // contrast of half of what is blue in the view
+        const QImage seen = canvas().grabFramebuffer();
+        std::vector<double> all;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x)
+                if (const QColor c = seen.pixelColor(x, y);
+                    c.blue() > c.red() + 50 && c.blue() > c.green() + 40)
+                    all.push_back(contrast(c, seen.pixelColor(2, seen.height() / 2)));
+        if (all.size() < 200) return 0.0;
+        std::ranges::nth_element(all, all.begin() + static_cast<long>(all.size() / 2));
+        return all[all.size() / 2];
+    };
+    QCOMPARE(least(), 0.0);
+    common.showArrows->setChecked(true);
+    QVERIFY(QTest::qWaitFor([&] { return session().velocity<3>().cols() > 0; }, 20000));
+    for (QAction* look : {common.darkLook, common.lightLook})
+        for (const char* name : {"Black", "White", "Checks"}) {
+            look->trigger();
+            for (QAction* one : common.backdrop->menu()->actions())
+                if (withoutKey(one->text()) == QLatin1String(name)) one->trigger();
+            const double found = least();
+            QVERIFY2(found >= 3, qPrintable(QString("%1: %2").arg(name).arg(found)));
+        }
+    common.systemLook->trigger();
 }
 
 QTEST_MAIN(TestSolidLooks)

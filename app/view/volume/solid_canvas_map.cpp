@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/panels/smooth_map.h"
+#include "app/panels/theme.h"
 #include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_canvas.h"
@@ -11,7 +12,8 @@ namespace wend {
 
 namespace {
 
-const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
+const QRgb kArrowColour = qRgb(54, 84, 196), kArrowOnDark = qRgb(92, 126, 255);
+const QRgb kGlyphColour = qRgb(226, 140, 44);
 constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
 
 QRgb withAlpha(QRgb colour, double alpha) {
@@ -77,8 +79,11 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
-    if (looks.arrows && !looks.hidden)
-        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
+    if (looks.arrows && !looks.hidden) {
+        const QColor behind = looks.backdrop.isValid() ? looks.backdrop : Theme::of(palette()).workspace;
+        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(),
+                                   behind.lightnessF() < 0.5 ? kArrowOnDark : kArrowColour);
+    }
     if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
