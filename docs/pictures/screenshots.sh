@@ -107,4 +107,4 @@ WAIT=15 KEYS="shift+a m f bracketright bracketright" DRAG="310 400 620 505" shot
     awk '$1 == "f" {print $1, $2, $4, $3; next} 1' inside.obj >vase.obj)
 echo '{"format": "wend", "version": 1, "domain": {"surface": "knot.obj", "cage": true, "vertices": 4000}}' >"$scratch/knot.wend"
 WAIT=15 KEYS="ctrl+1" CLICKS="1205,609" shot facts.png "$scratch/knot.wend"
-WAIT=15 DRAG="1222 542 1222 542" shot repair.png "$scratch/vase.obj"
+WAIT=15 KEYS="ctrl+1" DRAG="1228 535 1228 535" shot repair.png "$scratch/vase.obj"
