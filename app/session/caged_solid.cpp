@@ -80,6 +80,10 @@ GapOpener openerOf(const Domain& domain, const Cage& cage) {
     return opener;
 }
 
+std::string textOf(const Vec<3>& place) {
+    return '(' + fourDigits(place.x()) + ", " + fourDigits(place.y()) + ", " + fourDigits(place.z()) + ')';
+}
+
 std::string textOf(const GapOpener& opener) {
     const std::string detail = fourDigits(opener.detail), volume = fourDigits(opener.maxVolume);
     const std::string vertices = std::to_string(opener.vertices);
@@ -96,7 +100,7 @@ std::string textOf(const GapOpener& opener) {
 void tellOfGaps(const Domain& domain, const Cage& cage, Shape<3>& solid) {
     if (cage.gaps.empty()) return;
     const ClosedGap& first = cage.gaps.front();
-    const std::string size = fourDigits(first.width), place = placeName<3>(first.place);
+    const std::string size = fourDigits(first.width), place = textOf(first.place);
     solid.notices.push_back(
         (cage.gaps.size() == 1 ? "the cage closes a gap within one part, " + size + " wide near " + place
                                : "the cage closes " + std::to_string(cage.gaps.size()) +

@@ -267,13 +267,15 @@ void TestSolid::gapsThatACageClosesAreTold() {
     const Shape<3> coarse = caged(1000);
     const QString told = QString::fromStdString(coarse.notices.at(0));
     const QRegularExpression form(
-        "^the cage closes a gap within one part, 0.1 wide near \\(0.25, [^,]*, [^,]*\\): what "
+        "^the cage closes a gap within one part, 0.1 wide near \\(0.25, ([^,]*), ([^,]*)\\): what "
         "lies on both sides moves together; about (\\d+) vertices open the widest$");
     const auto match = form.match(told);
     QVERIFY2(match.hasMatch(), qPrintable(told));
+    for (const int i : {1, 2})
+        QCOMPARE(match.captured(i), QString::number(match.captured(i).toDouble(), 'g', 4));  // no more digits
     const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(cageJson(*coarse.cage)));
     QVERIFY(std::abs(json["gaps"][0]["width"].toDouble() - 0.1) < 1e-6);
-    const Shape<3> fine = caged(match.captured(1).toInt());
+    const Shape<3> fine = caged(match.captured(3).toInt());
     QVERIFY(fine.notices.empty() && fine.cage->gaps.empty());
 }
 
