@@ -175,10 +175,17 @@ bool Properties::isDue(const When& when) const {
     return when.modes.has(m_tools.mode()) || (when.on && when.on->isChecked());
 }
 
-/// What matters most in a step stands at its top.
+/// What matters most in a step stands at its top; what a tool brings within the step is brought into view.
 void Properties::arrange() {
-    if (std::exchange(m_mode, m_tools.mode()) != m_tools.mode()) m_scroll->verticalScrollBar()->setValue(0);
-    for (const Place& one : m_places) one.holder->setVisible(isDue(one.when));
+    const bool isNewStep = std::exchange(m_mode, m_tools.mode()) != m_tools.mode();
+    if (isNewStep) m_scroll->verticalScrollBar()->setValue(0);
+    for (const Place& one : m_places) {
+        const bool comes = one.holder->isHidden() && isDue(one.when);
+        one.holder->setVisible(isDue(one.when));
+        if (comes && one.when.tool && !isNewStep)
+            QTimer::singleShot(0, one.holder,
+                               [this, &part = *one.holder] { m_scroll->ensureWidgetVisible(&part); });
+    }
     m_material->setVisible(m_tools.mode() != Mode::Export);  // its room is the preview's
     m_material->setBesideBrush(m_tools.mode() == Mode::Paint);
     m_reach->setVisible((Mode::Pins | Mode::Paint).has(m_tools.mode()));

@@ -16,9 +16,11 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
+#include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/pin_list.h"
+#include "app/panels/size_panel.h"
 #include "app/session/pin_shapes.h"
 #include "app/view/cheat_sheet.h"
 #include "app/view/export_panel.h"
@@ -39,6 +41,7 @@ class TestModes : public QObject {
     void init();
     void stepsHaveTheirToolsAndPanels_data();
     void stepsHaveTheirToolsAndPanels();
+    void toolsBringTheirPanelIntoView();
     void stepsRememberTheirTool_data();
     void stepsRememberTheirTool();
     void toolsBringTheirStep();
@@ -133,6 +136,27 @@ void TestModes::stepsHaveTheirToolsAndPanels() {
     tools().setMode(Mode::Pins);  // what is cut open has its numbers in every step
     m_f->actions().cut->trigger();
     QVERIFY(shows<CutPanel>());
+}
+
+/// In a low window, and not when the step is another one, which is seen from its top.
+void TestModes::toolsBringTheirPanelIntoView() {
+    QVERIFY(open(true));
+    m_f->window().resize(1200, 640);
+    tools().setMode(Mode::Mesh);
+    settleLayout(m_f->window().properties());
+    const auto comes = [this](const char* id, const QWidget& panel) {
+        QVERIFY2(!panel.isVisible(), id);
+        tool(id)->trigger();
+        QVERIFY2(QTest::qWaitFor([&] { return isInView(panel); }, 20000), id);
+    };
+    comes("measure", *m_f->window().findChild<MeasurePanel*>());
+    comes("sizes", *m_f->window().findChild<SizePanel*>());
+    tools().setMode(Mode::Pins);
+    tools().setMode(Mode::Mesh);  // with its brush
+    settleLayout(m_f->window().properties());
+    QTest::qWait(100);
+    const auto* scroll = m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
+    QVERIFY(tools().isChosen("sizes") && scroll->verticalScrollBar()->value() == 0);
 }
 
 void TestModes::stepsRememberTheirTool_data() {
