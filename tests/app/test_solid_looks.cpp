@@ -42,6 +42,7 @@ class TestSolidLooks : public QObject {
     void movedSolidsAreClosed();
     void solidAfterAMovedOneIsSeenWhole();
     void arrowsAreSeenBeforeEveryGround();
+    void whatIsUnderThePointerFollowsTheMap();
 
   private:
     QString file(const char* name, const QByteArray& text);
@@ -413,6 +414,25 @@ void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
             QVERIFY2(found >= 3, qPrintable(QString("%1: %2").arg(name).arg(found)));
         }
     common.systemLook->trigger();
+}
+
+/// Also while the pointer rests.
+void TestSolidLooks::whatIsUnderThePointerFollowsTheMap() {
+    open(project({}));
+    QString told;
+    const QObject listener;
+    connect(&canvas().viewport(), &Viewport::pointed, &listener,
+            [&told](const QString& text) { told = text; });
+    QTest::mouseMove(&canvas(), canvas().toWidget({0.3, -0.5, 0.1}).toPoint());
+    QTRY_VERIFY2(told.startsWith("Cell"), qPrintable(told));
+    m_window->actions().showMap->setChecked(true);
+    QVERIFY2(told.startsWith("Stretch") && told.contains("Cell"), qPrintable(told));
+    m_window->actions().showMap->setChecked(false);
+    QVERIFY2(told.startsWith("Cell"), qPrintable(told));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&canvas(), &leave);
+    m_window->actions().showMap->setChecked(true);
+    QVERIFY2(told.isEmpty(), qPrintable(told));
 }
 
 QTEST_MAIN(TestSolidLooks)

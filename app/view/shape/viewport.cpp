@@ -93,6 +93,7 @@ void Viewport::redraw(int milliseconds) {
 void Viewport::takeLooks() {
     wantField();
     m_view.showLooks();
+    if (m_pointer) emit pointed(m_view.pointerText(*m_pointer));
 }
 
 /// What shapes of the other dimension want is another view's.

@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <QTimer>
 #include <QWidget>
+#include <optional>
 
 #include "app/panels/pin_animation.h"
 #include "app/tools/tool.h"
@@ -110,6 +111,7 @@ class Viewport : public QObject {
     bool m_spaceDown = false;                         // the left button moves the view
     bool m_asksMenu = false;                          // the right button, which no tool has taken
     QPointF m_pressedAt;
+    std::optional<QPointF> m_pointer;  // where it is
     Looks m_looks;
     LegendLock* m_lock = nullptr;
     PinAnimation m_animation;

@@ -99,7 +99,8 @@ void Viewport::doubleClick(QMouseEvent& event) {
 /// A move from before the press, which the system brings late, does not lead the tool: it has no button down.
 void Viewport::move(QMouseEvent& event) {
     if (m_active && event.buttons() == Qt::NoButton) return;
-    emit pointed(m_view.pointerText(event.position()));
+    m_pointer = event.position();
+    emit pointed(m_view.pointerText(*m_pointer));
     if (!m_active && m_view.isNavigating()) return m_view.navigate(event, false);
     Tool* tool = m_active ? m_active : toolAt(event.position());
     if (!m_active && m_over && tool != m_over) m_over->move(event);
@@ -140,6 +141,7 @@ void Viewport::leave() {
     if (m_tool) m_tool->leave();
     m_animation.hover(hovered());
     m_overlay.update();
+    m_pointer.reset();
     emit pointed({});
 }
 
