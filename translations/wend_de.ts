@@ -6553,6 +6553,10 @@
         <source>Fix all faults of a kind</source>
         <translation>Alle Fehler einer Art beheben</translation>
     </message>
+    <message>
+        <source>Looking for what puts all of these right …</source>
+        <translation>Sucht, was sie alle in Ordnung bringt …</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6637,10 +6641,6 @@
         <translation>„Reparieren“ hilft nicht: ein Käfig um sie herum kann sie tragen.</translation>
     </message>
     <message>
-        <source>The simple repairs do not help: fit a cage.</source>
-        <translation>Die einfachen Reparaturen helfen nicht: bauen Sie einen Käfig.</translation>
-    </message>
-    <message>
         <source>Exact surface only</source>
         <translation>Nur die genaue Oberfläche</translation>
     </message>
@@ -6683,6 +6683,10 @@
     <message>
         <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
         <translation>Bringt von dieser Art alles in Ordnung, was einfache Schritte können, in einem Schritt, der sich rückgängig machen lässt; von Löchern die mit höchstens so vielen Kanten, wie unten gewählt sind.</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: the cage carries the surface as it is.</source>
+        <translation>„Reparieren“ hilft nicht: der Käfig trägt die Oberfläche, wie sie ist.</translation>
     </message>
 </context>
 <context>

@@ -6553,6 +6553,10 @@
         <source>Fix all faults of a kind</source>
         <translation>Corregir todos los fallos de un tipo</translation>
     </message>
+    <message>
+        <source>Looking for what puts all of these right …</source>
+        <translation>Buscando cómo corregirlos todos…</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6637,10 +6641,6 @@
         <translation>«Reparar» no lo soluciona: una jaula a su alrededor puede llevarla.</translation>
     </message>
     <message>
-        <source>The simple repairs do not help: fit a cage.</source>
-        <translation>Las reparaciones simples no bastan: cree una jaula.</translation>
-    </message>
-    <message>
         <source>Exact surface only</source>
         <translation>Solo superficie exacta</translation>
     </message>
@@ -6683,6 +6683,10 @@
     <message>
         <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
         <translation>Corrige todos los de este tipo que unos pasos sencillos puedan corregir, en un solo paso que se puede deshacer; de los agujeros, los que no tengan más bordes que los elegidos abajo.</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: the cage carries the surface as it is.</source>
+        <translation>«Reparar» no lo soluciona: la jaula lleva la superficie tal como está.</translation>
     </message>
 </context>
 <context>

@@ -6553,6 +6553,10 @@
         <source>Fix all faults of a kind</source>
         <translation>Corriger tous les défauts d’un type</translation>
     </message>
+    <message>
+        <source>Looking for what puts all of these right …</source>
+        <translation>Recherche de ce qui les corrige tous…</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6637,10 +6641,6 @@
         <translation>«&#x202f;Réparer&#x202f;» ne suffit pas&#x202f;: une cage autour d’elle peut la porter.</translation>
     </message>
     <message>
-        <source>The simple repairs do not help: fit a cage.</source>
-        <translation>Les réparations simples ne suffisent pas&#x202f;: créez une cage.</translation>
-    </message>
-    <message>
         <source>Exact surface only</source>
         <translation>Surface exacte seule</translation>
     </message>
@@ -6683,6 +6683,10 @@
     <message>
         <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
         <translation>Corrige tous les défauts de ce type que des étapes simples corrigent, en une seule étape d’annulation&#x202f;; parmi les trous, ceux qui n’ont pas plus d’arêtes que choisi plus bas.</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: the cage carries the surface as it is.</source>
+        <translation>«&#x202f;Réparer&#x202f;» ne suffit pas&#x202f;: la cage porte la surface telle qu’elle est.</translation>
     </message>
 </context>
 <context>

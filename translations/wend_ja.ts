@@ -6542,6 +6542,10 @@
         <source>Fix all faults of a kind</source>
         <translation>同じ種類の不具合をすべて修正</translation>
     </message>
+    <message>
+        <source>Looking for what puts all of these right …</source>
+        <translation>すべてを直す方法を探しています…</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6626,10 +6630,6 @@
         <translation>「修復」では直せませんが、包むケージに追従させることができます。</translation>
     </message>
     <message>
-        <source>The simple repairs do not help: fit a cage.</source>
-        <translation>簡単な修復では直せません。ケージを作ってください。</translation>
-    </message>
-    <message>
         <source>Exact surface only</source>
         <translation>正確なサーフェスのみ</translation>
     </message>
@@ -6672,6 +6672,10 @@
     <message>
         <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
         <translation>この種類のうち簡単な手順で直せるものを、一回で取り消せる一つの手順ですべて直します。穴は、辺の数が下で選んだ数以下のものだけです。</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: the cage carries the surface as it is.</source>
+        <translation>「修復」では直せませんが、サーフェスはそのままケージに追従します。</translation>
     </message>
 </context>
 <context>

@@ -6542,6 +6542,10 @@
         <source>Fix all faults of a kind</source>
         <translation>修正某一类的所有问题</translation>
     </message>
+    <message>
+        <source>Looking for what puts all of these right …</source>
+        <translation>正在寻找全部修正的方法…</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6626,10 +6630,6 @@
         <translation>“修复”无效：可用包围它的笼体来承载。</translation>
     </message>
     <message>
-        <source>The simple repairs do not help: fit a cage.</source>
-        <translation>简单修复无效：请生成笼体。</translation>
-    </message>
-    <message>
         <source>Exact surface only</source>
         <translation>仅精确表面</translation>
     </message>
@@ -6672,6 +6672,10 @@
     <message>
         <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
         <translation>修正此类中简单步骤能修正的全部问题，只占一步撤销；孔洞只修正边数不超过下方所选数目的。</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: the cage carries the surface as it is.</source>
+        <translation>“修复”无效：笼体按原样承载该表面。</translation>
     </message>
 </context>
 <context>
