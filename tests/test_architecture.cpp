@@ -137,8 +137,8 @@ void TestArchitecture::headersRebuildFewFiles_data() {
     QTest::addColumn<int>("all");      // … and with those of the tests
     QTest::newRow("distortion") << "core/energy/distortion.h" << 20 << 30;
     QTest::newRow("warp") << "warp/warp.h" << 20 << 30;
-    QTest::newRow("mesh file") << "core/mesh/mesh_file.h" << 30 << 45;
-    QTest::newRow("project") << "app/document/project.h" << 30 << 88;
+    QTest::newRow("mesh file") << "core/mesh/mesh_file.h" << 25 << 30;
+    QTest::newRow("project") << "app/document/project.h" << 20 << 30;
     QTest::newRow("options") << "app/document/options.h" << 50 << 60;
     QTest::newRow("settings") << "app/document/settings.h" << 15 << 20;
     QTest::newRow("solver") << "core/solver/velocity_solver.h" << 25 << 55;

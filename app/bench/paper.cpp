@@ -123,7 +123,7 @@ class Figurist {
     template <int Dim>
     Figures addRun(const std::string& what, const SimplicialMesh<Dim>& rest, const std::string& projectFile,
                    const std::string& poseFile, bool middle) {
-        const Project project = readProject(projectFile).project;
+        const auto project = readProject(projectFile).project;
         RunOptions options;
         options.fields = false;
         options.outputs.mesh = poseFile;
@@ -131,7 +131,7 @@ class Figurist {
         RunWatch watch;
         watch.stop = m_recorder.stop();
         AdvanceResult result;
-        const Timing time = measureOnce([&] { result = runProject(project, projectFile, options, watch); });
+        const Timing time = measureOnce([&] { result = runProject(*project, projectFile, options, watch); });
         if (result.outcome != Outcome::Done) throw InputError(projectFile, result.message);
         const Points<Dim> pose = readMesh<Dim>(poseFile).points;
         Figures figures = figuresOf<Dim>(rest, pose);

@@ -15,7 +15,8 @@
 #include "app/bench/body.h"
 #include "app/bench/test_picture.h"
 #include "app/bench/window_drag.h"
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
@@ -80,12 +81,12 @@ OpenedFile fileOf(int vertices, double phi, const OwnSettings& settings);
 
 template <>
 OpenedFile fileOf<2>(int vertices, double phi, const OwnSettings&) {
-    auto project = std::make_shared<Project>();
-    project->domain.vertices = vertices;
+    auto project = newProject();
+    domainOf(*project).vertices = vertices;
     Design<2> design;
     design.material.phi = phi;
     design.handles = ends<2>(kPictureWidth);
-    project->design = std::move(design);
+    designOf(*project) = std::move(design);
     OpenedFile file;
     file.project = std::move(project);
     file.picture = std::make_shared<const Image>(testPicture(kPictureWidth, kPictureHeight));
@@ -94,15 +95,16 @@ OpenedFile fileOf<2>(int vertices, double phi, const OwnSettings&) {
 
 template <>
 OpenedFile fileOf<3>(int vertices, double phi, const OwnSettings& settings) {
-    auto project = std::make_shared<Project>();
+    auto project = newProject();
     const Body<3> body = makeBody<3>(vertices);
-    project->domain.kind = DomainKind::Mesh;
-    project->domain.path = settings.file("body.vtu").toStdString();
-    writeMesh<3>(project->domain.path, *body.rest);
+    Domain& domain = domainOf(*project);
+    domain.kind = DomainKind::Mesh;
+    domain.path = settings.file("body.vtu").toStdString();
+    writeMesh<3>(domain.path, *body.rest);
     Design<3> design;
     design.material.phi = phi;
     design.handles = ends<3>(body.rest->points.row(0).maxCoeff());
-    project->design = std::move(design);
+    designOf(*project) = std::move(design);
     OpenedFile file;
     file.project = std::move(project);
     return file;

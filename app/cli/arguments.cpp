@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/document/pixel_rect.h"
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "app/document/rgb_text.h"
 #include "app/document/settings.h"
 #include "core/energy/material.h"
@@ -130,7 +130,7 @@ double Arguments::value(const Option& option, int dim) const {
 void takeSettings(Project& project, const Arguments& arguments) {
     for (const Option& one : options())
         if (one.field.at.set && arguments.has(std::string(one.flag)))
-            one.field.at.set(project, arguments.value(one, project.dimension()));
+            one.field.at.set(project, arguments.value(one, dimensionOf(project)));
 }
 
 void requireFitting(const Project& project, const Arguments& arguments) {

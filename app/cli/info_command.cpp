@@ -6,6 +6,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
 #include "app/document/project_reader.h"
@@ -14,7 +16,8 @@
 #include "app/session/told_units.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/same_file.h"
 #include "core/mesh/segments.h"
@@ -66,7 +69,7 @@ Json problemsInfo(const MeshInspection& inspection) {
 
 Json fieldsInfo(const MeshFile& file) {
     Json fields = Json::array();
-    for (const MeshField& field : file.fields)
+    for (const MeshField& field : fieldsOf(file))
         fields.push_back({{"name", field.name},
                           {"per", field.perCell ? "cell" : "vertex"},
                           {"components", field.components}});
@@ -100,8 +103,7 @@ void saveSuspects(const MeshFile& file, const MeshInspection& inspection, const 
     if (path.empty()) return;
     if (inspection.suspects.empty()) return Terminal::error(path + " was not written: there are no problems");
     OutputSet files;
-    const MeshFile suspects = suspectsOf(file, inspection);
-    files.add(path, ".vtu", [&](const std::string& name) { writeMeshFile(name, suspects); });
+    files.add(path, ".vtu", [&](const std::string& name) { writeSuspects(name, file, inspection); });
     files.commit();
 }
 
@@ -131,9 +133,9 @@ std::string fitOf(const MeshInspection& inspection) {
 }
 
 Json meshInfo(const std::string& path, const std::string& problemsFile) {
-    const MeshFile file = readMeshFile(path);
-    const MeshInspection inspection = inspect(file);
-    saveSuspects(file, inspection, problemsFile);
+    const auto file = sharedMeshFile(path);
+    const MeshInspection inspection = inspect(*file);
+    saveSuspects(*file, inspection, problemsFile);
     const int dimension = inspection.dimension;
     Json json{{"kind", dimension == 3   ? "volume mesh"
                        : dimension == 2 ? "planar mesh"
@@ -152,8 +154,8 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
     if (inspection.volume > 0) json["volume"] = inspection.volume;
     if (dimension == 0 && inspection.facts) json["fit"] = fitOf(inspection);
     if (inspection.intersectingPairs) json["intersectingPairs"] = *inspection.intersectingPairs;
-    json["uv"] = file.uv.cols() > 0;
-    if (!file.fields.empty()) json["fields"] = fieldsInfo(file);
+    json["uv"] = uvOf(*file).cols() > 0;
+    if (!fieldsOf(*file).empty()) json["fields"] = fieldsInfo(*file);
     json["problems"] = problemsInfo(inspection);
     return json;
 }
@@ -198,13 +200,14 @@ Json domainInfo(const Domain& domain) {
 
 Json projectInfo(const std::string& path) {
     const LoadedProject loaded = readProject(path);
-    const Project& project = loaded.project;
-    const std::string file = pathIn(folderOf(path), project.domain.path);
+    const Project& project = *loaded.project;
+    const Domain& domain = domainOf(project);
+    const std::string file = pathIn(folderOf(path), domain.path);
     Json json{{"kind", "project"},
-              {"dimension", project.dimension()},
-              {"domain", domainInfo(project.domain)},
-              {"end", project.end}};
-    std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
+              {"dimension", dimensionOf(project)},
+              {"domain", domainInfo(domain)},
+              {"end", endOf(project)}};
+    std::visit([&](const auto& design) { addDesign(json, design); }, designOf(project));
     json["warnings"] = loaded.warnings;
     std::error_code error;
     if (!std::filesystem::exists(file, error))

@@ -5,6 +5,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
 #include "app/document/project_reader.h"
@@ -42,7 +44,7 @@ void requireConsistent(const Arguments& arguments) {
 void readDomain(const Arguments& arguments, Project& project) {
     requireConsistent(arguments);
     takeSettings(project, arguments);
-    Domain& domain = project.domain;
+    Domain& domain = domainOf(project);
     for (const char* flag : {"--cage", "--cage-detail", "--cage-offset"})
         if (arguments.has(flag)) domain.fit = Fit::Cage;
     if (arguments.has("--no-cage")) domain.fit = Fit::Exact;
@@ -53,16 +55,16 @@ void readDomain(const Arguments& arguments, Project& project) {
 }
 
 /// A project that is nothing but this domain.
-Project domainOnly(DomainKind kind, const std::string& path) {
-    Project project;
-    project.domain.kind = kind;
-    project.domain.path = path;
-    if (kind == DomainKind::Surface) project.design = Design<3>{};
+std::shared_ptr<Project> domainOnly(DomainKind kind, const std::string& path) {
+    auto project = newProject();
+    domainOf(*project).kind = kind;
+    domainOf(*project).path = path;
+    if (kind == DomainKind::Surface) designOf(*project) = Design<3>{};
     return project;
 }
 
 struct Input {
-    Project project;
+    std::shared_ptr<Project> project;
     std::string folder;  // that its paths are relative to
 };
 
@@ -76,10 +78,10 @@ Input inputFrom(const std::string& path, Terminal& terminal) {
     if (isMeshName(path)) return {domainOnly(DomainKind::Surface, path), ""};
     Input input{domainOnly(DomainKind::Image, path), ""};
     if (lowerExtension(path) == ".json") {
-        input.project.domain.outline = OutlineKind::Polygons;
-        input.project.domain.polygons = readOutlineFile(path);
+        domainOf(*input.project).outline = OutlineKind::Polygons;
+        domainOf(*input.project).polygons = readOutlineFile(path);
     } else if (readImageHeader(path).alpha) {
-        input.project.domain.outline = OutlineKind::Alpha;
+        domainOf(*input.project).outline = OutlineKind::Alpha;
     }
     return input;
 }
@@ -92,12 +94,12 @@ struct Meshed {
 };
 
 Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop) {
-    const Project& project = input.project;
+    const Project& project = *input.project;
     if (lowerExtension(path) == ".json") {
         Meshed meshed;
-        const auto rest =
-            meshPicture(project.domain, std::get<Design<2>>(project.design), project.domain.polygons, stop);
-        tellOfAim(project.domain, *rest, meshed.notices);
+        const Domain& domain = domainOf(project);
+        const auto rest = meshPicture(domain, designOf<2>(project), domain.polygons, stop);
+        tellOfAim(domain, *rest, meshed.notices);
         tellOfHanging<2>(*rest, meshed.notices);
         meshed.file = toMeshFile<2>(*rest);
         return meshed;
@@ -134,13 +136,13 @@ ExitCode runMesh(const Arguments& arguments) try {
     Input input = inputFrom(path, terminal);
     if (lowerExtension(path) == ".json" && arguments.has("--outline"))
         throw UsageError("--outline is for pictures");
-    readDomain(arguments, input.project);
+    readDomain(arguments, *input.project);
     RunOutputs outputs;
     outputs.mesh = output;
     const std::vector<OwnInput> inputs =
-        inputsOf(input.project.domain, input.project.design, path, input.folder);
+        inputsOf(domainOf(*input.project), designOf(*input.project), path, input.folder);
     if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);
-    requirePossible(input.project, outputs);
+    requirePossible(*input.project, outputs);
 
     Interrupt interrupt;
     terminal.progress("meshing", 0);

@@ -5,6 +5,7 @@
 #include "app/cli/terminal.h"
 #include "app/document/material_edits.h"
 #include "app/document/named_files.h"
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/session/material_picture.h"
 #include "app/session/overwriting.h"
@@ -91,18 +92,18 @@ ExitCode runRun(const Arguments& arguments) {
     const auto shown =
         arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
     Terminal terminal(shown, arguments.has("--quiet"));
-    LoadedProject loaded = readProject(path);
+    const LoadedProject loaded = readProject(path);
+    Project& project = *loaded.project;
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
-    override(loaded.project, arguments);
-    paint(loaded.project, folderOf(path), arguments);
-    const std::vector<OwnInput> inputs =
-        inputsOf(loaded.project.domain, loaded.project.design, path, folderOf(path));
+    override(project, arguments);
+    paint(project, folderOf(path), arguments);
+    const std::vector<OwnInput> inputs = inputsOf(project.domain, project.design, path, folderOf(path));
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
     if (!asksForAnything(options.outputs))
         terminal.warn(path + ": no output was asked for; nothing will be written");
-    if (options.at && *options.at > loaded.project.end)
-        terminal.warn(path + ": nothing moves after its end at time " + shortNumber(loaded.project.end));
+    if (options.at && *options.at > project.end)
+        terminal.warn(path + ": nothing moves after its end at time " + shortNumber(project.end));
 
     Interrupt interrupt;
     RunWatch watch;
@@ -110,7 +111,7 @@ ExitCode runRun(const Arguments& arguments) {
     watch.notice = [&](const std::string& text) { terminal.warn(path + ": " + text); };
     watch.summary = [&](const std::string& text) { terminal.tell(path + ": " + text); };
     watch.progress = [&](const std::string& work, double fraction) { terminal.progress(work, fraction); };
-    const AdvanceResult result = runProject(loaded.project, path, options, watch);
+    const AdvanceResult result = runProject(project, path, options, watch);
     if (result.outcome == Outcome::Done) return ExitCode::Done;
     Terminal::error(path + ": " + result.message);
     return ExitCode::Incomplete;

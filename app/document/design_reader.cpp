@@ -2,7 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/project_fwd.h"
 #include "app/document/rgb_text.h"
 #include "app/document/setting_json.h"
 #include "core/mesh/error.h"
@@ -355,7 +356,7 @@ void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
 
 template <int Dim>
 void readMaterial(const JsonValue& value, Project& project) {
-    MaterialSpec<Dim>& spec = std::get<Design<Dim>>(project.design).material;
+    MaterialSpec<Dim>& spec = designOf<Dim>(project).material;
     JsonObject object(value);
     readSettings(object, "material", project);
     if (auto smoothing = object.find("smoothing")) readSmoothing(*smoothing, project);

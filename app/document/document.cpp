@@ -115,9 +115,12 @@ bool Document::hasOtherView() {
 }
 
 void Document::change(const QString& name, Project after, const QString& mergeKey) {
-    auto value = std::make_shared<const Project>(std::move(after));
+    change(name, std::make_shared<const Project>(std::move(after)), mergeKey);
+}
+
+void Document::change(const QString& name, std::shared_ptr<const Project> after, const QString& mergeKey) {
     const QString& key = m_stepKey.isEmpty() ? mergeKey : m_stepKey;
-    m_undo.push(new ProjectCommand(*this, name, m_project, std::move(value), key));
+    m_undo.push(new ProjectCommand(*this, name, m_project, std::move(after), key));
 }
 
 void Document::beginStep() {

@@ -85,6 +85,7 @@ class Document : public QObject {
 
     /// One undo step. Steps with the same key that follow each other merge.
     void change(const QString& name, Project after, const QString& mergeKey = {});
+    void change(const QString& name, std::shared_ptr<const Project> after, const QString& mergeKey = {});
     void changeDomain(const QString& name, Domain after, const QString& mergeKey = {});
     void changeDesign(const QString& name, AnyDesign after, const QString& mergeKey = {});
     void changeDepth(const QString& name, DepthRegions after, const QString& mergeKey = {});

@@ -24,7 +24,7 @@ Design<Dim>& design(Project& project) {
 }
 
 template <int Dim>
-double endOf(const Project& project) {
+double motionEnd(const Project& project) {
     return hasMotion(designOf<Dim>(project)) ? project.end : 0;
 }
 
@@ -93,7 +93,7 @@ bool movesAfter(const Design<Dim>& design, double time) {
 }
 
 double motionEnd(const Project& project) {
-    return project.dimension() == 2 ? endOf<2>(project) : endOf<3>(project);
+    return project.dimension() == 2 ? motionEnd<2>(project) : motionEnd<3>(project);
 }
 
 bool takesTheEnd(const Project& project, double from) {

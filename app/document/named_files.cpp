@@ -10,7 +10,8 @@
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_of_file.h"
 
 namespace wend {
 
@@ -26,7 +27,7 @@ namespace {
 
 /// The values per cell of that name; empty if there are none.
 std::vector<double> cellField(const MeshFile& file, const std::string& name, int components) {
-    for (const MeshField& field : file.fields)
+    for (const MeshField& field : fieldsOf(file))
         if (field.perCell && field.name == name) {
             if (field.components == components) return field.values;
             throw InputError("field " + name + ": has " + std::to_string(field.components) +
@@ -54,7 +55,7 @@ bool isMeshFile(const std::string& path) {
 
 template <int Dim>
 void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
-    if (isMeshFile(path)) return readCellFields<Dim>(readMeshFile(path), spec);
+    if (isMeshFile(path)) return readCellFields<Dim>(*sharedMeshFile(path), spec);
     const auto json = parseJson(readTextFile(path), path);
     Extras extras;
     std::vector<std::string> warnings;

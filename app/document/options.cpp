@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "app/document/option_values.h"
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "core/energy/material.h"
 #include "core/mesh/mesh_formats.h"
 
@@ -59,7 +59,7 @@ const Option& option(std::string_view keyOrFlag) {
 }
 
 double defaultOf(const Option& option) {
-    return option.field.at.get ? option.field.at.get(Project{})
+    return option.field.at.get ? option.field.at.get(*newProject())
                                : finiteNumber(std::string(option.fallback)).value_or(0);
 }
 
@@ -69,7 +69,7 @@ double defaultOf(std::string_view keyOrFlag) {
 
 std::string defaultText(const Option& option) {
     if (!option.field.at.get) return std::string(option.fallback);
-    const double value = option.field.at.get(Project{});
+    const double value = option.field.at.get(*newProject());
     if (option.kind == Flag || (option.kind != Phi && !option.range.contains(value))) return {};
     return textOf(option, value);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -23,10 +24,23 @@ using DepthRegions = std::vector<DepthRegion>;
 // The parts of a project: who needs one of them includes its header alone.
 int dimensionOf(const Project& project);
 const Domain& domainOf(const Project& project);
+Domain& domainOf(Project& project);
+const AnyDesign& designOf(const Project& project);
+AnyDesign& designOf(Project& project);
 template <int Dim>
 const Design<Dim>& designOf(const Project& project);
+template <int Dim>
+Design<Dim>& designOf(Project& project);
+const DepthRegions& depthOf(const Project& project);
+DepthRegions& depthOf(Project& project);
+double endOf(const Project& project);
+double& endOf(Project& project);
 const std::vector<SettleWindow>& settlingOf(const Project& project);
 /// How the project is integrated, with its end: for every deformer of it.
 IntegrationOptions integrationOf(const Project& project);
+
+/// A project to be changed: an empty one, or one as `project` is.
+std::shared_ptr<Project> newProject();
+std::shared_ptr<Project> copyOf(const Project& project);
 
 }  // namespace wend

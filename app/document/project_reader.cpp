@@ -6,6 +6,7 @@
 #include "app/document/design_reader.h"
 #include "app/document/json_text.h"
 #include "app/document/named_files.h"
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/document/setting_json.h"
 #include "app/document/text_file.h"
@@ -257,8 +258,8 @@ void readView(const JsonValue& value, Project& project) {
 }
 
 LoadedProject readRoot(const Json& json, const std::string& folder) {
-    LoadedProject loaded;
-    Project& project = loaded.project;
+    LoadedProject loaded{newProject(), {}};
+    Project& project = *loaded.project;
     JsonObject root(JsonValue(json, "", project.extras, loaded.warnings));
     checkFormat(root);
     readDomain(root.require("domain"), project);

@@ -1,15 +1,16 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 
 namespace wend {
 
 /// A loaded project and what the user should hear about it.
 struct LoadedProject {
-    Project project;
+    std::shared_ptr<Project> project;
     std::vector<std::string> warnings;  // unknown keys …
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/document/document.h"
-#include "app/document/project.h"
 #include "app/document/settings.h"
 
 namespace wend {
@@ -12,12 +11,12 @@ namespace wend {
 void changeSetting(Document& document, std::string_view key, double value, int gesture) {
     const Option& setting = option(key);
     if (document.isEmpty() || value == setting.field.at.get(*document.project())) return;
-    Project next = *document.project();
-    if (setting.kind == OptionKind::Phi) value = std::min(value, rangeOf(setting, next.dimension()).max);
-    setting.field.at.set(next, value);
+    const auto next = copyOf(*document.project());
+    if (setting.kind == OptionKind::Phi) value = std::min(value, rangeOf(setting, document.dimension()).max);
+    setting.field.at.set(*next, value);
     const bool merges = setting.kind != OptionKind::Flag && setting.kind != OptionKind::Choice;
     const QString name = QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
-    document.change(QCoreApplication::translate("Options", setting.row.undo), std::move(next),
+    document.change(QCoreApplication::translate("Options", setting.row.undo), next,
                     merges ? QStringLiteral("%1 %2").arg(name).arg(gesture) : QString());
 }
 

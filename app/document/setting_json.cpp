@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "app/document/settings.h"
+#include "core/energy/material.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -39,7 +40,7 @@ void readSettings(JsonObject& object, std::string_view group, Project& project) 
     for (const Option& one : options())
         if (const auto name = nameIn(group, one); name && isFor(one, project))
             if (const auto value = object.find(*name))
-                one.field.at.set(project, valueFrom(*value, one, project.dimension()));
+                one.field.at.set(project, valueFrom(*value, one, dimensionOf(project)));
 }
 
 void writeSettings(Json& json, std::string_view group, const Project& project) {
@@ -48,7 +49,7 @@ void writeSettings(Json& json, std::string_view group, const Project& project) {
         if (!name || !isFor(one, project)) continue;
         const double value = one.field.at.get(project);
         if (one.field.inFile == InFile::Always || value != defaultOf(one))
-            json[*name] = jsonOf(value, one, project.dimension());
+            json[*name] = jsonOf(value, one, dimensionOf(project));
     }
 }
 

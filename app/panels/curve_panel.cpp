@@ -77,15 +77,11 @@ void CurvePanel::makeControls() {
 }
 
 void CurvePanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(10);
+    auto* layout = bareColumn(this, 10);
     layout->addWidget(panelRowIn(tr("Ease"), m_ease, this));
     layout->addWidget(m_make);
     layout->addWidget(m_curve);
-    auto* curve = new QVBoxLayout(m_curve);
-    curve->setContentsMargins(0, 0, 0, 0);
-    curve->setSpacing(10);
+    auto* curve = bareColumn(m_curve, 10);
     curve->addLayout(panelRow(tr("Rot&ate with path"), m_frame, m_curve));
     curve->addWidget(m_twistRow = panelRowIn(tr("T&wist"), m_twist, m_curve));
     curve->addLayout(panelRow(tr("S&cale"), m_scale, m_curve));

@@ -71,14 +71,10 @@ void CutPanel::makeControls() {
 }
 
 void CutPanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Cut"), this));
     layout->addLayout(panelRow(tr("&Look inside"), m_kind, this));
-    auto* inner = new QVBoxLayout(m_numbers);
-    inner->setContentsMargins(0, 0, 0, 0);
-    inner->setSpacing(10);
+    auto* inner = bareColumn(m_numbers, 10);
     auto* ways = new QHBoxLayout;
     for (QToolButton* button : m_ways) ways->addWidget(button);
     ways->addStretch(1);

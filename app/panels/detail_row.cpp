@@ -14,9 +14,7 @@ DetailRow::DetailRow(QWidget* parent)
       m_name(secondLabel({}, this)),
       m_choose(new QToolButton(this)),
       m_remove(new QToolButton(this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* layout = bareColumn(this, 6);
     m_choose->setText(tr("Choose…"));
     m_choose->setObjectName(QStringLiteral("chooseDetail"));
     m_remove->setText(tr("Remove"));

@@ -24,9 +24,7 @@ FoldingSection::FoldingSection(const QString& title, const QString& help, const 
     describe(m_title, title, help);
     m_parts->setContentsMargins(0, 0, 0, 0);
     m_parts->setSpacing(0);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = bareColumn(this, 0);
     column->addWidget(m_title);
     column->addWidget(m_body);
     connect(m_title, &QToolButton::toggled, this, [this](bool open) {

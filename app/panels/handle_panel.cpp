@@ -70,9 +70,7 @@ void HandlePanel::makeControls() {
 }
 
 void HandlePanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     auto* title = new QHBoxLayout;
     title->addWidget(panelTitle(tr("Pin"), this));
     title->addStretch(1);
@@ -80,9 +78,7 @@ void HandlePanel::arrange() {
     layout->addLayout(title);
     layout->addWidget(m_none);
     layout->addWidget(m_body);
-    auto* body = new QVBoxLayout(m_body);
-    body->setContentsMargins(0, 0, 0, 0);
-    body->setSpacing(10);
+    auto* body = bareColumn(m_body, 10);
     m_step = new QHBoxLayout;
     m_step->setSpacing(4);
     m_step->addWidget(m_kind);

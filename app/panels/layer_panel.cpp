@@ -103,9 +103,7 @@ void LayerPanel::makeControls() {
 }
 
 void LayerPanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     auto* head = new QHBoxLayout;
     head->addWidget(panelTitle(tr("Layers"), this));
     head->addStretch(1);
@@ -119,9 +117,7 @@ void LayerPanel::arrange() {
     buttons->addWidget(m_remove);
     layout->addLayout(buttons);
     const auto column = [](QWidget* of) {
-        auto* values = new QVBoxLayout(of);
-        values->setContentsMargins(0, 0, 0, 0);
-        values->setSpacing(8);
+        auto* values = bareColumn(of, 8);
         return values;
     };
     QVBoxLayout* paint = column(m_paint);

@@ -58,9 +58,7 @@ MeasurePanel::MeasurePanel(ShapeSession& session, QWidget* parent)
       m_part(secondLabel({}, this)),
       m_point(secondLabel({}, this)),
       m_cell(secondLabel({}, this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Measures"), this));
     m_whole->setObjectName(QStringLiteral("measureWhole"));
     m_part->setObjectName(QStringLiteral("measurePart"));

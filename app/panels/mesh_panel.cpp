@@ -76,9 +76,7 @@ void MeshPanel::makeControls() {
 }
 
 void MeshPanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Mesh"), this));
     const auto add = [&](QWidget* widget) {
         layout->addWidget(widget);

@@ -60,9 +60,7 @@ void PaintPanel::makeControls() {
 
 QWidget* PaintPanel::stiffPage() {
     auto* page = new QWidget(this);
-    auto* layout = new QVBoxLayout(page);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
+    auto* layout = bareColumn(page, 8);
     layout->addLayout(panelRow(tr("St&iffness"), m_ratio, page));
     layout->addLayout(panelRow(tr("Di&rection"), m_direction, page));
     layout->addWidget(m_numbersRow);
@@ -71,9 +69,7 @@ QWidget* PaintPanel::stiffPage() {
 }
 
 void PaintPanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("The brush paints"), this));
     m_pages->addWidget(m_phi);
     m_pages->addWidget(stiffPage());

@@ -27,6 +27,26 @@ QFrame* panelLine(QWidget* parent) {
     return line;
 }
 
+QVBoxLayout* sectionColumn(QWidget* in) {
+    auto* column = bareColumn(in, 10);
+    column->setContentsMargins(16, 14, 16, 14);
+    return column;
+}
+
+QVBoxLayout* bareColumn(QWidget* in, int spacing) {
+    auto* column = new QVBoxLayout(in);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(spacing);
+    return column;
+}
+
+QHBoxLayout* bareRow(QWidget* in, int spacing) {
+    auto* row = new QHBoxLayout(in);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(spacing);
+    return row;
+}
+
 QString tableLine(const QString& name, const QString& value) {
     return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
 }

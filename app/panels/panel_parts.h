@@ -14,6 +14,10 @@ namespace wend {
 QLabel* panelTitle(const QString& text, QWidget* parent);
 QLabel* secondLabel(const QString& text, QWidget* parent);
 QFrame* panelLine(QWidget* parent);
+/// The column of a section, and a column or a row of what has no margins of its own.
+QVBoxLayout* sectionColumn(QWidget* in);
+QVBoxLayout* bareColumn(QWidget* in, int spacing);
+QHBoxLayout* bareRow(QWidget* in, int spacing);
 /// Label on the left, control on the right; the label's mnemonic goes to the control.
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
 /// The same in a widget that can be hidden.

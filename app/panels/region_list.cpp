@@ -80,9 +80,7 @@ void RegionList::makeControls() {
 }
 
 void RegionList::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     auto* head = new QHBoxLayout;
     head->addWidget(panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this));
     head->addStretch(1);

@@ -73,9 +73,7 @@ void RegionNumbers::makeControls() {
 }
 
 void RegionNumbers::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(10);
+    auto* layout = bareColumn(this, 10);
     layout->addLayout(panelRow(tr("&Region"), m_kind, this));
     for (const auto& [name, boxes] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
         layout->addWidget(name);

@@ -16,9 +16,7 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
       m_numbers(new RegionNumbers(this)),
       m_radius(new ExactBox(this)),
       m_count(secondLabel({}, this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Region"), this));
     layout->addWidget(m_numbers);
     m_radius->setObjectName(QStringLiteral("circleRadius"));

@@ -93,9 +93,7 @@ void SizePanel::makeAddMenu() {
 }
 
 void SizePanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Cell sizes"), this));
     layout->addLayout(panelRow(tr("E&dges"), m_factor, this));
     layout->addWidget(m_list);
@@ -104,9 +102,7 @@ void SizePanel::arrange() {
     buttons->addStretch(1);
     buttons->addWidget(m_remove);
     layout->addLayout(buttons);
-    auto* shape = new QVBoxLayout(m_shape);
-    shape->setContentsMargins(0, 0, 0, 0);
-    shape->setSpacing(10);
+    auto* shape = bareColumn(m_shape, 10);
     shape->addWidget(m_numbers);
     shape->addLayout(panelRow(tr("Soft ed&ge"), m_feather, m_shape));
     layout->addWidget(m_shape);

@@ -5,7 +5,6 @@
 #include "app/session/brush.h"
 #include "app/session/shape_session.h"
 
-class QDoubleSpinBox;
 class QLabel;
 class QListWidget;
 class QToolButton;

@@ -41,9 +41,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
 }
 
 void SurfacePanel::arrange() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
+    auto* layout = sectionColumn(this);
     m_title->setWordWrap(true);
     layout->addWidget(m_title);
     layout->addWidget(m_kind);

@@ -9,7 +9,7 @@
 #include "app/document/domain.h"
 #include "app/document/options.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/cage.h"
@@ -31,13 +31,10 @@ int placeCount(const Skin& skin) {
 }
 
 std::shared_ptr<const MeshFile> fileOf(const SimplicialMesh<3>& mesh) {
-    auto file = std::make_shared<MeshFile>(toMeshFile<3>(mesh));
-    file->made = true;
+    std::vector<std::array<int, 3>> boundary;
     for (const auto& facet : facetsOf(mesh))
-        if (!facet.interior()) file->triangles.push_back(facet.vertices);
-    file->labels.assign(file->triangles.size(), 1);
-    file->labelNames = {kGroup};
-    return file;
+        if (!facet.interior()) boundary.push_back(facet.vertices);
+    return madeMeshFile(mesh, boundary, std::vector<int>(boundary.size(), 1), {kGroup});
 }
 
 void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>& solid) {
@@ -151,11 +148,6 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     solid.source = fileOf(cage.mesh);
     solid.skin = skin;
     return solid;
-}
-
-bool isCage(const MeshFile& made, const Skin& skin) {
-    return made.made && made.labelNames != skin.labelNames &&
-           made.labelNames == std::vector<std::string>{kGroup};
 }
 
 std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin) {

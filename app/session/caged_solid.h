@@ -9,10 +9,6 @@ namespace wend {
 Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
                     std::stop_token stop, Advice advice);
 
-/// Whether the mesh that was made for a surface is a cage around it: its border is then one group, "cage",
-/// where the exact surface's has those of the surface.
-bool isCage(const MeshFile& made, const Skin& skin);
-
 /// Why the exact surface is not even tried: it has more than eight times the vertices that are aimed at.
 /// Empty otherwise, and where handles name its vertices by number.
 std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin);

@@ -1,8 +1,8 @@
 #include "app/session/comparison.h"
 
+#include "app/document/design.h"
 #include "app/document/material_edits.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 
 namespace wend {
 
@@ -42,12 +42,12 @@ FramePtr Comparison::frame() const {
     return m_on && !m_other.isStale() && !m_other.isMeshing() ? m_other.frame() : FramePtr();
 }
 
-Project Comparison::wanted() const {
-    Project project = *m_session.document().project();
+std::shared_ptr<const Project> Comparison::wanted() const {
+    const auto project = copyOf(*m_session.document().project());
     if (m_phi)
-        option("material.phi").field.at.set(project, *m_phi);
+        option("material.phi").field.at.set(*project, *m_phi);
     else
-        project.design = withoutCells(withAllHidden(project.design));
+        designOf(*project) = withoutCells(withAllHidden(designOf(*project)));
     return project;
 }
 
@@ -58,7 +58,7 @@ void Comparison::take() {
         m_other.document().change({}, wanted());
     } else {
         OpenedFile file;
-        file.project = std::make_shared<const Project>(wanted());
+        file.project = wanted();
         file.picture = document.picture();
         file.path = document.path();
         file.source = document.source();

@@ -29,7 +29,7 @@ class Comparison : public QObject {
 
   private:
     void take();
-    Project wanted() const;
+    std::shared_ptr<const Project> wanted() const;
 
     ShapeSession& m_session;
     ShapeSession m_other;

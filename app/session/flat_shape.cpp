@@ -9,7 +9,7 @@
 #include "app/document/named_files.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/planar_mesher.h"
@@ -129,7 +129,7 @@ Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>>
 Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
     const std::string path = pathIn(folder, domain.path);
     Shape<2> shape;
-    auto file = std::make_shared<MeshFile>(readMeshFile(path));
+    const auto file = sharedMeshFile(path);
     std::shared_ptr<const SimplicialMesh<2>> textured;
     if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
     try {
@@ -142,7 +142,7 @@ Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
     shape.picture = loadPicture(domain, folder);
     // On the file's own cells: at a seam, vertices at one place have texture points of their own.
     if (shape.picture)
-        shape.texture = std::make_shared<const Texture>(textureOf(*shape.picture, textured, file->uv));
+        shape.texture = std::make_shared<const Texture>(textureOf(*shape.picture, textured, uvOf(*file)));
     return shape;
 }
 

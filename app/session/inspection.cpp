@@ -254,7 +254,7 @@ MeshInspection inspect(const MeshFile& file) {
     return inspection;
 }
 
-MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection) {
+void writeSuspects(const std::string& path, const MeshFile& file, const MeshInspection& inspection) {
     MeshFile result;
     std::vector<int> newId(static_cast<std::size_t>(file.points.cols()), -1);
     if (isVolume(file))
@@ -278,7 +278,7 @@ MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection) {
     for (auto& cell : result.tetrahedra)
         for (int& v : cell) v = newId[v];
     result.fields.push_back(std::move(numbers));
-    return result;
+    writeMeshFile(path, result);
 }
 
 }  // namespace wend

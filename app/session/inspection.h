@@ -42,9 +42,9 @@ struct MeshInspection {
 MeshInspection inspect(const MeshFile& file);
 MeshInspection inspectFile(const std::string& path);
 
-/// The suspects alone, as a mesh: only their vertices, and fields "vertex" and "cell" with the numbers that
-/// they have in the file; of a surface also one per kind of fault, 1 at the triangles that have it. There
-/// must be some.
-MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection);
+/// Writes the suspects alone, as a mesh: only their vertices, and fields "vertex" and "cell" with the numbers
+/// that they have in the file; of a surface also one per kind of fault, 1 at the triangles that have it.
+/// There must be some.
+void writeSuspects(const std::string& path, const MeshFile& file, const MeshInspection& inspection);
 
 }  // namespace wend

@@ -4,12 +4,14 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
 #include "app/session/flat_shape.h"
 #include "app/session/program_files.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"
 #include "warp/convert.h"
 #include "warp/outline.h"
@@ -30,16 +32,16 @@ std::string absolute(const QString& folder, const std::string& file) {
 OpenedFile openProject(const QString& path, const QMap<QString, QString>& found = {}) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());
-    Project& project = loaded.project;
+    Project& project = *loaded.project;
     const QString folder = QFileInfo(path).absolutePath();
     for (std::string* own : filesOf(project)) {
         const QString name = QString::fromStdString(absolute(folder, *own));
         *own = found.value(name, name).toStdString();
     }
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
-    if (project.domain.kind == DomainKind::Image)
-        file.picture = loadPicture(project.domain, folder.toStdString());
-    file.project = std::make_shared<const Project>(std::move(project));
+    if (domainOf(project).kind == DomainKind::Image)
+        file.picture = loadPicture(domainOf(project), folder.toStdString());
+    file.project = std::move(loaded.project);
     file.path = path;
     return file;
 }
@@ -76,30 +78,32 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     auto picture = std::make_shared<const Image>(readImage(path.toStdString()));
     if (!evenIfBlank && isBlank(*picture))
         throw NothingToSee(path.toStdString(), "is transparent everywhere");
-    Project project;
-    project.domain.kind = DomainKind::Image;
-    project.domain.path = path.toStdString();
-    project.domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
+    auto project = newProject();
+    Domain& domain = domainOf(*project);
+    domain.kind = DomainKind::Image;
+    domain.path = path.toStdString();
+    domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
     file.picture = std::move(picture);
-    file.project = std::make_shared<const Project>(std::move(project));
+    file.project = std::move(project);
     return file;
 }
 
 bool isFlat(const MeshFile& mesh) {
-    const auto z = mesh.points.row(2);
-    const Vec<3> size = mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff();
+    const auto& points = pointsOf(mesh);
+    const auto z = points.row(2);
+    const Vec<3> size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
     return !isVolume(mesh) && z.maxCoeff() - z.minCoeff() <= 1e-9 * size.norm();
 }
 
 OpenedFile openMesh(const QString& path) {
-    const MeshFile mesh = readMeshFile(path.toStdString());
-    const bool flat = isFlat(mesh);
-    Project project;
-    project.domain.kind = flat || isVolume(mesh) ? DomainKind::Mesh : DomainKind::Surface;
-    project.domain.path = path.toStdString();
-    if (!flat) project.design = Design<3>{};
+    const auto mesh = sharedMeshFile(path.toStdString());
+    const bool flat = isFlat(*mesh);
+    auto project = newProject();
+    domainOf(*project).kind = flat || isVolume(*mesh) ? DomainKind::Mesh : DomainKind::Surface;
+    domainOf(*project).path = path.toStdString();
+    if (!flat) designOf(*project) = Design<3>{};
     OpenedFile file;
-    file.project = std::make_shared<const Project>(std::move(project));
+    file.project = std::move(project);
     return file;
 }
 
@@ -148,9 +152,9 @@ OpenedFile openFile(const QString& path, bool evenIfBlank) {
 QStringList missingFiles(const QString& project) {
     QStringList missing;
     try {
-        Project read = readProject(project.toStdString()).project;
+        const auto read = readProject(project.toStdString()).project;
         const QString folder = QFileInfo(project).absolutePath();
-        for (const std::string* own : filesOf(read)) {
+        for (const std::string* own : filesOf(*read)) {
             const QString file = QString::fromStdString(absolute(folder, *own));
             if (!file.isEmpty() && !QFileInfo::exists(file)) missing << file;
         }
@@ -189,15 +193,15 @@ QStringList samplePaths() {
 
 ProjectLook lookOf(const QString& project) {
     try {
-        const Project read = readProject(project.toStdString()).project;
+        const auto read = readProject(project.toStdString()).project;
         const QFileInfo info(project);
         const QFileInfo own(info.absoluteDir(), info.completeBaseName() + QStringLiteral(".png"));
         ProjectLook look;
-        look.isSolid = read.dimension() == 3;
+        look.isSolid = dimensionOf(*read) == 3;
         if (look.isSolid && own.exists())
             look.picture = own.absoluteFilePath();
-        else if (read.domain.kind == DomainKind::Image)
-            look.picture = info.absoluteDir().absoluteFilePath(QString::fromStdString(read.domain.path));
+        else if (domainOf(*read).kind == DomainKind::Image)
+            look.picture = info.absoluteDir().absoluteFilePath(QString::fromStdString(domainOf(*read).path));
         return look;
     } catch (const std::exception&) {
         return {};

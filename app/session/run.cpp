@@ -3,9 +3,9 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/document/domain.h"
 #include "app/document/named_files.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 #include "app/document/text_file.h"
 #include "app/session/depth.h"
 #include "app/session/held_border.h"
@@ -70,7 +70,7 @@ class Run {
     }
 
   private:
-    double end() const { return m_options.at.value_or(m_project.end); }
+    double end() const { return m_options.at.value_or(endOf(m_project)); }
 
     void tell(const std::string& work, double fraction) const {
         if (m_watch.stop.stop_requested()) throw Cancelled();
@@ -168,7 +168,7 @@ class Run {
         });
     }
 
-    const std::vector<float>& depths() { return *m_depths.of(m_project.depth, m_shape.rest); }
+    const std::vector<float>& depths() { return *m_depths.of(depthOf(m_project), m_shape.rest); }
 
     /// The picture in the pixels of `view`.
     WarpedPicture warped(const Points<2>& pixels, const View& view,
@@ -215,7 +215,7 @@ class Run {
 
     void writeMaterial() {
         const Image none;
-        const bool isPicture = m_project.domain.kind == DomainKind::Image;
+        const bool isPicture = domainOf(m_project).kind == DomainKind::Image;
         const Image& picture = isPicture ? *m_shape.picture : none;
         for (const MaterialPart part : kMaterialParts)
             if (const std::string& path = m_options.outputs.material.*fileOf(part); !path.empty())

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/named_files.h"
-#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/session/flat_shape.h"
 #include "app/session/material_raster.h"
@@ -22,8 +23,9 @@ const Design<Dim>& designOf(const ShapeInputs& inputs) {
 }
 
 bool sameOutline(const Project& a, const Project& b) {
-    return a.domain.kind == b.domain.kind && a.domain.path == b.domain.path &&
-           sameSettings(a, b, Makes::Outline) && a.domain.polygons.loops == b.domain.polygons.loops;
+    const Domain &p = domainOf(a), &q = domainOf(b);
+    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Outline) &&
+           p.polygons.loops == q.polygons.loops;
 }
 
 /// The points that become vertices of the mesh: those of handles that are there from the start.
@@ -55,22 +57,23 @@ bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b)
 }  // namespace
 
 bool sameSolid(const Project& a, const Project& b) {
-    const Domain &p = a.domain, &q = b.domain;
+    const Domain &p = domainOf(a), &q = domainOf(b);
     return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) && p.fixes == q.fixes &&
            p.sizesFile == q.sizesFile && p.sizes == q.sizes && p.detail == q.detail;
 }
 
 int ShapeInputs::dimension() const {
-    return project->dimension();
+    return dimensionOf(*project);
 }
 
 template <int Dim>
 bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
     const Project &a = *made.inputs.project, &b = *inputs.project;
     if constexpr (Dim == 3) return sameSolid(a, b);
-    return sameOutline(a, b) && sameSettings(a, b, Makes::Mesh) && a.domain.texture == b.domain.texture &&
-           a.domain.flatSizes == b.domain.flatSizes &&
-           (b.domain.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
+    const Domain &p = domainOf(a), &q = domainOf(b);
+    return sameOutline(a, b) && sameSettings(a, b, Makes::Mesh) && p.texture == q.texture &&
+           p.flatSizes == q.flatSizes &&
+           (q.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
 }
 
 template <int Dim>
@@ -84,39 +87,39 @@ template <int Dim>
 std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const ShapeInputs& inputs,
                                                                         const Image& picture,
                                                                         std::stop_token stop) try {
-    const Project& project = *inputs.project;
+    const Domain& domain = domainOf(*inputs.project);
     if (!m_outline || m_outlineFrom.generation != inputs.generation ||
-        !sameOutline(*m_outlineFrom.project, project)) {
+        !sameOutline(*m_outlineFrom.project, *inputs.project)) {
         m_outline.reset();
-        m_outline = std::make_shared<const Outline>(domainOutline(project.domain, picture));
+        m_outline = std::make_shared<const Outline>(domainOutline(domain, picture));
         m_outlineFrom = inputs;
     }
-    return meshPicture(project.domain, designOf<2>(inputs), *m_outline, stop);
+    return meshPicture(domain, designOf<2>(inputs), *m_outline, stop);
 } catch (const InputError& error) {
     if (m_advice == Advice::None) throw;
     // Polygons stand in the project, whose file the caller names.
-    if (inputs.project->domain.outline == OutlineKind::Polygons)
+    if (domainOf(*inputs.project).outline == OutlineKind::Polygons)
         throw InputError("domain.outline.polygons: " + error.reason());
-    throw error.named(pathIn(inputs.folder, inputs.project->domain.path));
+    throw error.named(pathIn(inputs.folder, domainOf(*inputs.project).path));
 }
 
 template <>
 Shape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    Shape<3> shape = loadSolid(inputs.project->domain, designOf<3>(inputs), inputs.folder, stop, m_advice);
+    Shape<3> shape = loadSolid(domainOf(*inputs.project), designOf<3>(inputs), inputs.folder, stop, m_advice);
     shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
     return shape;
 }
 
 template <>
 Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    const Project& project = *inputs.project;
+    const Domain& domain = domainOf(*inputs.project);
     Shape<2> shape;
-    if (project.domain.kind == DomainKind::Image) {
-        shape.picture = inputs.picture ? inputs.picture : loadPicture(project.domain, inputs.folder);
+    if (domain.kind == DomainKind::Image) {
+        shape.picture = inputs.picture ? inputs.picture : loadPicture(domain, inputs.folder);
         shape.rest = meshOutline(inputs, *shape.picture, stop);
-        tellOfAim(project.domain, *shape.rest, shape.notices);
+        tellOfAim(domain, *shape.rest, shape.notices);
     } else {
-        shape = loadFlatMesh(project.domain, inputs.folder);
+        shape = loadFlatMesh(domain, inputs.folder);
     }
     tellOfHanging<2>(*shape.rest, shape.notices);
     return shape;
@@ -143,14 +146,14 @@ Shape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token s
 AnyShape loadShape(const Project& project, const std::string& folder, std::stop_token stop) {
     const auto load = [&]<int Dim>(ShapeBuilder<Dim> builder) -> AnyShape {
         ShapeInputs inputs;
-        inputs.project = std::make_shared<const Project>(project);
+        inputs.project = copyOf(project);
         inputs.folder = folder;
         Shape<Dim> shape = builder.build(inputs, stop);
         if (!shape.rest) throw Cancelled();
         return shape;
     };
-    return project.dimension() == 3 ? load(ShapeBuilder<3>(Advice::Keys))
-                                    : load(ShapeBuilder<2>(Advice::Keys));
+    return dimensionOf(project) == 3 ? load(ShapeBuilder<3>(Advice::Keys))
+                                     : load(ShapeBuilder<2>(Advice::Keys));
 }
 
 template class ShapeBuilder<2>;

@@ -9,7 +9,7 @@
 #include "app/session/caged_solid.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/point_locator.h"
 #include "core/mesh/skin_file.h"
 #include "core/mesh/used_vertices.h"
@@ -113,15 +113,6 @@ bool surfaceIsTooCoarse(const Surface& surface, const SimplicialMesh<3>& mesh) {
     return ofTriangles > 2 * ofCells;
 }
 
-std::shared_ptr<const MeshFile> fileOf(const VolumeMesh& volume, const Skin& skin) {
-    auto file = std::make_shared<MeshFile>(toMeshFile<3>(volume.mesh));
-    file->made = true;
-    file->triangles = volume.boundary;
-    if (!skin.labels.empty()) file->labels = volume.boundaryLabels;
-    file->labelNames = skin.labelNames;
-    return file;
-}
-
 /// What the mesh could not be, and the key that helps.
 void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& volume, Advice advice,
                 Shape<3>& solid) {
@@ -168,7 +159,9 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     tellOfMesh(domain, surface, volume, advice, solid);
     tellOfSpares(volume, solid);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
-    solid.source = fileOf(volume, *skin);
+    solid.source =
+        madeMeshFile(volume.mesh, volume.boundary,
+                     skin->labels.empty() ? std::vector<int>() : volume.boundaryLabels, skin->labelNames);
     solid.skin = skin;
     return solid;
 }
@@ -197,7 +190,7 @@ Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::s
 
 Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
     const std::string path = pathIn(folder, domain.path);
-    auto file = std::make_shared<MeshFile>(readMeshFile(path));
+    const auto file = sharedMeshFile(path);
     if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
     Shape<3> solid;
     solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices);

@@ -56,17 +56,13 @@ CompareView::CompareView(const Parts& parts, QWidget* parent)
       m_otherHead(otherHead()),
       m_other(new QWidget),
       m_picture(new ShapeCanvas(m_comparison.other())) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(1);
+    auto* row = bareRow(this, 1);
     auto* own = new QVBoxLayout;
     own->setSpacing(0);
     own->addWidget(m_ownHead);
     own->addWidget(&m_parts.page, 1);
     row->addLayout(own, 1);
-    auto* other = new QVBoxLayout(m_other);
-    other->setContentsMargins(0, 0, 0, 0);
-    other->setSpacing(0);
+    auto* other = bareColumn(m_other, 0);
     other->addWidget(m_otherHead);
     other->addWidget(m_picture, 1);
     row->addWidget(m_other, 1);

@@ -6,7 +6,6 @@
 #include "app/document/option_values.h"
 #include "app/view/export_preview.h"
 
-class QBoxLayout;
 class QComboBox;
 class QFormLayout;
 class QLabel;

@@ -83,9 +83,7 @@ void ExportForm::lay(Fields place) {
     top->addWidget(m_preview, 1);
     if (!beside) top->addWidget(m_facts);
     top->addLayout(fields);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(beside ? 12 : 8);
+    auto* all = bareColumn(this, beside ? 12 : 8);
     all->addLayout(top, 1);
     if (beside) all->addWidget(m_facts);
     all->addWidget(m_crop);

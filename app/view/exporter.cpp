@@ -7,7 +7,6 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <algorithm>
-#include <iterator>
 
 #include "app/document/in_background.h"
 #include "app/document/said.h"

@@ -1,7 +1,5 @@
 #include "app/view/ground.h"
 
-#include <utility>
-
 namespace wend {
 
 namespace {

@@ -17,6 +17,7 @@
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
+#include "app/panels/panel_parts.h"
 #include "app/panels/pin_list.h"
 #include "app/panels/region_list.h"
 #include "app/view/actions.h"
@@ -171,9 +172,7 @@ void MainWindow::makeCentre() {
     connect(new PanelFields(*m_time), &PanelFields::done, this, &MainWindow::focusView);
     connect(qApp, &QApplication::focusChanged, this, &MainWindow::followFocus);
     auto* centre = new QWidget(this);
-    auto* row = new QHBoxLayout(centre);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto* row = bareRow(centre, 0);
     auto* column = new QVBoxLayout;
     column->setSpacing(0);
     column->addWidget(m_banner);

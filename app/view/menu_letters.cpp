@@ -1,6 +1,5 @@
 #include "app/view/menu_letters.h"
 
-#include <QKeySequence>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSet>

@@ -19,9 +19,7 @@ constexpr int kStepWidth = 104, kStepHeight = 32, kIcon = 20, kButton = 36, kZoo
 }  // namespace
 
 ModeRow::ModeRow(const Actions& a, const Toolbox& tools, QWidget* parent) : QWidget(parent) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kGap);
+    auto* row = bareRow(this, kGap);
     row->addWidget(side({a.open, a.save, nullptr, a.undo, a.redo}, Qt::AlignLeft), 1);
     row->addWidget(steps(tools));
     QWidget* right =
@@ -46,9 +44,7 @@ QToolButton* ModeRow::button(QAction* action, QWidget* parent) {
 
 QWidget* ModeRow::side(const QList<QAction*>& actions, Qt::Alignment to) {
     auto* part = new QWidget(this);
-    auto* row = new QHBoxLayout(part);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
+    auto* row = bareRow(part, 2);
     if (to == Qt::AlignRight) row->addStretch(1);
     for (QAction* action : actions) action ? row->addWidget(button(action, part)) : row->addSpacing(kGap / 2);
     if (to == Qt::AlignLeft) row->addStretch(1);

@@ -140,9 +140,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
 /// Panels that hide when they have nothing to say are within something that is shown by the step.
 void Properties::put(QWidget* panel, const QString& name, const char* icon, const When& when) {
     auto* holder = new QWidget;
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = bareColumn(holder, 0);
     column->addWidget(panel);
     column->addWidget(panelLine(holder));
     m_column->addWidget(holder, when.fills ? 100 : 0);
@@ -159,9 +157,7 @@ QWidget* Properties::selectionArea(ShapeSession& session) {
     area->setObjectName(QStringLiteral("selectionArea"));
     area->setMinimumHeight(kSelection);
     area->installEventFilter(this);
-    auto* column = new QVBoxLayout(area);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = bareColumn(area, 0);
     column->addWidget(new HandlePanel(session));
     column->addWidget(new RegionPanel(session));
     column->addStretch(1);

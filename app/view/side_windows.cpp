@@ -1,6 +1,5 @@
 #include "app/view/side_windows.h"
 
-#include <QApplication>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QUndoView>

@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
-#include <QSaveFile>
 #include <QSettings>
 
 #include "app/document/design.h"

@@ -15,7 +15,6 @@ class Properties;
 class ShapeSession;
 class SolidCanvas;
 class SurfaceCheck;
-class Toolbox;
 class Viewport;
 
 /// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL)

@@ -91,9 +91,7 @@ QLabel* sectionTitle(const QString& text, QWidget* parent) {
 /// A place for a title and a shelf, empty and hidden at first.
 QWidget* makeBox(QVBoxLayout*& column, QWidget* parent) {
     auto* box = new QWidget(parent);
-    column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(10);
+    column = bareColumn(box, 10);
     box->hide();
     return box;
 }
@@ -167,9 +165,7 @@ QWidget* StartPage::makeHeader() {
     column->setSpacing(0);
     column->addWidget(name);
     column->addWidget(line);
-    auto* row = new QHBoxLayout(header);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(16);
+    auto* row = bareRow(header, 16);
     row->addWidget(logo);
     row->addLayout(column, 1);
     auto* tutorial = new QPushButton(tr("Five-minute tutorial"), header);
@@ -212,9 +208,7 @@ QWidget* StartPage::makeSamples() {
     const QStringList paths = samplePaths().mid(0, kMostSamples);
     if (paths.isEmpty()) return nullptr;
     auto* box = new QWidget(this);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(10);
+    auto* column = bareColumn(box, 10);
     column->addWidget(sectionTitle(tr("Try a sample"), box));
     auto* shelf = new Shelf(box);
     for (const QString& path : paths) shelf->add(makeCard(path, true, shelf));
@@ -250,9 +244,7 @@ void StartPage::setLost(const QList<LostWork>& lost) {
 
 QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
     auto* both = new QWidget(shelf);
-    auto* column = new QVBoxLayout(both);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
+    auto* column = bareColumn(both, 4);
     auto* card = new FileCard(work.path.isEmpty() ? work.source : work.path, FileCard::Kind::Lost, both,
                               QLocale().toString(work.time, QStringLiteral("d MMM, HH:mm")));
     card->setObjectName(QStringLiteral("lostCard"));

@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHash>
-#include <QLocale>
 #include <QSaveFile>
 #include <utility>
 
@@ -15,12 +14,12 @@
 #include "app/document/said.h"
 #include "app/panels/marks.h"
 #include "app/panels/surface_panel.h"
-#include "app/session/caged_solid.h"
+#include "app/session/shape.h"
 #include "app/view/problem_list.h"
 #include "app/view/surface_place.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/skin_file.h"
 
 namespace wend {
@@ -116,8 +115,8 @@ void SurfaceCheck::look() {
                         fixes = document.domain().fixes]() -> std::shared_ptr<const Found> {
         auto found = std::make_shared<Found>();
         try {
-            const MeshFile file = readMeshFile(path);
-            found->source = {file.points, file.triangles, {}};
+            const auto file = sharedMeshFile(path);
+            found->source = {pointsOf(*file), trianglesOf(*file), {}};
             found->fixes = possible(found->source, fixes);
             FixedSurface fixed = fixSurface(found->source, found->fixes);
             found->surface = std::move(fixed.surface);
@@ -141,8 +140,7 @@ void SurfaceCheck::takeShape() {
     if (!frame) return;
     if (frame->shape == m_shape) return keepPlace();
     m_shape = frame->shape;
-    m_isCaged =
-        frame->built->source && frame->built->skin && isCage(*frame->built->source, *frame->built->skin);
+    m_isCaged = frame->built->cage.has_value();
     hide();
     if (!m_isCaged && std::exchange(m_goesOn, false) && m_canvas) m_canvas->fit();  // nothing is left
     if (m_isCaged && m_session.document().domain().fit == Fit::Automatic && m_canvas) look();

@@ -1,7 +1,7 @@
 #include "app/view/tile_pictures.h"
 
+#include "app/document/domain.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 #include "app/panels/energy_slider.h"
 #include "app/session/shape.h"
 #include "app/session/shape_builder.h"
@@ -69,19 +69,19 @@ void TilePictures::begin() {
 
 /// The next one.
 void TilePictures::ask() {
-    Project project = *m_project;
-    const auto set = [&project](const char* key, double value) { option(key).field.at.set(project, value); };
+    const auto project = copyOf(*m_project);
+    Domain& domain = domainOf(*project);
+    const auto set = [&](const char* key, double value) { option(key).field.at.set(*project, value); };
     set("material.phi", m_tiles.scale().stops().at(m_made.size()).phi);
-    set("domain.vertices",
-        std::min(project.domain.edge > 0 ? kVertices : project.domain.vertices, kVertices));
-    if (project.domain.kind == DomainKind::Surface) project.domain.fit = Fit::Cage;
+    set("domain.vertices", std::min(domain.edge > 0 ? kVertices : domain.vertices, kVertices));
+    if (domain.kind == DomainKind::Surface) domain.fit = Fit::Cage;
     Document& document = m_coarse.document();
     if (!document.isEmpty()) {
-        document.change({}, std::move(project));
+        document.change({}, project);
     } else {
         const Document& own = m_session.document();
         OpenedFile file;
-        file.project = std::make_shared<const Project>(std::move(project));
+        file.project = project;
         file.picture = own.picture();
         file.path = own.path();
         file.source = own.source();

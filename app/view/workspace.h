@@ -14,7 +14,6 @@ class PictureActions;
 class PinActions;
 class Properties;
 class ShapeCanvas;
-class SolidCanvas;
 class SolidWorkshop;
 class Toolbox;
 class Viewport;

@@ -9,7 +9,6 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/input_file.h"
-#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
@@ -86,6 +85,30 @@ std::string meshExtensionList(bool tetrahedra) {
     return list;
 }
 
+const Eigen::Matrix3Xd& pointsOf(const MeshFile& file) {
+    return file.points;
+}
+
+const std::vector<std::array<int, 3>>& trianglesOf(const MeshFile& file) {
+    return file.triangles;
+}
+
+const std::vector<std::array<int, 4>>& tetrahedraOf(const MeshFile& file) {
+    return file.tetrahedra;
+}
+
+const std::vector<int>& labelsOf(const MeshFile& file) {
+    return file.labels;
+}
+
+const Eigen::Matrix2Xd& uvOf(const MeshFile& file) {
+    return file.uv;
+}
+
+const std::vector<MeshField>& fieldsOf(const MeshFile& file) {
+    return file.fields;
+}
+
 bool isVolume(const MeshFile& file) {
     return !file.tetrahedra.empty();
 }
@@ -127,6 +150,22 @@ MeshFile toMeshFile<3>(const SimplicialMesh<3>& mesh) {
     MeshFile file;
     file.points = mesh.points;
     file.tetrahedra = mesh.cells;
+    return file;
+}
+
+std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path) {
+    return std::make_shared<const MeshFile>(readMeshFile(path));
+}
+
+std::shared_ptr<const MeshFile> madeMeshFile(const SimplicialMesh<3>& mesh,
+                                             const std::vector<std::array<int, 3>>& boundary,
+                                             const std::vector<int>& labels,
+                                             const std::vector<std::string>& labelNames) {
+    auto file = std::make_shared<MeshFile>(toMeshFile<3>(mesh));
+    file->made = true;
+    file->triangles = boundary;
+    file->labels = labels;
+    file->labelNames = labelNames;
     return file;
 }
 

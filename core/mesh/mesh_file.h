@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/mesh_write_options.h"
-#include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
 
@@ -48,17 +48,7 @@ MeshFile readMeshFile(const std::string& path);
 /// for cells and left out for fields and uv. 17 significant digits.
 void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options = {});
 
-/// The extensions that are read and written, lower case, with the dot.
-std::vector<std::string> meshFileExtensions();
-
-/// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Validated with
-/// requireValid.
-template <int Dim>
-SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 template <int Dim>
 MeshFile toMeshFile(const SimplicialMesh<Dim>& mesh);
-
-/// True if the file holds tetrahedra.
-bool isVolume(const MeshFile& file);
 
 }  // namespace wend

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
 
-// The mesh of a file for who needs nothing else of it: see mesh_file.h.
+struct MeshField;
+struct MeshFile;
+
+// The mesh of a file for who needs a part of it, or hands it on: see mesh_file.h.
 
 /// Throws InputError.
 template <int Dim>
@@ -16,5 +22,30 @@ void writeMesh(const std::string& path, const SimplicialMesh<Dim>& mesh);
 
 /// 3 if the file holds tetrahedra, 2 otherwise. Throws InputError.
 int dimensionOfMesh(const std::string& path);
+
+/// The extensions that are read and written, lower case, with the dot.
+std::vector<std::string> meshFileExtensions();
+
+/// What readMeshFile gives.
+std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path);
+/// A file of cells that were made here, with their boundary.
+std::shared_ptr<const MeshFile> madeMeshFile(const SimplicialMesh<3>& mesh,
+                                             const std::vector<std::array<int, 3>>& boundary,
+                                             const std::vector<int>& labels,
+                                             const std::vector<std::string>& labelNames);
+
+const Eigen::Matrix3Xd& pointsOf(const MeshFile& file);
+const std::vector<std::array<int, 3>>& trianglesOf(const MeshFile& file);
+const std::vector<std::array<int, 4>>& tetrahedraOf(const MeshFile& file);
+const std::vector<int>& labelsOf(const MeshFile& file);
+const Eigen::Matrix2Xd& uvOf(const MeshFile& file);
+const std::vector<MeshField>& fieldsOf(const MeshFile& file);
+/// True if the file holds tetrahedra.
+bool isVolume(const MeshFile& file);
+
+/// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Validated with
+/// requireValid.
+template <int Dim>
+SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 
 }  // namespace wend

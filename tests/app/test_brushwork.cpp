@@ -8,8 +8,8 @@
 #include <QToolBar>
 #include <QUndoStack>
 
+#include "app/document/design.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
 #include "tests/support/paint_test.h"
@@ -125,12 +125,12 @@ template <int Dim>
 void TestBrushwork::namePlaces() {
     QVERIFY(Bar<Dim>::open(*m_f));
     auto& session = m_f->session();
-    Project next = m_f->project();
+    const auto next = copyOf(m_f->project());
     Handle<Dim> neck;
     neck.name = "Neck";
     neck.at = std::vector<Vec<Dim>>{Bar<Dim>::place(-1.5, 0)};
-    std::get<Design<Dim>>(next.design).handles.push_back(neck);
-    session.document().change(QStringLiteral("Pin"), std::move(next));
+    designOf<Dim>(*next).handles.push_back(neck);
+    session.document().change(QStringLiteral("Pin"), next);
     QVERIFY(settle(session));
     m_f->tool("paint")->trigger();
     set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = Dim == 3 ? 60 : 20; });

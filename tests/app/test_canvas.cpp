@@ -7,8 +7,8 @@
 #include <set>
 
 #include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/panels/legend.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
@@ -17,6 +17,7 @@
 #include "app/view/canvas.h"
 #include "app/view/cell_filler.h"
 #include "core/energy/distortion.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warp.h"
 
@@ -386,8 +387,8 @@ void TestCanvas::mapsHaveALightRimInTheDark() {
 /// A picture whose mesh takes so long that nobody sees it.
 OpenedFile TestCanvas::shapeless() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
-    auto project = std::make_shared<Project>(*file.project);
-    project->domain.vertices = 1000000;
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = 1000000;
     file.project = project;
     return file;
 }
@@ -581,9 +582,7 @@ void TestCanvas::everyMeasureIsComplete() {
 
 /// The right end goes up, so that all but the left one lies elsewhere than at rest.
 void TestCanvas::bendFar() {
-    Project coarse = *m_session->document().project();
-    coarse.domain.vertices = 400;
-    m_session->document().change(QStringLiteral("Coarse"), coarse);
+    setVertices(m_session->document(), 400);
     QVERIFY(settle(*m_session));
     m_session->addPin({40, 80});
     const int pin = m_session->addPin({200, 80});
@@ -645,10 +644,10 @@ void TestCanvas::partsAreFramedWhereTheyAre() {
     for (const Region<2>& drawn :
          {Region<2>(Box<2>{{170, 10}, {500, 300}}),
           Region<2>(Polygon{{Vec<2>(170, 10), Vec<2>(500, 10), Vec<2>(500, 300), Vec<2>(170, 300)}})}) {
-        Project next = *m_session->document().project();
+        const auto next = copyOf(*m_session->document().project());
         Handle<2> end;
         end.at = drawn;
-        std::get<Design<2>>(next.design).handles = {end};
+        designOf<2>(*next).handles = {end};
         m_session->document().change(QStringLiteral("Hold"), next);
         QVERIFY(settle(*m_session));
         const auto border = regionBorder(end, m_session->pins<2>().front(), *m_session->frame<2>());
@@ -692,14 +691,14 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
 
 /// Of a curve after another motion, and where it is short on the screen not one over the other.
 void TestCanvas::framesStandOnTheirPath() {
-    Project next = *m_session->document().project();
+    Design<2> next = m_session->document().design<2>();
     Handle<2> pin;
     pin.at = std::vector<Vec<2>>{{120, 80}};
     pin.motions = {
         {Translate<2>{{0, 50}}, 0, 0.5},
         {CurveMotion<2>{Interpolation::Polyline, {{120, 130}, {200, 130}}, FrameKind::Minimal}, 0.5, 1}};
-    std::get<Design<2>>(next.design).handles = {pin};
-    m_session->document().change(QStringLiteral("Path"), next);
+    next.handles = {pin};
+    m_session->document().changeDesign(QStringLiteral("Path"), next);
     QVERIFY(settle(*m_session));
     const auto levels = [&] {  // of what has the colour of the second axis
         std::map<int, int> count;
@@ -760,9 +759,7 @@ void TestCanvas::restIsShown() {
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
         return settled ? m_canvas->drawn()->image : QImage();
     };
-    Project coarse = *m_session->document().project();
-    coarse.domain.vertices = 400;  // as bendFar() makes it
-    m_session->document().change(QStringLiteral("Coarse"), coarse);
+    setVertices(m_session->document(), 400);  // as bendFar() makes it
     QVERIFY(settle(*m_session));
     const QImage before = picture();
     bendFar();

@@ -11,7 +11,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/session/depth.h"
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
@@ -226,9 +226,9 @@ void TestCanvasPictures::init() {
 
 void TestCanvasPictures::open(const QString& path) {
     OpenedFile file = openFile(path);
-    auto project = std::make_shared<Project>(*file.project);
-    project->domain.outline = OutlineKind::Frame;
-    project->domain.vertices = 300;
+    auto project = copyOf(*file.project);
+    domainOf(*project).outline = OutlineKind::Frame;
+    domainOf(*project).vertices = 300;
     file.project = project;
     m_session->document().open(std::move(file));
     QVERIFY(settle(*m_session));
@@ -376,8 +376,8 @@ void TestCanvasPictures::openCutOut(const QImage& image) {
     const QString path = m_folder->filePath(QStringLiteral("cutout.png"));
     QVERIFY(image.save(path));
     OpenedFile file = openFile(path);
-    auto project = std::make_shared<Project>(*file.project);
-    project->domain.vertices = 500;
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = 500;
     file.project = project;
     m_session->document().open(std::move(file));
     QVERIFY(settle(*m_session));

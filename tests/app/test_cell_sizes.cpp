@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/document/size_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/magnitude_box.h"
@@ -48,8 +48,8 @@ void TestCellSizes::init() {
     m_f = std::make_unique<SolidFixture>();
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open(900));
-    Project refined = m_f->project();
-    refined.domain.refineSurface = true;
+    const auto refined = copyOf(m_f->project());
+    domainOf(*refined).refineSurface = true;
     m_f->session().document().change(QStringLiteral("Refine"), refined);
     QVERIFY(settle(m_f->session()));
 }
@@ -88,7 +88,7 @@ double TestCellSizes::meanSize(bool right) {
 }
 
 void TestCellSizes::groupsOfOneName() {
-    Domain domain = m_f->project().domain;
+    Domain domain = m_f->domain();
     domain.sizes = {{"", Ball<3>{Vec<3>::Zero(), 1}, 0, 2}, {"", Ball<3>{Vec<3>::Ones(), 1}, 0, 3}};
     domain = withSizeStroke(domain, {{Vec<3>::Zero(), 1}, {Vec<3>::Ones(), 1}}, 0.5);
     domain = withSizeRegion(domain, Ball<3>{Vec<3>::Zero(), 2}, 0.25);
@@ -124,9 +124,9 @@ void TestCellSizes::strokesMakeCellsFiner() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
     brushTheRightEnd();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->project().domain.sizes.size() > 1);
-    QCOMPARE(sizeGroups(m_f->project().domain).size(), std::size_t(1));
-    QCOMPARE(m_f->project().domain.sizes[0].factor, 0.5);
+    QVERIFY(m_f->domain().sizes.size() > 1);
+    QCOMPARE(sizeGroups(m_f->domain()).size(), std::size_t(1));
+    QCOMPARE(m_f->domain().sizes[0].factor, 0.5);
     QVERIFY2(meanSize(true) < 0.8 * meanSize(false), qPrintable(QString::number(meanSize(true))));
     // The number of vertices in all is still what was aimed at.
     QVERIFY(std::abs(m_f->session().frame()->vertices - 900) <= 135);
@@ -138,16 +138,16 @@ void TestCellSizes::strokesMakeCellsFiner() {
     // Its factor by the panel, and away; each is one step back.
     type(box("sizeFactor"), 0.25);
     QVERIFY(settle(m_f->session()));
-    for (const SizeRegion& region : m_f->project().domain.sizes) QCOMPARE(region.factor, 0.25);
+    for (const SizeRegion& region : m_f->domain().sizes) QCOMPARE(region.factor, 0.25);
     const double fine = meanSize(true) / meanSize(false);
     QVERIFY(fine < 0.6);
     QTest::mouseClick(&button(SizePanel::tr("Remove")), Qt::LeftButton);
-    QVERIFY(m_f->project().domain.sizes.empty());
+    QVERIFY(m_f->domain().sizes.empty());
     for (int i = 0; i < 2; ++i) m_f->window().actions().undo->trigger();
-    QCOMPARE(m_f->project().domain.sizes.at(0).factor, 0.5);
+    QCOMPARE(m_f->domain().sizes.at(0).factor, 0.5);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->project().domain.sizes.empty());
+    QVERIFY(m_f->domain().sizes.empty());
     QCOMPARE(m_f->session().frame()->vertices, before);
 }
 
@@ -160,15 +160,15 @@ void TestCellSizes::shiftPaintsTheOtherWayRound() {
     for (int i = 0; i < 5; ++i) QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
     brushTheRightEnd(Qt::ShiftModifier);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->project().domain.sizes.at(0).factor, 2.5);
+    QCOMPARE(m_f->domain().sizes.at(0).factor, 2.5);
     const double after = meanSize(true) / meanSize(false);
     QVERIFY2(after > 1.15 * before, qPrintable(QString::number(after / before)));
     // Esc gives a stroke up.
-    const auto count = m_f->project().domain.sizes.size();
+    const auto count = m_f->domain().sizes.size();
     m_f->press(m_f->at({0, -0.5, 0}));
     QTest::keyClick(&m_f->canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({0.3, -0.5, 0}));
-    QCOMPARE(m_f->project().domain.sizes.size(), count);
+    QCOMPARE(m_f->domain().sizes.size(), count);
 }
 
 void TestCellSizes::regionsByNumbers() {
@@ -176,7 +176,7 @@ void TestCellSizes::regionsByNumbers() {
     entry(0)->trigger();
     QVERIFY(settle(m_f->session()));
     QCOMPARE(list().currentRow(), 1);
-    const auto* ball = std::get_if<Ball<3>>(&m_f->project().domain.sizes.at(0).shape);
+    const auto* ball = std::get_if<Ball<3>>(&m_f->domain().sizes.at(0).shape);
     QVERIFY(ball && ball->centre.norm() < 1e-9);
     auto* numbers = panel().findChild<RegionNumbers*>();
     QVERIFY(numbers->isVisible());
@@ -184,13 +184,13 @@ void TestCellSizes::regionsByNumbers() {
     for (QDoubleSpinBox* one : boxes)
         if (one->isVisible() && one->accessibleName() == RegionNumbers::tr("Radius")) type(*one, 0.8);
     QVERIFY(settle(m_f->session()));
-    ball = std::get_if<Ball<3>>(&m_f->project().domain.sizes.at(0).shape);
+    ball = std::get_if<Ball<3>>(&m_f->domain().sizes.at(0).shape);
     QVERIFY(ball && ball->radius == 0.8);
     type(box("sizeFeather"), 0.3);
     type(box("sizeFactor"), 0.3);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->project().domain.sizes.at(0).feather, 0.3);
-    QCOMPARE(m_f->project().domain.sizes.at(0).factor, 0.3);
+    QCOMPARE(m_f->domain().sizes.at(0).feather, 0.3);
+    QCOMPARE(m_f->domain().sizes.at(0).factor, 0.3);
     m_f->actions().oblique->trigger();
     m_f->window().actions().showMesh->setChecked(true);
     m_f->picture(QStringLiteral("sizes-region"));
@@ -199,11 +199,11 @@ void TestCellSizes::regionsByNumbers() {
     kind->setFocus();
     QTest::keyClick(kind, Qt::Key_Down);
     QVERIFY(settle(m_f->session()));
-    QVERIFY(std::holds_alternative<Box<3>>(m_f->project().domain.sizes.at(0).shape));
+    QVERIFY(std::holds_alternative<Box<3>>(m_f->domain().sizes.at(0).shape));
     QTemporaryDir folder;
     m_f->session().document().save(folder.filePath(QStringLiteral("sizes.wend")));
-    QVERIFY(openFile(folder.filePath(QStringLiteral("sizes.wend"))).project->domain.sizes ==
-            m_f->project().domain.sizes);
+    QVERIFY(domainOf(*openFile(folder.filePath(QStringLiteral("sizes.wend"))).project).sizes ==
+            m_f->domain().sizes);
 }
 
 void TestCellSizes::regionOfTheSelectedHandle() {
@@ -215,7 +215,7 @@ void TestCellSizes::regionOfTheSelectedHandle() {
     QVERIFY(entry(3)->isEnabled());
     entry(3)->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->project().domain.sizes.at(0).shape == half);
+    QVERIFY(m_f->domain().sizes.at(0).shape == half);
     QVERIFY(meanSize(true) < 0.7 * meanSize(false));
 }
 

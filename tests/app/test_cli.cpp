@@ -6,8 +6,9 @@
 #include <numbers>
 
 #include "app/document/options.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/pictures.h"
 
 using namespace wend;
@@ -65,8 +66,8 @@ class TestCli : public QObject {
 };
 
 void TestCli::initTestCase() {
-    writeMeshFile(file("strip.obj"), toMeshFile<2>(stripMesh(10, 2)));
-    writeMeshFile(file("bar.mesh"), toMeshFile<3>(barMesh(6)));
+    writeMesh<2>(file("strip.obj"), stripMesh(10, 2));
+    writeMesh<3>(file("bar.mesh"), barMesh(6));
     writeImage(file("disc.png"), discPicture(200, 80));
     putProject(path(), "strip.wend",
                "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'region': {'box': {'min': [-1, -1], "
@@ -115,11 +116,11 @@ void TestCli::referencePageIsCurrent() {
 /// input's.
 void TestCli::translatedStrip() {
     succeed({"run", "strip.wend", "--mesh", "moved.obj"});
-    const MeshFile moved = readMeshFile(file("moved.obj"));
+    const auto moved = sharedMeshFile(file("moved.obj"));
     const SimplicialMesh<2> rest = stripMesh(10, 2);
-    QVERIFY(moved.triangles == rest.cells);
+    QVERIFY(trianglesOf(*moved) == rest.cells);
     for (int i = 0; i < rest.vertexCount(); ++i)
-        QVERIFY((moved.points.col(i).head<2>() - rest.points.col(i) - Vec<2>(3, 0.5)).norm() < 1e-13);
+        QVERIFY((pointsOf(*moved).col(i).head<2>() - rest.points.col(i) - Vec<2>(3, 0.5)).norm() < 1e-13);
 }
 
 void TestCli::velocityTable() {
@@ -140,11 +141,11 @@ void TestCli::velocityTable() {
 
 void TestCli::velocityOnTheMesh() {
     succeed({"run", "bar.wend", "--velocity", "v.vtu"});
-    const MeshFile mesh = readMeshFile(file("v.vtu"));
-    QCOMPARE(mesh.tetrahedra.size(), barMesh(6).cells.size());
-    const auto velocity = std::ranges::find(mesh.fields, std::string("velocity"), &MeshField::name);
-    QVERIFY(velocity != mesh.fields.end());
-    QCOMPARE(velocity->values.size(), std::size_t(3 * mesh.points.cols()));
+    const auto mesh = sharedMeshFile(file("v.vtu"));
+    QCOMPARE(tetrahedraOf(*mesh).size(), barMesh(6).cells.size());
+    const auto velocity = std::ranges::find(fieldsOf(*mesh), std::string("velocity"), &MeshField::name);
+    QVERIFY(velocity != fieldsOf(*mesh).end());
+    QCOMPARE(velocity->values.size(), std::size_t(3 * pointsOf(*mesh).cols()));
 }
 
 void TestCli::reportKeys() {
@@ -211,10 +212,10 @@ void TestCli::standardOutput() {
 
 void TestCli::stopsEarlier() {
     succeed({"run", "strip.wend", "--at", "0.5", "--mesh", "half.obj"});
-    const MeshFile halfway = readMeshFile(file("half.obj"));
-    QVERIFY((halfway.points.col(0) - Vec<3>(1.5, 0.25, 0)).norm() < 1e-13);
+    const auto halfway = sharedMeshFile(file("half.obj"));
+    QVERIFY((pointsOf(*halfway).col(0) - Vec<3>(1.5, 0.25, 0)).norm() < 1e-13);
     succeed({"run", "strip.wend", "--at", "0", "--mesh", "rest.obj"});
-    QCOMPARE(readMeshFile(file("rest.obj")).points, readMeshFile(file("strip.obj")).points);
+    QCOMPARE(pointsOf(*sharedMeshFile(file("rest.obj"))), pointsOf(*sharedMeshFile(file("strip.obj"))));
 }
 
 void TestCli::frames() {
@@ -282,8 +283,8 @@ void TestCli::partOfThePicture() {
 void TestCli::meshFrames() {
     succeed({"run", "strip.wend", "--frames", "m_#.vtu", "--count", "3"});
     for (int k = 0; k < 3; ++k) {
-        const MeshFile mesh = readMeshFile(file(qPrintable(QString("m_%1.vtu").arg(k))));
-        QVERIFY((mesh.points.col(0) - Vec<3>(1.5 * k, 0.25 * k, 0)).norm() < 1e-12);
+        const auto mesh = sharedMeshFile(file(qPrintable(QString("m_%1.vtu").arg(k))));
+        QVERIFY((pointsOf(*mesh).col(0) - Vec<3>(1.5 * k, 0.25 * k, 0)).norm() < 1e-12);
     }
 }
 
@@ -297,10 +298,10 @@ void TestCli::picture() {
     const Image map = readImage(file("st.exr"));
     QCOMPARE(map.channels, 4);
     QCOMPARE(map.type, PixelType::Float);
-    const MeshFile mesh = readMeshFile(file("warped.obj"));
-    QCOMPARE(mesh.uv.cols(), mesh.points.cols());
-    QCOMPARE(mesh.points.col(1).head<2>(), Vec<2>(160, 110));  // the handle, to the last bit
-    QVERIFY((mesh.uv.col(1) - Vec<2>(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
+    const auto mesh = sharedMeshFile(file("warped.obj"));
+    QCOMPARE(uvOf(*mesh).cols(), pointsOf(*mesh).cols());
+    QCOMPARE(pointsOf(*mesh).col(1).head<2>(), Vec<2>(160, 110));  // the handle, to the last bit
+    QVERIFY((uvOf(*mesh).col(1) - Vec<2>(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
 }
 
 /// An opaque picture that has moved by half a pixel: a row and a column more, of which a part is covered.
@@ -339,13 +340,12 @@ void TestCli::pictureFits() {
 void TestCli::texturedMesh() {
     SimplicialMesh<2> mesh = stripMesh(4, 4);
     mesh.points *= 50;  // as large as the picture
-    MeshFile source = toMeshFile<2>(mesh);
-    source.uv = mesh.points / 200;
-    source.uv.row(1) = 1 - source.uv.row(1).array();
-    writeMeshFile(file("card.obj"), source);
+    Eigen::Matrix2Xd uv = mesh.points / 200;
+    uv.row(1) = 1 - uv.row(1).array();
+    test::writeSurface(file("card.obj"), test::surfaceOf(mesh), uv);
     putProject(path(), "card.wend", "'domain': {'mesh': 'card.obj', 'image': 'disc.png'}");
     succeed({"run", "card.wend", "--image", "card.png", "--mesh", "card2.obj", "--filter", "bilinear"});
-    QCOMPARE(readMeshFile(file("card2.obj")).uv, source.uv);
+    QCOMPARE(uvOf(*sharedMeshFile(file("card2.obj"))), uv);
     // y of mesh and picture both run down, so the card is the picture again, to the rounding of the fit
     const Image card = readImage(file("card.png")), disc = readImage(file("disc.png"));
     for (std::size_t i = 3; i < card.data.size(); i += 4)
@@ -355,11 +355,11 @@ void TestCli::texturedMesh() {
 /// A quarter turn of one end of a bar: the other stays, and no tetrahedron turns over.
 void TestCli::twistedBar() {
     succeed({"run", "bar.wend", "--mesh", "twisted.mesh", "--report", "bar.json"});
-    const MeshFile twisted = readMeshFile(file("twisted.mesh"));
+    const auto twisted = sharedMeshFile(file("twisted.mesh"));
     const SimplicialMesh<3> rest = barMesh(6);
-    QVERIFY(twisted.tetrahedra == rest.cells);
-    QVERIFY((twisted.points.col(0) - Vec<3>(0, 0, 0)).norm() < 1e-13);
-    QVERIFY((twisted.points.col(6 * 9) - Vec<3>(2, 0, 6)).norm() <
+    QVERIFY(tetrahedraOf(*twisted) == rest.cells);
+    QVERIFY((pointsOf(*twisted).col(0) - Vec<3>(0, 0, 0)).norm() < 1e-13);
+    QVERIFY((pointsOf(*twisted).col(6 * 9) - Vec<3>(2, 0, 6)).norm() <
             1e-12);  // (0, 0, 6) about (1, 1): x towards y
     const QJsonObject report = jsonFile("bar.json").object();
     QCOMPARE(report["dimension"].toInt(), 3);
@@ -375,9 +375,9 @@ void TestCli::volumeFormats() {
     QFETCH(QString, name);
     succeed({"run", "bar.wend", "--mesh", name});
     succeed({"run", "bar.wend", "--mesh", "same.mesh"});
-    const MeshFile mesh = readMeshFile(file(qPrintable(name)));
-    QVERIFY(mesh.tetrahedra == barMesh(6).cells);
-    QCOMPARE(mesh.points, readMeshFile(file("same.mesh")).points);
+    const auto mesh = sharedMeshFile(file(qPrintable(name)));
+    QVERIFY(tetrahedraOf(*mesh) == barMesh(6).cells);
+    QCOMPARE(pointsOf(*mesh), pointsOf(*sharedMeshFile(file("same.mesh"))));
 }
 
 void TestCli::germanLocale() {
@@ -392,13 +392,13 @@ void TestCli::germanLocale() {
     QCOMPARE(german.out, run({"run", "bend.wend", "--at", "0.5", "--velocity", "-"}).out);
     for (const char* name : {"de.obj", "de.vtu"})
         QCOMPARE(runCli(path(), {"run", "bend.wend", "--at", "0.5", "--mesh", name}, environment).code, 0);
-    QCOMPARE(readMeshFile(file("de.obj")).points, readMeshFile(file("de.vtu")).points);
+    QCOMPARE(pointsOf(*sharedMeshFile(file("de.obj"))), pointsOf(*sharedMeshFile(file("de.vtu"))));
 }
 
 /// The same project gives the same bits with any number of threads.
 void TestCli::sameBits() {
     // As many unknowns as it takes for two threads to be used.
-    writeMeshFile(file("plate.obj"), toMeshFile<2>(stripMesh(110, 50)));
+    writeMesh<2>(file("plate.obj"), stripMesh(110, 50));
     putProject(path(), "plate.wend",
                "'domain': {'mesh': 'plate.obj'}, 'handles': [{'at': {'points': [[0, 0], [0, 50]]}},"
                "{'at': {'points': [[110, 25]]}, 'motion': [{'kind': 'translate', 'by': [-5, 12],"
@@ -419,10 +419,10 @@ void TestCli::warnsOfUnknownKeys() {
     QVERIFY2(result.error.contains("strange.wend: mood: is not known"), qPrintable(result.error));
     QVERIFY(run({"run", "strange.wend", "--mesh", "s.obj", "--quiet"}).error.isEmpty());
     // What is told of the mesh names the file, too.
-    MeshFile spare = toMeshFile<2>(stripMesh(10, 2));
+    Surface spare = test::surfaceOf(stripMesh(10, 2));
     spare.points.conservativeResize(Eigen::NoChange, spare.points.cols() + 2);
     spare.points.rightCols<2>() << 20, 21, 20, 21, 0, 0;
-    writeMeshFile(file("spare.obj"), spare);
+    test::writeSurface(file("spare.obj"), spare);
     putProject(path(), "spare.wend", "'domain': {'mesh': 'spare.obj'}");
     const CliResult told = run({"run", "spare.wend", "--mesh", "s.obj"});
     QVERIFY2(told.error.contains("spare.wend: 2 vertices belong to no cell"), qPrintable(told.error));
@@ -430,14 +430,14 @@ void TestCli::warnsOfUnknownKeys() {
 
 void TestCli::meshCommand() {
     succeed({"mesh", "disc.png", "-o", "disc.obj", "--vertices", "600"});
-    QVERIFY(std::abs(readMeshFile(file("disc.obj")).points.cols() - 600) <= 60);
+    QVERIFY(std::abs(pointsOf(*sharedMeshFile(file("disc.obj"))).cols() - 600) <= 60);
     succeed({"mesh", "disc.png", "-o", "all.obj", "--vertices", "600", "--outline", "frame"});
-    const MeshFile all = readMeshFile(file("all.obj"));
-    QCOMPARE(all.points.row(0).maxCoeff(), 200.0);
+    const auto all = sharedMeshFile(file("all.obj"));
+    QCOMPARE(pointsOf(*all).row(0).maxCoeff(), 200.0);
     put(path(), "square.json",
         json("{'polygons': [[[0, 0], [10, 0], [10, 10], [0, 10]], [[4, 4], [6, 4], [6, 6], [4, 6]]]}"));
     succeed({"mesh", "square.json", "-o", "square.obj", "--edge", "1"});
-    const auto mesh = meshFrom<2>(readMeshFile(file("square.obj")));
+    const auto mesh = readMesh<2>(file("square.obj"));
     double area = 0;
     for (const auto& cell : mesh.cells) area += cellMeasure<2>(mesh.points, cell);
     QVERIFY(std::abs(area - 96) < 1e-10);
@@ -450,12 +450,12 @@ void TestCli::meshCommand() {
     }
     put(path(), "star.json", json("{'polygons': [[" + corners + "]]}"));
     const CliResult star = runCli(path(), {"mesh", "star.json", "-o", "star.obj", "--vertices", "50"});
-    const auto count = readMeshFile(file("star.obj")).points.cols();
+    const auto count = pointsOf(*sharedMeshFile(file("star.obj"))).cols();
     QVERIFY(count >= 200);
     QVERIFY2(star.error.contains(QString("has %1 vertices, where 50 were aimed at: its outline").arg(count)),
              qPrintable(star.error));
     succeed({"mesh", "disc.wend", "-o", "again.vtu"});
-    QCOMPARE(readMeshFile(file("again.vtu")).points.col(1).head<2>(),
+    QCOMPARE(pointsOf(*sharedMeshFile(file("again.vtu"))).col(1).head<2>(),
              Vec<2>(140, 100));  // the handle's point
 }
 
@@ -464,7 +464,7 @@ void TestCli::surfaceCommand() {
         "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
     succeed({"mesh", "cube.off", "-o", "cube.vtu", "--max-volume", "0.01"});
-    const auto mesh = meshFrom<3>(readMeshFile(file("cube.vtu")));
+    const auto mesh = readMesh<3>(file("cube.vtu"));
     double volume = 0;
     for (const auto& cell : mesh.cells) volume += std::abs(cellMeasure<3>(mesh.points, cell));
     QVERIFY(std::abs(volume - 1) < 1e-12);

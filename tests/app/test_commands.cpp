@@ -7,6 +7,7 @@
 #include "app/document/free_name.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
 #include "app/document/timing_edits.h"
@@ -136,7 +137,7 @@ void TestCommands::savedUnderAnotherNameItIsThat() {
         QVERIFY(!document.isModified());
     }
     const auto phiOf = [&](const char* name) {
-        const Project saved = readProject(folder.filePath(name).toStdString()).project;
+        const Project saved = *readProject(folder.filePath(name).toStdString()).project;
         return std::get<Design<2>>(saved.design).material.phi;
     };
     QCOMPARE(phiOf("one.wend"), 0.5);

@@ -3,9 +3,9 @@
 #include <QMimeData>
 #include <QToolButton>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/distortion_panel.h"
@@ -177,8 +177,8 @@ void TestComparison::goTogether() {
     const double phi = view().comparison().phi().value();
     view().join();
     QVERIFY(!view().comparison().isOn());
-    Project changed = m_f->project();
-    std::get<Design<Dim>>(changed.design).material.phi = phi;
+    const auto changed = copyOf(m_f->project());
+    designOf<Dim>(*changed).material.phi = phi;
     session.document().change("Energy", changed);
     QVERIFY(settle(session));
     QVERIFY((session.template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
@@ -423,10 +423,10 @@ void TestComparison::takePaintAway() {
     stiff.name = "Stiff";
     stiff.shape = HalfSpace<Dim>{Vec<Dim>::Zero(), Vec<Dim>::Unit(1)};
     stiff.stiffness = Stiffness<Dim>{Vec<Dim>::Unit(0), 300};
-    Project project = *session.document().project();
+    const auto project = copyOf(*session.document().project());
     Design<Dim> design = session.document().template design<Dim>();
     design.material.regions.push_back(stiff);
-    project.design = design;
+    designOf(*project) = design;
     session.document().change(QStringLiteral("paint"), project);
     QCOMPARE(choice->itemText(choice->count() - 1), unpainted);
     choice->setFocus();

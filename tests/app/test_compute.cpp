@@ -1,18 +1,21 @@
 #include <QSignalSpy>
 #include <QThread>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/session/held_border.h"
 #include "app/session/motion_pass.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
 #include "app/session/shape_engine.h"
 #include "core/energy/distortion.h"
+#include "core/integration/integration_options.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -88,8 +91,8 @@ void TestCompute::init() {
 
 void TestCompute::open() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
-    auto project = std::make_shared<Project>(*file.project);
-    project->domain.vertices = 400;
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = 400;
     file.project = project;
     m_session->document().open(std::move(file));
     QVERIFY(settle(*m_session));
@@ -105,12 +108,10 @@ void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
 
 /// The shape at the end as a fresh deformer makes it of the shape, in one run.
 Points<2> TestCompute::commandLinePose() const {
-    const Project& project = *m_session->document().project();
-    const auto shape = std::get<Shape<2>>(loadShape(project, m_folder->path().toStdString()));
-    IntegrationOptions options = project.integration;
-    options.end = project.end;
-    Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), options);
-    deformer.advance(project.end);
+    const auto project = m_session->document().project();
+    const auto shape = std::get<Shape<2>>(loadShape(*project, m_folder->path().toStdString()));
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(*project, shape), integrationOf(*project));
+    deformer.advance(endOf(*project));
     return deformer.state().points;
 }
 
@@ -181,8 +182,8 @@ void TestCompute::stopsWhileItPrepares() {
     straight.run(sink, {});
     QVERIFY(pass.state().points == straight.state().points);
     // A motion that cannot be is told where it is run, not in the thread that found out.
-    auto impossible = std::make_shared<Project>(*second);
-    std::get<Design<2>>(impossible->design).handles[0].at = std::vector<Vec<2>>{{-500, -500}};
+    auto impossible = copyOf(*second);
+    designOf<2>(*impossible).handles[0].at = std::vector<Vec<2>>{{-500, -500}};
     pass.set(shape, impossible);
     QVERIFY_THROWS_EXCEPTION(InputError, pass.run(sink, {}));
 }
@@ -194,14 +195,9 @@ void TestCompute::anotherMeshIsTakenBack() {
     m_session->addPin({40, 80});
     m_session->addPin({200, 80});
     drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
-    const auto setVertices = [&](int count) {
-        Project project = *m_session->document().project();
-        project.domain.vertices = count;
-        m_session->document().change(QStringLiteral("Density"), project);
-    };
     const auto coarse = m_session->track().frames();
     QUndoStack& undo = *m_session->document().undoStack();
-    setVertices(900);
+    setVertices(m_session->document(), 900);
     QVERIFY(settle(*m_session));
     const auto fine = m_session->track().frames();
     QVERIFY(fine.back()->vertices > 1.5 * coarse.back()->vertices);
@@ -214,12 +210,12 @@ void TestCompute::anotherMeshIsTakenBack() {
     undo.undo();
     QVERIFY(settle(*m_session));
     for (const bool ready : {false, true}) {
-        setVertices(ready ? 1500 : 1300);
+        setVertices(m_session->document(), ready ? 1500 : 1300);
         if (ready) QVERIFY(QTest::qWaitFor([&] { return !m_session->isMeshing(); }, 60000));
         m_session->cancelWork();
         QVERIFY(settle(*m_session));
         QVERIFY(m_session->track().frames() == coarse);
-        QCOMPARE(m_session->document().project()->domain.vertices, 400);
+        QCOMPARE(m_session->document().domain().vertices, 400);
     }
     // It goes on from there as if nothing had been.
     drag(1, {{0, 3}});
@@ -234,7 +230,7 @@ void TestCompute::laterDragsContinueTheMotion() {
     drag(1, {{0, 6}, {0, 20}});
     const auto shapes = posesOf(m_session->track());
     drag(0, {{3, -8}, {5, -16}});
-    QCOMPARE(m_session->document().project()->end, 1.0);
+    QCOMPARE(m_session->document().end(), 1.0);
     QCOMPARE(m_session->playback().end(), 1.0);
     QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
     const auto later = posesOf(m_session->track());
@@ -252,8 +248,7 @@ void TestCompute::otherLengthsKeepThePoses() {
     drag(1, {{0, 6}, {0, 20}});
     const Points<2> end = m_session->frame<2>()->pose;
     for (const double length : {0.5, 5.0}) {
-        m_session->document().change(QStringLiteral("Length"),
-                                     withLength(*m_session->document().project(), length));
+        setLength(m_session->document(), length);
         QVERIFY(settle(*m_session));
         QCOMPARE(m_session->playback().end(), length);
         QCOMPARE(m_session->playback().time(), length);
@@ -280,7 +275,7 @@ void TestCompute::framesOnTheirWayCount() {
     double end = m_session->playback().end();
     for (int i = 0; i < 2; ++i) {
         end *= factor;
-        m_session->document().change("Length", withLength(*m_session->document().project(), end));
+        setLength(m_session->document(), end);
         QThread::msleep(500);  // the thread is done, and nobody has heard of it
     }
     QVERIFY(settle(*m_session));
@@ -290,7 +285,7 @@ void TestCompute::framesOnTheirWayCount() {
     OpenedFile file = openFile(writeCutOut(*m_folder));  // and what is all new
     m_session->document().open(std::move(file));
     QThread::msleep(500);
-    m_session->document().change("Again", *m_session->document().project());
+    m_session->document().change("Again", m_session->document().project());
     QVERIFY(settle(*m_session));
 }
 
@@ -411,8 +406,7 @@ void TestCompute::problemsAreTold() {
     open();
     const Points<2> before = m_session->frame<2>()->pose;
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
-    m_session->document().change(QStringLiteral("Bad pin"),
-                                 withPin(*m_session->document().project(), {5, 5}, "stray"));
+    test::addPin(m_session->document(), {5, 5}, "stray");
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
     QVERIFY(!problems.first().first().toString().isEmpty());
     QVERIFY(m_session->frame<2>()->pose == before);  // the last good shape stays
@@ -432,8 +426,8 @@ void TestCompute::cancelGoesBack() {
     QFETCH(QString, key);
     open();
     const auto vertices = [this](int count) {
-        Project next = *m_session->document().project();
-        next.domain.vertices = count;
+        const auto next = copyOf(*m_session->document().project());
+        domainOf(*next).vertices = count;
         return next;
     };
     m_session->document().change(QStringLiteral("A"), vertices(401), key);
@@ -442,28 +436,26 @@ void TestCompute::cancelGoesBack() {
     m_session->document().change(QStringLiteral("B"), vertices(90000), key);
     QVERIFY(m_session->isBusy() && m_session->isMeshing());
     m_session->cancelWork();
-    QCOMPARE(m_session->document().project()->domain.vertices, 401);
+    QCOMPARE(m_session->document().domain().vertices, 401);
     QVERIFY(settle(*m_session));
     QVERIFY(m_session->frame<2>()->rest == rest);  // not made anew
     QCOMPARE(m_session->document().undoStack()->canRedo(), key.isEmpty());
     m_session->cancelWork();  // nothing is being done
-    QCOMPARE(m_session->document().project()->domain.vertices, 401);
+    QCOMPARE(m_session->document().domain().vertices, 401);
 }
 
 /// There is nothing to go back to: the document stays, and any change makes a mesh.
 void TestCompute::firstMeshIsCancelled() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
-    auto project = std::make_shared<Project>(*file.project);
-    project->domain.vertices = 90000;
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = 90000;
     file.project = project;
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
     m_session->document().open(std::move(file));
     m_session->cancelWork();
     QVERIFY(!m_session->isBusy());
     QCOMPARE(problems.count(), 1);
-    Project fewer = *m_session->document().project();
-    fewer.domain.vertices = 300;
-    m_session->document().change(QStringLiteral("Fewer"), fewer);
+    setVertices(m_session->document(), 300);
     QVERIFY(settle(*m_session));
     QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
@@ -666,8 +658,7 @@ void TestCompute::closingEndsTheWork() {
     m_session->addPin({200, 80});
     QVERIFY(settle(*m_session));
     m_session->moveSelected<2>({}, {0, 40, 0});
-    Project wrong = withPin(*m_session->document().project(), {5, 5}, "stray");
-    m_session->document().change(QStringLiteral("Bad pin"), wrong);
+    test::addPin(m_session->document(), {5, 5}, "stray");
     QSignalSpy problems(m_session.get(), &ShapeSession::problem),
         notices(m_session.get(), &ShapeSession::notice);
     m_session->document().close();
@@ -681,7 +672,7 @@ void TestCompute::samplesOpen() {
     QVERIFY(samples.size() >= 3);
     for (const QString& path : samples) {
         const OpenedFile file = openFile(path);
-        const bool solid = file.project->dimension() == 3;
+        const bool solid = dimensionOf(*file.project) == 3;
         QVERIFY2(solid || (file.picture && file.picture->width >= 2000), qPrintable(path));
         QVERIFY2(file.warnings.isEmpty(), qPrintable(file.warnings.join(' ')));
         QVERIFY2(motionEnd(*file.project) > 0, qPrintable(path));

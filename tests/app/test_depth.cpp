@@ -9,6 +9,7 @@
 
 #include "app/document/depth_edits.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
@@ -20,6 +21,7 @@
 #include "app/view/ground.h"
 #include "core/integration/deformer.h"
 #include "kernels/opencl_devices.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warped_picture.h"
 
@@ -242,7 +244,7 @@ QString TestDepth::run(BackEndKind backEnd) {
     RunOptions options;
     options.backEnd = backEnd;
     options.outputs.image = picture.toStdString();
-    const Project project = readProject(file.toStdString()).project;
+    const Project project = *readProject(file.toStdString()).project;
     if (runProject(project, file.toStdString(), options).outcome != Outcome::Done) return {};
     return picture;
 }
@@ -480,9 +482,7 @@ void TestDepth::anotherMeshHasItsOwnOrder() {
     setDepth({{"arm", Polygon{pointsOf(kArm)}, 1}});
     canvasIsTheExport();
     for (const int vertices : {350, 500}) {
-        Project project = *m_session.document().project();
-        project.domain.vertices = vertices;
-        m_session.document().change(QStringLiteral("Density"), std::move(project));
+        setVertices(m_session.document(), vertices);
         QVERIFY(settle(m_session));
         canvasIsTheExport();
     }

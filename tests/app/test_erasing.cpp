@@ -2,7 +2,6 @@
 #include <QSignalSpy>
 
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/tools/layer_lines.h"
 #include "tests/support/paint_test.h"
 

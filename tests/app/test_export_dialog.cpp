@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/panels/option_field.h"
 #include "app/session/run_options.h"
 #include "app/view/actions.h"
@@ -15,6 +15,7 @@
 #include "app/view/exporter.h"
 #include "app/view/main_window.h"
 #include "app/view/picture_dialog.h"
+#include "tests/support/projects.h"
 #include "tests/support/webp_frames.h"
 #include "tests/support/window_fixture.h"
 
@@ -103,9 +104,7 @@ void TestExportDialog::cleanup() {
 void TestExportDialog::open(const QString& picture) {
     m_window->openPath(picture);
     QVERIFY(QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000));
-    Project coarse = *session().document().project();
-    coarse.domain.vertices = 300;
-    session().document().change(QStringLiteral("Coarse"), coarse);
+    setVertices(session().document(), 300);
     QVERIFY(settle(session()));
 }
 
@@ -488,7 +487,7 @@ void TestExportDialog::softEdgesAtRestAreTheSourcesOwn() {
         }
     image.save(file("soft.png"));
     open(file("soft.png"));
-    QVERIFY(session().document().project()->domain.outline == OutlineKind::Alpha);
+    QVERIFY(session().document().domain().outline == OutlineKind::Alpha);
     QVERIFY(written(ExportKind::Picture, file("rest.png"), {}));
     const QImage rest = QImage(file("rest.png")).convertToFormat(QImage::Format_ARGB32);
     int off = 0;

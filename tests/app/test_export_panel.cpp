@@ -14,6 +14,7 @@
 #include "app/view/export_preview.h"
 #include "app/view/exporter.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/projects.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -271,9 +272,7 @@ void TestExportPanel::framesLastAsLongAsTheMotion() {
     const OptionField* count = panel().form().field("--count");
     QCOMPARE(count->number(), std::lround(24 * seconds()) + 1.0);
     const double before = seconds();
-    Project longer = *m_f->session().document().project();
-    longer.end = 3 * longer.end;
-    m_f->session().document().change(QStringLiteral("Longer"), longer);
+    setLength(m_f->session().document(), 3 * m_f->session().document().end());
     QVERIFY(settle(m_f->session()));
     QCOMPARE(seconds(), 3 * before);
     QTRY_COMPARE(count->number(), std::lround(24 * seconds()) + 1.0);
@@ -285,7 +284,7 @@ void TestExportPanel::nothingIsWrittenWithoutAShape() {
     toExport();
     QTRY_VERIFY(button("Export…")->isEnabled());
     Document& document = m_f->session().document();
-    document.change(QStringLiteral("Bad pin"), withPin<2>(*document.project(), {5, 5}, "stray"));
+    addPin(document, {5, 5}, "stray");
     QTRY_VERIFY_WITH_TIMEOUT(!button("Export…")->isEnabled(), 20000);
     QTRY_VERIFY(panel().findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
     document.undoStack()->undo();

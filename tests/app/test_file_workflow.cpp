@@ -5,8 +5,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/document/project_writer.h"
 #include "app/session/opening.h"
 #include "app/view/file_card.h"
@@ -14,6 +15,7 @@
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -73,11 +75,15 @@ void TestFileWorkflow::cleanup() {
 
 /// A project with one pin that was never saved.
 QString TestFileWorkflow::leaveLostWork(const QString& picture) {
-    Project project;
-    project.domain.path = picture.toStdString();
-    project = withPin(project, {40, 20}, "Pin 1");
+    const auto project = newProject();
+    domainOf(*project).path = picture.toStdString();
+    OpenedFile file;
+    file.project = project;
+    Document work;
+    work.open(file);
+    addPin(work, {40, 20}, "Pin 1");
     const QString copy = m_copies + "/lost.wend";
-    writeProject(copy.toStdString(), project);
+    writeProject(copy.toStdString(), *work.project());
     QSettings origin(m_copies + "/lost.ini", QSettings::IniFormat);
     origin.setValue("source", picture);
     return copy;
@@ -121,7 +127,7 @@ void TestFileWorkflow::aFailedRecoveryKeepsTheCopy() {
     QVERIFY(QTest::qWaitFor([&] { return !m_window->banner().text().isEmpty(); }, 20000));
     m_window->openPath(writeCutOut(*m_folder));
     QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
-    document().change("Pin", withPin(*document().project(), {40, 20}, "Pin 1"));
+    addPin(document(), {40, 20}, "Pin 1");
     QVERIFY(QTest::qWaitFor([&] { return QDir(m_copies).entryList({"*.wend"}).size() == 2; }, 20000));
     QVERIFY(QFile::exists(copy));
 }
@@ -175,7 +181,7 @@ void TestFileWorkflow::changesDuringAReadingAreAskedFor() {
     const int generation = document().generation();
     QSignalSpy finished(&m_window->files(), &FileWorkflow::openingChanged);
     m_window->openPath(picture);  // nothing is changed yet: not asked
-    document().change("Pin", withPin(*document().project(), {40, 20}, "Pin 1"));
+    addPin(document(), {40, 20}, "Pin 1");
     answerNext(m_window.get(), "Cancel");
     QVERIFY(QTest::qWaitFor([&] { return finished.size() == 2; }, 20000));
     QTest::qWait(300);

@@ -6,6 +6,8 @@
 #include <QPushButton>
 #include <fstream>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
@@ -16,8 +18,8 @@
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
-#include "tests/support/bar_project.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -47,7 +49,7 @@ class TestFilesOnDisk : public QObject {
 
   private:
     void openProject();
-    void pin(double x) { document().change("Pin", withPin(*document().project(), {x, 80}, "Pin")); }
+    void pin(double x) { addPin(document(), {x, 80}, "Pin"); }
     /// As another program would: a new file in the place of the old one.
     void writeAsOther(int vertices);
     bool told(const QString& part) {
@@ -79,7 +81,7 @@ void answerNext(QObject* scope, const QString& name) {
 }
 
 std::size_t pinsIn(const QString& path) {
-    return std::get<Design<2>>(readProject(path.toStdString()).project.design).handles.size();
+    return designOf<2>(*readProject(path.toStdString()).project).handles.size();
 }
 
 }  // namespace
@@ -97,15 +99,13 @@ void TestFilesOnDisk::cleanup() {
 }
 
 void TestFilesOnDisk::openProject() {
-    writeProject(file("bar.wend").toStdString(), barProject(writeCutOut(*m_folder)));
+    writeProject(file("bar.wend").toStdString(), *barProject(writeCutOut(*m_folder)));
     m_window->openPath(file("bar.wend"));
     QVERIFY(isOpen("bar.wend"));
 }
 
 void TestFilesOnDisk::writeAsOther(int vertices) {
-    Project other = barProject(file("bar.png"));
-    other.domain.vertices = vertices;
-    writeProject(file("bar.wend").toStdString(), other);
+    writeProject(file("bar.wend").toStdString(), *barProject(file("bar.png"), vertices));
 }
 
 void TestFilesOnDisk::press(const QString& name) {
@@ -137,7 +137,7 @@ void TestFilesOnDisk::reloadingTakesThem() {
     answerNext(m_window.get(), "Reload");
     press("Reload");
     QVERIFY(opened(generation));
-    QCOMPARE(document().project()->domain.vertices, 321);
+    QCOMPARE(document().domain().vertices, 321);
     QVERIFY(m_window->banner().text().isEmpty() && !document().isModified());
 }
 
@@ -149,7 +149,7 @@ void TestFilesOnDisk::keepingMineSavesOverThem() {
     QVERIFY(m_window->banner().text().isEmpty());
     QVERIFY(document().isModified());  // so that there is something to save
     QVERIFY(m_window->files().save());
-    QCOMPARE(readProject(file("bar.wend").toStdString()).project.domain.vertices, 400);
+    QCOMPARE(domainOf(*readProject(file("bar.wend").toStdString()).project).vertices, 400);
 }
 
 /// Also before the banner has had its time.
@@ -159,11 +159,11 @@ void TestFilesOnDisk::savingAsksFirst() {
     writeAsOther(321);
     answerNext(m_window.get(), "Cancel");
     QVERIFY(!m_window->files().save());
-    QCOMPARE(readProject(file("bar.wend").toStdString()).project.domain.vertices, 321);
+    QCOMPARE(domainOf(*readProject(file("bar.wend").toStdString()).project).vertices, 321);
     QVERIFY(document().isModified());
     answerNext(m_window.get(), "Keep Mine");
     QVERIFY(m_window->files().save());
-    QCOMPARE(readProject(file("bar.wend").toStdString()).project.domain.vertices, 400);
+    QCOMPARE(domainOf(*readProject(file("bar.wend").toStdString()).project).vertices, 400);
     QCOMPARE(pinsIn(file("bar.wend")), std::size_t(1));
     QVERIFY(QTest::qWaitFor([&] { return m_window->banner().text().isEmpty(); }, 60000));
 }
@@ -176,7 +176,7 @@ void TestFilesOnDisk::twoWindowsOnOneProject() {
     Document& theirs = second.session().document();
     QVERIFY(QTest::qWaitFor([&] { return !theirs.isEmpty(); }, 60000));
     pin(40);
-    theirs.change("Pin", withPin(*theirs.project(), {200, 80}, "Other"));
+    addPin(theirs, {200, 80}, "Other");
     QVERIFY(second.files().save());
     QVERIFY(told("another program or window"));
     answerNext(m_window.get(), "Cancel");
@@ -258,7 +258,7 @@ void TestFilesOnDisk::transparentPicturesAreTold() {
     QVERIFY(document().isEmpty());
     press("Use Whole Frame");
     QVERIFY(opened(0));
-    QVERIFY(document().project()->domain.outline == OutlineKind::Frame);
+    QVERIFY(document().domain().outline == OutlineKind::Frame);
     QVERIFY(m_window->banner().text().isEmpty());
     m_window->openPath(file("nothing.png"));
     QVERIFY(told("Nothing to see"));
@@ -286,7 +286,8 @@ void TestFilesOnDisk::movedPicturesAreFound() {
     QVERIFY(found.picture() && again.banner().text().isEmpty());
     QVERIFY(found.isModified());
     QVERIFY(again.files().save());
-    QCOMPARE(readProject(file("bar.wend").toStdString()).project.domain.path, std::string("moved/bar.png"));
+    QCOMPARE(domainOf(*readProject(file("bar.wend").toStdString()).project).path,
+             std::string("moved/bar.png"));
 }
 
 void TestFilesOnDisk::ownFilesAreAskedFor() {

@@ -5,7 +5,8 @@
 #include <QScrollBar>
 #include <QSlider>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/timing_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/pin_marks.h"
@@ -109,8 +110,8 @@ void TestFilm::open(int dimension) {
 /// The first handle moves from 0 to 1, the second from 1 to 2, in a film of 4 s.
 void TestFilm::openFilm(int dimension) {
     open(dimension);
-    Project next = project();
-    next.end = 4;
+    const auto next = copyOf(project());
+    endOf(*next) = 4;
     std::visit(
         [](auto& design) {
             for (std::size_t h = 0; h < 2; ++h) {
@@ -123,7 +124,7 @@ void TestFilm::openFilm(int dimension) {
                 motions[0].end = static_cast<double>(h) + 1;
             }
         },
-        next.design);
+        designOf(*next));
     session().document().change(QStringLiteral("Film"), next);
     QVERIFY(settle(session()));
 }
@@ -136,7 +137,7 @@ QPoint TestFilm::pin(int handle) {
 
 std::size_t TestFilm::motions(int handle) {
     return std::visit([=](const auto& design) { return design.handles[handle].motions.size(); },
-                      project().design);
+                      designOf(project()));
 }
 
 /// Ten moves, a rest of half a second if there is a pause, and back half the way.
@@ -159,9 +160,9 @@ void TestFilm::recordsWhatTheHandDoes() {
     record(1, Qt::ControlModifier, 500);
     QCOMPARE(motions(1), std::size_t(1));
     QCOMPARE(session().playback().time(), 0.0);
-    const MotionTime time = timeOf(project().design, 1, 0);
+    const MotionTime time = timeOf(designOf(project()), 1, 0);
     QCOMPARE(time.start, 0.0);
-    QCOMPARE(time.end, project().end);
+    QCOMPARE(time.end, endOf(project()));
     // The clock of the events runs at least as long as their pauses.
     QVERIFY2(time.end > 0.7 && time.end < 1.5, qPrintable(QString::number(time.end)));
     QCOMPARE(session().document().undoStack()->undoText().left(6), QString("Record"));
@@ -177,12 +178,12 @@ void TestFilm::recordsWithTheSwitch() {
     switchOn->trigger();
     record(1, Qt::NoModifier, 300);
     QCOMPARE(session().playback().time(), 0.0);
-    QVERIFY(project().end > 0.4 && project().end != 1.0);
+    QVERIFY(endOf(project()) > 0.4 && endOf(project()) != 1.0);
     switchOn->trigger();
-    const double end = project().end;
+    const double end = endOf(project());
     session().playback().setTime(end);
     record(1, Qt::NoModifier);
-    QCOMPARE(project().end, end);  // a drag as ever: by way
+    QCOMPARE(endOf(project()), end);  // a drag as ever: by way
     QCOMPARE(motions(1), std::size_t(2));
 }
 
@@ -190,12 +191,12 @@ void TestFilm::othersGoOnWhileOneIsRecorded() {
     openFilm(2);
     session().playback().setTime(0);
     QVERIFY(settle(session()));
-    const MotionTime before = timeOf(project().design, 0, 0);
+    const MotionTime before = timeOf(designOf(project()), 0, 0);
     record(1, Qt::ControlModifier, 200);
-    QCOMPARE(timeOf(project().design, 0, 0), before);
-    QCOMPARE(project().end, 4.0);
+    QCOMPARE(timeOf(designOf(project()), 0, 0), before);
+    QCOMPARE(endOf(project()), 4.0);
     QCOMPARE(motions(1), std::size_t(1));  // its own, which was later, is replaced
-    QCOMPARE(timeOf(project().design, 1, 0).start, 0.0);
+    QCOMPARE(timeOf(designOf(project()), 1, 0).start, 0.0);
 }
 
 /// A plain drag at an earlier time: only what the dragged handle did later is replaced, and that is told. The
@@ -219,11 +220,11 @@ void TestFilm::dragsLeaveOthersAlone() {
         record(handle, Qt::NoModifier);
     };
     dragAt(0.5, 0);
-    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 0.5}));
-    QCOMPARE(timeOf(project().design, 0, 1), (MotionTime{0.5, 4}));
-    QCOMPARE(timeOf(project().design, 1, 0), (MotionTime{1, 2}));
+    QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{0, 0.5}));
+    QCOMPARE(timeOf(designOf(project()), 0, 1), (MotionTime{0.5, 4}));
+    QCOMPARE(timeOf(designOf(project()), 1, 0), (MotionTime{1, 2}));
     QCOMPARE(motions(1), std::size_t(1));
-    QCOMPARE(project().end, 4.0);
+    QCOMPARE(endOf(project()), 4.0);
     QCOMPARE(session().playback().time(), 4.0);
     QVERIFY(told.size() == 1 && told[0].contains("did later is replaced"));
     // The integrator begins anew where the drag begins: they are the same but for its error.
@@ -236,8 +237,8 @@ void TestFilm::dragsLeaveOthersAlone() {
     // What did nothing later replaces nothing, and arrow keys go on with their step.
     told.clear();
     dragAt(3, 1);
-    QCOMPARE(timeOf(project().design, 1, 1), (MotionTime{3, 4}));
-    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));
+    QCOMPARE(timeOf(designOf(project()), 1, 1), (MotionTime{3, 4}));
+    QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{0, 1}));
     QVERIFY(told.isEmpty());
     session().document().undoStack()->undo();
     session().playback().setTime(3);
@@ -247,15 +248,15 @@ void TestFilm::dragsLeaveOthersAlone() {
         QVERIFY(settle(session()));
     }
     QCOMPARE(motions(1), std::size_t(2));
-    QCOMPARE(timeOf(project().design, 1, 1), (MotionTime{3, 4}));
-    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));
+    QCOMPARE(timeOf(designOf(project()), 1, 1), (MotionTime{3, 4}));
+    QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{0, 1}));
 }
 
 /// At half the speed the same deed takes half as much of the film.
 void TestFilm::recordsByTheClockOfTheFilm() {
     open(2);
     record(1, Qt::ControlModifier, 400);
-    const double whole = project().end;
+    const double whole = endOf(project());
     session().document().undoStack()->undo();
     QVERIFY(settle(session()));
     const QList<QAction*> speeds = m_window->window().actions().speed->actions();
@@ -263,8 +264,8 @@ void TestFilm::recordsByTheClockOfTheFilm() {
     speeds[1]->trigger();
     QVERIFY(m_window->window().actions().speed->title().contains("50"));
     record(1, Qt::ControlModifier, 400);
-    QVERIFY2(std::abs(project().end / whole - 0.5) < 0.02,
-             qPrintable(QString::number(project().end / whole)));
+    QVERIFY2(std::abs(endOf(project()) / whole - 0.5) < 0.02,
+             qPrintable(QString::number(endOf(project()) / whole)));
 }
 
 /// While the hand rests in a recording the other pin goes its way, and the time is shown; given up, all is as
@@ -307,8 +308,8 @@ void TestFilm::playsAtItsSpeed() {
 /// A bar shorter than the shortest, between its neighbours: its start has nowhere to go.
 void TestFilm::shortBarsKeepTheirPlace() {
     openFilm(2);
-    Project next = project();
-    auto& motions = std::get<Design<2>>(next.design).handles[0].motions;
+    const auto next = copyOf(project());
+    auto& motions = designOf<2>(*next).handles[0].motions;
     motions.resize(2, motions[0]);
     motions[0].end = 0.99;
     motions[1].start = 0.99;
@@ -316,7 +317,7 @@ void TestFilm::shortBarsKeepTheirPlace() {
     session().document().change(QStringLiteral("Short"), next);
     QVERIFY(settle(session()));
     dragBar(0, 1, tracks().barOf(0, 1).left(), -60);
-    QCOMPARE(timeOf(project().design, 0, 1), (MotionTime{0.99, 1}));
+    QCOMPARE(timeOf(designOf(project()), 0, 1), (MotionTime{0.99, 1}));
 }
 
 void TestFilm::givenUpRecordingLeavesNothing() {
@@ -360,15 +361,15 @@ void TestFilm::barsAreDragged() {
     QVERIFY(std::abs(bar.width() - second) <= 1);
     const int steps = session().document().undoStack()->count();
     dragBar(0, 0, bar.center().x(), 0.3 * second);
-    MotionTime time = timeOf(project().design, 0, 0);
+    MotionTime time = timeOf(designOf(project()), 0, 0);
     QVERIFY(std::abs(time.start - 0.3) <= pixel && std::abs(time.end - 1.3) <= pixel);
     QCOMPARE(session().document().undoStack()->count(), steps + 1);
-    QCOMPARE(timeOf(project().design, 1, 0), (MotionTime{1, 2}));
+    QCOMPARE(timeOf(designOf(project()), 1, 0), (MotionTime{1, 2}));
     dragBar(0, 0, tracks().barOf(0, 0).right() - 1, 0.4 * second);
-    time = timeOf(project().design, 0, 0);
+    time = timeOf(designOf(project()), 0, 0);
     QVERIFY(std::abs(time.start - 0.3) <= pixel && std::abs(time.end - 1.7) <= 2 * pixel);
     dragBar(0, 0, tracks().barOf(0, 0).left() + 1, 0.2 * second);
-    time = timeOf(project().design, 0, 0);
+    time = timeOf(designOf(project()), 0, 0);
     QVERIFY(std::abs(time.start - 0.5) <= 3 * pixel && std::abs(time.end - 1.7) <= 2 * pixel);
     QCOMPARE(session().selection().handles(), std::vector<int>{0});
     // Both ends of its time are where the handle begins and ends to move.
@@ -392,7 +393,7 @@ void TestFilm::holdsAreDragged() {
     const double second = span() / 4, pixel = 4 / span();
     const double endless = std::numeric_limits<double>::infinity();
     const auto line = [&] { return tracks().barOf(1, TrackView::kHold); };
-    const auto hold = [&] { return holdOf(project().design, 1); };
+    const auto hold = [&] { return holdOf(designOf(project()), 1); };
     QCOMPARE(hold(), (MotionTime{-endless, endless}));
     QVERIFY(std::abs(line().width() - 4 * second) <= 1);
     const int steps = session().document().undoStack()->count();
@@ -405,7 +406,7 @@ void TestFilm::holdsAreDragged() {
     QVERIFY(std::abs(hold().end - 3.3) <= 2 * pixel);
     dragBar(1, TrackView::kHold, line().right(), -3 * second);  // and ends at 2
     QCOMPARE(hold(), (MotionTime{1, 2}));
-    QCOMPARE(timeOf(project().design, 1, 0), (MotionTime{1, 2}));
+    QCOMPARE(timeOf(designOf(project()), 1, 0), (MotionTime{1, 2}));
     session().selection().set({0, 1});
     QAction* whole = m_window->window().findChild<PinActions*>()->holdThroughout;
     QVERIFY(whole->isEnabled());
@@ -416,14 +417,14 @@ void TestFilm::holdsAreDragged() {
     session().document().undoStack()->undo();
     QCOMPARE(hold(), (MotionTime{1, 2}));
     // One that is set at the end holds there alone, and its line is a stop that goes only one way.
-    Project late = project();
-    late.design = withHold(late.design, 1, {0, 4}, late.end);
+    const auto late = copyOf(project());
+    designOf(*late) = withHold(designOf(*late), 1, {0, 4}, endOf(*late));
     std::visit(
         [](auto& design) {
             design.handles[1].motions.clear();
             design.handles[1].activeFrom = 4;
         },
-        late.design);
+        designOf(*late));
     session().document().change(QStringLiteral("Late"), late);
     QVERIFY(settle(session()));
     for (const double beside : {-4.0, 4.0}) {
@@ -438,17 +439,17 @@ void TestFilm::barsSnapToEachOther() {
     openFilm(2);
     const double second = span() / 4;
     dragBar(0, 0, tracks().barOf(0, 0).center().x(), 1.0 * second + 4);
-    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{1, 2}));  // with the other, exactly
+    QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{1, 2}));  // with the other, exactly
 }
 
 void TestFilm::lockedBarsStay() {
     openFilm(2);
-    Project next = project();
-    std::get<Design<2>>(next.design).handles[0].traits.locked = true;
+    const auto next = copyOf(project());
+    designOf<2>(*next).handles[0].traits.locked = true;
     session().document().change(QStringLiteral("Lock"), next);
     QVERIFY(settle(session()));
     dragBar(0, 0, tracks().barOf(0, 0).center().x(), 60);
-    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));
+    QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{0, 1}));
 }
 
 void TestFilm::barsByKeyboard() {
@@ -464,7 +465,7 @@ void TestFilm::barsByKeyboard() {
     QVERIFY(std::abs(session().playback().time() - 0.04) < 1e-12);
     const int steps = session().document().undoStack()->count();
     for (int i = 0; i < 5; ++i) QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
-    const MotionTime time = timeOf(project().design, 1, 0);
+    const MotionTime time = timeOf(designOf(project()), 1, 0);
     QVERIFY(std::abs(time.start - 1.2) < 1e-9 && std::abs(time.end - 2.2) < 1e-9);
     QCOMPARE(session().document().undoStack()->count(), steps + 1);  // keys in a row are one step
     QTest::keyClick(&tracks(), Qt::Key_Delete);
@@ -485,7 +486,7 @@ void TestFilm::severalBarsGoTogether() {
                           tracks().barOf(handle, 0).center().toPoint());
     };
     const auto isAt = [&](int handle, double start, double end) {
-        const MotionTime time = timeOf(project().design, handle, 0);
+        const MotionTime time = timeOf(designOf(project()), handle, 0);
         return std::abs(time.start - start) <= 2 * pixel && std::abs(time.end - end) <= 2 * pixel;
     };
     click(0, {});
@@ -501,20 +502,20 @@ void TestFilm::severalBarsGoTogether() {
     dragBar(1, 0, tracks().barOf(1, 0).right() - 1, -second);  // all from 0.5 to 1.5
     QVERIFY(isAt(0, 0.5, 1) && isAt(1, 1, 1.5));
     dragBar(1, 0, tracks().barOf(1, 0).left() + 1, -0.2 * second);  // the end of all stays
-    QVERIFY(std::abs(timeOf(project().design, 1, 0).end - 1.5) <= 3 * pixel);
-    QVERIFY(std::abs(timeOf(project().design, 1, 0).start - 0.8) <= 3 * pixel);
+    QVERIFY(std::abs(timeOf(designOf(project()), 1, 0).end - 1.5) <= 3 * pixel);
+    QVERIFY(std::abs(timeOf(designOf(project()), 1, 0).start - 0.8) <= 3 * pixel);
     QCOMPARE(session().document().undoStack()->count(), steps + 3);
     session().document().undoStack()->setIndex(steps);
     QVERIFY(settle(session()));
     QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
-    QVERIFY(timeOf(project().design, 0, 0).start > 0.03 && timeOf(project().design, 1, 0).start > 1.03);
+    QVERIFY(timeOf(designOf(project()), 0, 0).start > 0.03 && timeOf(designOf(project()), 1, 0).start > 1.03);
     session().document().undoStack()->undo();
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QVERIFY(motions(0) == 0 && motions(1) == 0);
     QCOMPARE(session().document().undoStack()->count(), steps + 1);
     session().document().undoStack()->undo();
-    Project locked = project();
-    std::visit([](auto& design) { design.handles[0].traits.locked = true; }, locked.design);
+    const auto locked = copyOf(project());
+    std::visit([](auto& design) { design.handles[0].traits.locked = true; }, designOf(*locked));
     session().document().change(QStringLiteral("Lock"), locked);
     QVERIFY(settle(session()));
     click(0, {});
@@ -549,7 +550,7 @@ void TestFilm::framesChooseBars() {
     QTest::keyClick(&tracks(), Qt::Key_Escape);
     QTest::mouseRelease(area, Qt::LeftButton, {}, first.center().toPoint());
     QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
-    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));  // none was chosen
+    QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{0, 1}));  // none was chosen
 }
 
 void TestFilm::menuOfABar() {
@@ -565,8 +566,8 @@ void TestFilm::menuOfABar() {
     QCOMPARE(actions.size(), 5);
     QVERIFY(actions[0]->isChecked());
     actions[3]->trigger();
-    QCOMPARE(std::get<Design<3>>(project().design).handles[1].motions[0].ease, Ease::InOut);
-    QCOMPARE(std::get<Design<3>>(project().design).handles[0].motions[0].ease, Ease::Linear);
+    QCOMPARE(designOf<3>(project()).handles[1].motions[0].ease, Ease::InOut);
+    QCOMPARE(designOf<3>(project()).handles[0].motions[0].ease, Ease::Linear);
     actions[4]->trigger();
     QCOMPARE(motions(1), std::size_t(0));
     QCOMPARE(motions(0), std::size_t(1));
@@ -590,7 +591,7 @@ void TestFilm::ghostsTellWhenTheyHold() {
     QFETCH(int, dimension);
     openFilm(dimension);
     session().document().changeDesign(QStringLiteral("Hold"),
-                                      withHold(project().design, 1, {1, 2.5}, project().end));
+                                      withHold(designOf(project()), 1, {1, 2.5}, endOf(project())));
     QVERIFY(settle(session()));
     const auto name = [&] { return dimension == 2 ? ghostName<2>(session()) : ghostName<3>(session()); };
     session().playback().setTime(0.2);
@@ -669,10 +670,10 @@ void TestFilm::rulerIsScrubbed() {
 void TestFilm::filmsBeginWithWhatMoves() {
     open(2);
     for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80});
-    Project next = project();
-    std::get<Design<2>>(next.design).handles.back().motions = {Motion<2>{Translate<2>{{0, 5}}}};
+    const auto next = copyOf(project());
+    designOf<2>(*next).handles.back().motions = {Motion<2>{Translate<2>{{0, 5}}}};
     OpenedFile file;
-    file.project = std::make_shared<const Project>(std::move(next));
+    file.project = next;
     file.picture = session().document().picture();
     session().document().undoStack()->setClean();
     session().document().open(std::move(file));
@@ -700,8 +701,8 @@ void TestFilm::manyPinsScroll() {
 /// Where the shape was the canvas is tinted, in another colour where it will be; not while it plays.
 void TestFilm::onionSkinShowsWhatWasAndComes() {
     openFilm(2);
-    Project next = project();  // the whole bar goes down, evenly
-    for (auto& handle : std::get<Design<2>>(next.design).handles) {
+    const auto next = copyOf(project());  // the whole bar goes down, evenly
+    for (auto& handle : designOf<2>(*next).handles) {
         std::get<Translate<2>>(handle.motions[0].kind).by = {0, 60};
         handle.motions[0].start = 0, handle.motions[0].end = 4;
     }
@@ -731,9 +732,9 @@ void TestFilm::onionSkinShowsWhatWasAndComes() {
 /// Not of the transparent margin that bends with it.
 void TestFilm::onionSkinIsOfWhatIsDrawn() {
     openFilm(2);
-    Project next = project();
-    next.domain.alpha.margin = 16;
-    for (auto& handle : std::get<Design<2>>(next.design).handles) {
+    const auto next = copyOf(project());
+    domainOf(*next).alpha.margin = 16;
+    for (auto& handle : designOf<2>(*next).handles) {
         std::get<Translate<2>>(handle.motions[0].kind).by = {0, 60};
         handle.motions[0].start = 0, handle.motions[0].end = 4;
     }

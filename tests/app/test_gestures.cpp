@@ -1,8 +1,11 @@
 #include <QSignalSpy>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
+#include "app/document/setting_edits.h"
 #include "app/session/drag_gesture.h"
 #include "app/session/held_border.h"
 #include "app/session/opening.h"
@@ -10,6 +13,8 @@
 #include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
+#include "core/integration/integration_options.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -42,7 +47,6 @@ class TestGestures : public QObject {
   private:
     void open(int vertices = 400);
     bool settled() { return settle(*m_session); }
-    void edit(const Project& next) { m_session->document().change(QStringLiteral("Edit"), next); }
     const Project& project() { return *m_session->document().project(); }
     void begin(int handle);
     void drag(int handle, const Vec<2>& way);
@@ -62,8 +66,8 @@ void TestGestures::init() {
 
 void TestGestures::open(int vertices) {
     OpenedFile file = openFile(writeCutOut(*m_folder));
-    auto coarse = std::make_shared<Project>(*file.project);
-    coarse->domain.vertices = vertices;
+    auto coarse = copyOf(*file.project);
+    domainOf(*coarse).vertices = vertices;
     file.project = coarse;
     m_session->document().open(std::move(file));
     QVERIFY(settled());
@@ -88,7 +92,7 @@ void TestGestures::drag(int handle, const Vec<2>& way) {
 Points<2> TestGestures::poseOf(const Project& project) const {
     const auto shape = std::get<Shape<2>>(loadShape(project, m_folder->path().toStdString()));
     Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
-    deformer.advance(project.end);
+    deformer.advance(endOf(project));
     return deformer.state().points;
 }
 
@@ -111,9 +115,7 @@ void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
     open();
     const auto before = m_session->frame<2>()->rest;
     const int added = m_session->addPin<2>({120.25, 80.5});
-    Project fine = project();
-    fine.domain.vertices = 1000000;  // nobody waits for it: the mesh below takes its place
-    edit(fine);
+    setVertices(m_session->document(), 1000000);  // nobody waits for it: the mesh below takes its place
     begin(added);
     m_session->dragTo<2>({0, 12});
     QVERIFY(follows());
@@ -122,9 +124,7 @@ void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
     QVERIFY((m_session->pins()[2].centre - Vec<2>(120.25, 92.5)).norm() < 1e-9);
     QVERIFY(m_session->frame()->pinError < 1e-6);
     m_session->endDrag(0.2);
-    Project coarse = project();
-    coarse.domain.vertices = 400;
-    edit(coarse);
+    setVertices(m_session->document(), 400);
     QVERIFY(settled());
     QVERIFY(m_session->frame<2>()->rest != before);
     QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
@@ -210,9 +210,7 @@ void TestGestures::refusedDragsLeaveOthersAlone() {
 void TestGestures::dragsNeedNotWaitForTheMotion() {
     open(1500);
     drag(1, {0, 10});
-    Project slow = project();
-    slow.integration.tolerance = 1e-12;
-    edit(slow);
+    changeSetting(m_session->document(), "integration.tolerance", 1e-12);
     QSignalSpy busy(m_session.get(), &ShapeSession::busyChanged);
     QVERIFY(QTest::qWaitFor([&] { return m_session->playback().time() == 1; }, 20000));
     begin(1);
@@ -298,15 +296,13 @@ void TestGestures::clicksBesideTheShapeAreTold() {
 /// The end that fixed steps divide is the project's, however often it grew.
 void TestGestures::fixedStepsGoOnAsInTheFile() {
     open();
-    Project fixed = project();
-    fixed.integration.method = Method::RungeKutta4;
-    fixed.integration.steps = 3;
-    edit(fixed);
+    changeSetting(m_session->document(), "integration.method", static_cast<double>(Method::RungeKutta4));
+    changeSetting(m_session->document(), "integration.steps", 3);
     drag(1, {0, 10});
     drag(1, {0, 10});
-    QCOMPARE(project().end, 1.0);
-    const Project read = parseProject(toJson(project()), "memory.wend").project;
-    QVERIFY(m_session->frame<2>()->pose == poseOf(read));
+    QCOMPARE(endOf(project()), 1.0);
+    const auto read = parseProject(toJson(project()), "memory.wend").project;
+    QVERIFY(m_session->frame<2>()->pose == poseOf(*read));
     QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
 }
 
@@ -315,9 +311,7 @@ void TestGestures::newPinDoesNotDim() {
     m_session->addPin<2>({120, 80});
     QVERIFY(m_session->isBusy() && !m_session->isStale());
     QVERIFY(settled());
-    Project finer = project();
-    finer.domain.vertices = 500;
-    edit(finer);
+    setVertices(m_session->document(), 500);
     QVERIFY(m_session->isStale());
     QVERIFY(settled());
 }
@@ -328,21 +322,21 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     QVERIFY(!canSettle(m_session->document()));
     drag(1, {-20, 50});
     QVERIFY(canSettle(m_session->document()));
-    const double end = project().end, before = m_session->frame()->distortion->totalMetric;
+    const double end = endOf(project()), before = m_session->frame()->distortion->totalMetric;
     const int steps = m_session->document().undoStack()->index();
     m_session->playback().setTime(0.3 * end);
     settleAtEnd(*m_session);
     QVERIFY(settled());
     QCOMPARE(m_session->document().undoStack()->index(), steps + 1);
-    QVERIFY((project().settle == std::vector<SettleWindow>{{end, end + 1}}));
-    QCOMPARE(project().end, end + 1);
+    QVERIFY((settlingOf(project()) == std::vector<SettleWindow>{{end, end + 1}}));
+    QCOMPARE(endOf(project()), end + 1);
     QCOMPARE(m_session->playback().time(), end + 1);
     QVERIFY(m_session->frame()->distortion->totalMetric < before);
     QVERIFY(m_session->frame()->pinError < 1e-9);
     QVERIFY(m_session->frame<2>()->pose == poseOf(project()));  // as the command line's
     m_session->document().undoStack()->undo();
     QVERIFY(settled());
-    QVERIFY(project().settle.empty());
+    QVERIFY(settlingOf(project()).empty());
     QCOMPARE(m_session->playback().end(), end);
 }
 

@@ -3,11 +3,13 @@
 
 #include <QtTest>
 
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_reader.h"
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/run.h"
+#include "app/session/settle_step.h"
 #include "core/integration/deformer.h"
 #include "tests/support/window_fixture.h"
 
@@ -81,10 +83,10 @@ void TestHeldBorder::init() {
 
 void TestHeldBorder::open(Border border) {
     OpenedFile file = openFile(m_folder.filePath(QStringLiteral("photograph.png")));
-    auto project = std::make_shared<Project>(*file.project);
-    QCOMPARE(project->domain.outline, OutlineKind::Frame);
-    project->domain.vertices = 400;
-    project->domain.border = border;
+    auto project = copyOf(*file.project);
+    QCOMPARE(domainOf(*project).outline, OutlineKind::Frame);
+    domainOf(*project).vertices = 400;
+    domainOf(*project).border = border;
     file.project = project;
     m_session->document().open(std::move(file));
     QVERIFY(settle(*m_session));
@@ -95,7 +97,7 @@ void TestHeldBorder::open(Border border) {
 int TestHeldBorder::dragMiddle() {
     const int pin = m_session->addPin({140, 90});
     m_session->selection().set({pin});
-    const Border border = m_session->document().project()->domain.border;
+    const Border border = m_session->document().domain().border;
     int live = 0, wrong = 0;
     double along = 0;
     const auto watch = connect(m_session.get(), &ShapeSession::frameChanged, this, [&] {
@@ -155,9 +157,7 @@ void TestHeldBorder::borderIsHeld() {
     QFETCH(Border, border);
     open(border);
     QCOMPARE(dragMiddle(), 0);
-    Project memory = *m_session->document().project();
-    appendSettling(memory, motionEnd(memory));
-    m_session->document().change(QStringLiteral("Settle"), memory);
+    settleAtEnd(*m_session);
     QVERIFY(settle(*m_session));
     for (const FramePtr& frame : m_session->track().frames()) {
         const Way way = wayOf(*posed<2>(frame));
@@ -183,7 +183,7 @@ void TestHeldBorder::borderIsHeld() {
     m_session->document().save(saved);
     RunOptions options;
     options.outputs.image = run.toStdString();
-    QVERIFY(runProject(readProject(saved.toStdString()).project, saved.toStdString(), options).outcome ==
+    QVERIFY(runProject(*readProject(saved.toStdString()).project, saved.toStdString(), options).outcome ==
             Outcome::Done);
     pixelsAreThere(run, border);
 }
@@ -246,8 +246,8 @@ void TestHeldBorder::changingItComputesTheMotionAnew() {
     QVERIFY(dragMiddle() >= 0);
     QVERIFY(wayOf(*m_session->frame<2>()).off > 1);
     for (const Border border : {Border::Slide, Border::Fixed}) {
-        Project project = *m_session->document().project();
-        project.domain.border = border;
+        const auto project = copyOf(*m_session->document().project());
+        domainOf(*project).border = border;
         m_session->document().change(QStringLiteral("Hold border"), project);
         QVERIFY(settle(*m_session));
         QCOMPARE(wayOf(*m_session->frame<2>()).off, 0.0);

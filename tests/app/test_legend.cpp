@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QToolButton>
 
+#include "app/document/design.h"
 #include "app/panels/distortion_panel.h"
 #include "tests/support/bar.h"
 
@@ -27,10 +28,10 @@ void TestLegend::lock() {
     QVERIFY(f.openProject(Dim, 400));
     ShapeSession& session = f.session();
     for (const double u : {-1.8, 1.8}) session.addPin(Bar<Dim>::place(u, 0));
-    Project film = f.project();
-    auto& end = std::get<Design<Dim>>(film.design).handles[1];
+    const auto film = copyOf(f.project());
+    auto& end = designOf<Dim>(*film).handles[1];
     end.motions = {{Translate<Dim>{Vec<Dim>::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
-    film.end = 1;
+    endOf(*film) = 1;
     session.document().change(QStringLiteral("Film"), film);
     QVERIFY(settle(session));
     auto& view = Bar<Dim>::canvas(f);

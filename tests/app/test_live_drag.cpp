@@ -9,7 +9,6 @@
 #include "app/session/shape_engine.h"
 #include "app/session/shape_session.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/solver/velocity_solver.h"
 #include "kernels/back_end_choice.h"

@@ -7,6 +7,7 @@
 
 #include "app/document/material_edits.h"
 #include "app/document/named_files.h"
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
 #include "app/document/text_file.h"
@@ -18,9 +19,10 @@
 #include "app/view/exporter.h"
 #include "app/view/info_banner.h"
 #include "app/view/material_actions.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -66,7 +68,7 @@ QString writeRamp(const QTemporaryDir& folder, int width = 240, int height = 160
 }
 
 Project stripProject(const QTemporaryDir& folder) {
-    writeMeshFile(folder.filePath("strip.obj").toStdString(), toMeshFile<2>(stripMesh(16, 4)));
+    writeMesh<2>(folder.filePath("strip.obj").toStdString(), stripMesh(16, 4));
     Project project;
     project.domain.kind = DomainKind::Mesh;
     project.domain.path = folder.filePath("strip.obj").toStdString();
@@ -226,10 +228,10 @@ void TestMaterialPictures::projectsNameTheirPictures() {
     const std::string path = folder.filePath("ramp.wend").toStdString();
     writeProject(path, project);
     QVERIFY(readTextFile(path).find("\"phi\": \"ramp.png\"") != std::string::npos);
-    const Project read = readProject(path).project;
+    const Project read = *readProject(path).project;
     const auto& back = std::get<Design<2>>(read.design).material.regions.at(0);
     QVERIFY(back.hidden && back.pictures.up && back.pictures.phi == "ramp.png" && !back.phi);
-    QCOMPARE(toJson(read), toJson(readProject(path).project));
+    QCOMPARE(toJson(read), toJson(*readProject(path).project));
     RunOutputs outputs;
     outputs.image = folder.filePath("ramp.png").toStdString();
     QVERIFY(!overwriting(inputsOf(read.domain, read.design, path, folderOf(path)), outputs).empty());
@@ -259,17 +261,16 @@ void TestMaterialPictures::hiddenRegionsChangeNothing() {
 void TestMaterialPictures::cellsComeFromMeshFiles() {
     QTemporaryDir folder;
     for (const char* name : {"cells.vtu", "cells.vtk"}) {
-        MeshFile file = toMeshFile<3>(barMesh(3));
+        const SimplicialMesh<3> bar = barMesh(3);
         MeshField phi{"phi", true, 1, {}}, B{"B", true, 9, {}};
-        const std::size_t count = file.tetrahedra.size();
+        const std::size_t count = bar.cells.size();
         for (std::size_t c = 0; c < count; ++c) {
             phi.values.push_back(0.1 + 0.01 * static_cast<double>(c));
             const double own[] = {2, 0.5, 0, 0.5, 3, 0, 0, 0, 1.0 + static_cast<double>(c)};
             B.values.insert(B.values.end(), std::begin(own), std::end(own));
         }
-        file.fields = {phi, B};
         const std::string path = folder.filePath(name).toStdString();
-        writeMeshFile(path, file);
+        writeSolid(path, bar, {phi, B});
         MaterialSpec<3> spec;
         readCells<3>(path, spec);
         QVERIFY(spec.cellPhi == phi.values);
@@ -278,8 +279,7 @@ void TestMaterialPictures::cellsComeFromMeshFiles() {
         QCOMPARE(spec.cellB[5](0, 1), 0.5);
         MaterialSpec<2> flat;
         QVERIFY_THROWS_EXCEPTION(InputError, readCells<2>(path, flat));
-        file.fields.clear();
-        writeMeshFile(path, file);
+        writeSolid(path, bar);
         QVERIFY_THROWS_EXCEPTION(InputError, readCells<3>(path, spec));
     }
 }

@@ -8,11 +8,12 @@
 #include <QToolButton>
 #include <QTranslator>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/drag_gesture.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -53,9 +54,7 @@ void TestMenus::init() {
     QVERIFY(showActive(*m_window));
     m_window->openPath(writeCutOut(*m_folder));
     QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
-    Project coarse = *m_window->session().document().project();
-    coarse.domain.vertices = 300;
-    m_window->session().document().change(QStringLiteral("Coarse"), coarse);
+    setVertices(m_window->session().document(), 300);
     QVERIFY(settle(m_window->session()));
     m_window->canvas().setFocus();
 }

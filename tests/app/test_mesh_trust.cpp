@@ -3,16 +3,19 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/project_reader.h"
 #include "app/session/inspection.h"
 #include "app/session/report.h"
 #include "app/session/run.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/surfaces.h"
 
 using namespace wend;
@@ -32,13 +35,6 @@ void tearApart(Eigen::Matrix3Xd& points, std::vector<std::array<int, N>>& cells)
             v = next++;
         }
     points = torn;
-}
-
-MeshFile fileOf(const Surface& surface) {
-    MeshFile file;
-    file.points = surface.points;
-    file.triangles = surface.triangles;
-    return file;
 }
 
 bool anyContains(const std::vector<std::string>& texts, const std::string& part) {
@@ -67,15 +63,16 @@ class TestMeshTrust : public QObject {
 
   private:
     std::string file(const std::string& name) const { return m_base + "/" + name; }
-    Project project(const std::string& rest) const {
+    std::shared_ptr<Project> project(const std::string& rest) const {
         return parseProject(json("{'format': 'wend', 'version': 1, " + rest + "}"), file("p.wend")).project;
     }
     Shape<3> solid(const std::string& domain) const {
-        const Project read = project("'domain': {" + domain + "}");
-        return loadSolid(read.domain, std::get<Design<3>>(read.design), m_base);
+        const auto read = project("'domain': {" + domain + "}");
+        return loadSolid(domainOf(*read), designOf<3>(*read), m_base);
     }
     /// Runs it; what was told stays in m_notices.
-    void run(const Project& project, const RunOutputs& outputs, MeshWriteOptions meshes = {}) {
+    void run(const std::shared_ptr<Project>& project, const RunOutputs& outputs,
+             MeshWriteOptions meshes = {}) {
         RunOptions options;
         options.outputs = outputs;
         options.meshes = meshes;
@@ -84,7 +81,7 @@ class TestMeshTrust : public QObject {
         RunWatch watch;
         watch.notice = [this](const std::string& text) { m_notices.push_back(text); };
         watch.summary = [this](const std::string& text) { m_summary = text; };
-        QVERIFY(runProject(project, file("p.wend"), options, watch).outcome == Outcome::Done);
+        QVERIFY(runProject(*project, file("p.wend"), options, watch).outcome == Outcome::Done);
     }
 
     QTemporaryDir m_folder;
@@ -96,8 +93,8 @@ class TestMeshTrust : public QObject {
 namespace {
 
 /// A strip, and two more triangles that share its corner 8 only.
-MeshFile hangingStrip() {
-    MeshFile strip = toMeshFile<2>(stripMesh(2, 2));
+Surface hangingStrip() {
+    Surface strip = test::surfaceOf(stripMesh(2, 2));
     strip.points.conservativeResize(Eigen::NoChange, 11);
     strip.points.rightCols(2) << 3, 2, 2, 3, 0, 0;
     strip.triangles.push_back({8, 9, 10});
@@ -107,8 +104,8 @@ MeshFile hangingStrip() {
 }  // namespace
 
 void TestMeshTrust::partsThatHangAreTold() {
-    writeMeshFile(file("hang.obj"), hangingStrip());
-    const auto inspection = inspect(readMeshFile(file("hang.obj")));
+    test::writeSurface(file("hang.obj"), hangingStrip());
+    const auto inspection = inspectFile(file("hang.obj"));
     QCOMPARE(inspection.problems.size(), std::size_t(1));
     QCOMPARE(inspection.problems[0].where, std::vector<int>{8});
     QVERIFY(!inspection.problems[0].fatal);
@@ -122,15 +119,15 @@ void TestMeshTrust::partsThatHangAreTold() {
 
 void TestMeshTrust::solidsThatHangAreTold() {
     const Surface corner = test::joined(kBar, test::box({3, 1, 1}, {4, 2, 2}, 2));
-    writeMeshFile(file("corner.obj"), fileOf(corner));
+    test::writeSurface(file("corner.obj"), corner);
     QVERIFY(anyContains(solid("'surface': 'corner.obj', 'vertices': 300").notices,
                         " near (3, 1, 1) alone: what turns there"));
-    const auto inspection = inspect(readMeshFile(file("corner.obj")));
+    const auto inspection = inspectFile(file("corner.obj"));
     QVERIFY(std::ranges::any_of(inspection.problems, [](const MeshProblem& problem) {
         return problem.what == "vertices that a part hangs on alone" && problem.where.size() == 1;
     }));
     const Surface edge = test::joined(kBar, test::box({3, 1, 0}, {4, 2, 1}, 4));
-    writeMeshFile(file("edge.obj"), fileOf(edge));
+    test::writeSurface(file("edge.obj"), edge);
     QVERIFY(anyContains(solid("'surface': 'edge.obj', 'vertices': 300").notices, "hangs on the edge "));
 }
 
@@ -139,8 +136,8 @@ void TestMeshTrust::sizesBeyondNumbersAreTold() {
     const auto inspected = [this](double size) {
         Surface scaled = kBar;
         scaled.points *= size;
-        writeMeshFile(file("scaled.obj"), fileOf(scaled));
-        return inspect(readMeshFile(file("scaled.obj")));
+        test::writeSurface(file("scaled.obj"), scaled);
+        return inspectFile(file("scaled.obj"));
     };
     for (const double size : {1e-60, 1e-9, 1e9, 1e60}) {
         const auto found = inspected(size);
@@ -159,14 +156,14 @@ void TestMeshTrust::oneSpareVertexIsToldAsOne() {
     Surface spare = kBar;
     spare.points.conservativeResize(Eigen::NoChange, spare.vertexCount() + 1);
     spare.points.rightCols(1) << 1, 0.5, 0.5;
-    writeMeshFile(file("one.obj"), fileOf(spare));
+    test::writeSurface(file("one.obj"), spare);
     QVERIFY(anyContains(solid("'surface': 'one.obj', 'vertices': 300").notices,
                         "1 vertex of the surface belongs to no tetrahedron"));
 }
 
 /// A plate a hundredth thick, whose faces may not be split, has no round cells.
 void TestMeshTrust::missedQualityIsTold() {
-    writeMeshFile(file("plate.obj"), fileOf(test::box({0, 0, 0}, {1, 1, 0.01}, 1)));
+    test::writeSurface(file("plate.obj"), test::box({0, 0, 0}, {1, 1, 0.01}, 1));
     const Shape<3> plate = solid("'surface': 'plate.obj', 'maxVolume': 1, 'quality': 2");
     const MeshVerdict& verdict = plate.verdict.value();
     double worst = 0;  // of the edges' lengths alone: R is at least half the longest edge
@@ -194,7 +191,7 @@ void TestMeshTrust::missedQualityIsTold() {
 }
 
 void TestMeshTrust::goodQualityIsNot() {
-    writeMeshFile(file("cube.obj"), fileOf(test::box({0, 0, 0}, {1, 1, 1}, 5)));
+    test::writeSurface(file("cube.obj"), test::box({0, 0, 0}, {1, 1, 1}, 5));
     const Shape<3> bar = solid("'surface': 'cube.obj', 'vertices': 300");
     QVERIFY(!anyContains(bar.notices, "was asked for"));
     QVERIFY(bar.verdict->got > 0.6 && !bar.verdict->missed());  // a regular tetrahedron's is 0.61
@@ -203,7 +200,7 @@ void TestMeshTrust::goodQualityIsNot() {
 void TestMeshTrust::largerHolesAreTold() {
     Surface holed = kBar;
     holed.triangles.pop_back();
-    writeMeshFile(file("holed.obj"), fileOf(holed));
+    test::writeSurface(file("holed.obj"), holed);
     try {
         solid("'surface': 'holed.obj', 'cage': false, 'repair': {'largestHole': 2}");
         QFAIL("accepted");
@@ -220,10 +217,10 @@ void TestMeshTrust::largerHolesAreTold() {
 /// Surface formats keep all vertices, and those at one place stay at one place; files of tetrahedra have only
 /// what cells use.
 void TestMeshTrust::tornSurfaceMovesAsOne() {
-    MeshFile torn = fileOf(kBar);
+    Surface torn = kBar;
     tearApart(torn.points, torn.triangles);
-    writeMeshFile(file("torn.obj"), torn);
-    const Project bend = project(
+    test::writeSurface(file("torn.obj"), torn);
+    const auto bend = project(
         "'domain': {'surface': 'torn.obj', 'vertices': 300}, 'handles': ["
         "{'at': {'region': {'halfspace': {'point': [0.1, 0, 0], 'normal': [-1, 0, 0]}}}}, "
         "{'at': {'region': {'halfspace': {'point': [2.9, 0, 0], 'normal': [1, 0, 0]}}}, "
@@ -232,35 +229,35 @@ void TestMeshTrust::tornSurfaceMovesAsOne() {
     outputs.mesh = file("bent.obj");
     run(bend, outputs);
     QVERIFY(anyContains(m_notices, "vertices of the surface belong to no tetrahedron"));
-    const MeshFile bent = readMeshFile(file("bent.obj"));
-    QCOMPARE(bent.points.cols(), torn.points.cols());
-    QVERIFY(bent.triangles == torn.triangles);
-    const auto before = firstAtPlace<3>(torn.points), after = firstAtPlace<3>(bent.points);
+    const auto bent = sharedMeshFile(file("bent.obj"));
+    QCOMPARE(pointsOf(*bent).cols(), torn.points.cols());
+    QVERIFY(trianglesOf(*bent) == torn.triangles);
+    const auto before = firstAtPlace<3>(torn.points), after = firstAtPlace<3>(pointsOf(*bent));
     QVERIFY(before == after);
     for (Eigen::Index v = 0; v < torn.points.cols(); ++v)
         if (torn.points(0, v) > 2.9)
-            QVERIFY((bent.points.col(v) - torn.points.col(v) - Vec<3>(0, 0.8, 0.4)).norm() < 1e-9);
+            QVERIFY((pointsOf(*bent).col(v) - torn.points.col(v) - Vec<3>(0, 0.8, 0.4)).norm() < 1e-9);
     outputs.mesh = file("bent.msh");
     outputs.velocity = file("bent.csv");
     outputs.report = file("bent.json");
     run(bend, outputs);
-    const MeshFile cells = readMeshFile(file("bent.msh"));
-    const auto used = usedVertices<3>(cells.points.cols(), cells.tetrahedra);
+    const auto cells = sharedMeshFile(file("bent.msh"));
+    const auto used = usedVertices<3>(pointsOf(*cells).cols(), tetrahedraOf(*cells));
     QVERIFY(std::ranges::count(used, false) == 0);
-    QVERIFY(cells.points.cols() < torn.points.cols());
+    QVERIFY(pointsOf(*cells).cols() < torn.points.cols());
     const std::string table = readTextFile(file("bent.csv"));
-    QCOMPARE(std::ranges::count(table, '\n') - 1, cells.points.cols());
+    QCOMPARE(std::ranges::count(table, '\n') - 1, pointsOf(*cells).cols());
     const auto report = nlohmann::json::parse(readTextFile(file("bent.json")));
-    QCOMPARE(report["vertices"].get<Eigen::Index>(), cells.points.cols());
+    QCOMPARE(report["vertices"].get<Eigen::Index>(), pointsOf(*cells).cols());
 }
 
 /// In the plane too, where every vertex has a cell: as if the file were whole.
 void TestMeshTrust::tornMeshMovesAsOne() {
-    const MeshFile whole = toMeshFile<2>(stripMesh(6, 2));
-    MeshFile torn = whole;
+    const Surface whole = test::surfaceOf(stripMesh(6, 2));
+    Surface torn = whole;
     tearApart(torn.points, torn.triangles);
-    writeMeshFile(file("whole.obj"), whole);
-    writeMeshFile(file("torn2.obj"), torn);
+    test::writeSurface(file("whole.obj"), whole);
+    test::writeSurface(file("torn2.obj"), torn);
     RunOutputs outputs;
     for (const char* name : {"whole", "torn2"}) {
         outputs.mesh = file(std::string(name) + "-bent.obj");
@@ -271,22 +268,22 @@ void TestMeshTrust::tornMeshMovesAsOne() {
             outputs);
     }
     QVERIFY(anyContains(m_notices, "parts that touch vertex on vertex hang together"));
-    const MeshFile expected = readMeshFile(file("whole-bent.obj")),
-                   bent = readMeshFile(file("torn2-bent.obj"));
-    QVERIFY(bent.triangles == torn.triangles);
+    const auto expected = sharedMeshFile(file("whole-bent.obj"));
+    const auto bent = sharedMeshFile(file("torn2-bent.obj"));
+    QVERIFY(trianglesOf(*bent) == torn.triangles);
     for (std::size_t t = 0; t < whole.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k)  // tolerance: another order of unknowns rounds otherwise
-            QVERIFY(
-                (bent.points.col(bent.triangles[t][k]) - expected.points.col(whole.triangles[t][k])).norm() <
-                1e-9);
+            QVERIFY((pointsOf(*bent).col(trianglesOf(*bent)[t][k]) -
+                     pointsOf(*expected).col(whole.triangles[t][k]))
+                        .norm() < 1e-9);
 }
 
 /// What was brought stays as it is, and solvers' users are warned.
 void TestMeshTrust::spareVerticesOfMeshesAreTold() {
-    MeshFile spare = toMeshFile<2>(stripMesh(2, 1));
+    Surface spare = test::surfaceOf(stripMesh(2, 1));
     spare.points.conservativeResize(Eigen::NoChange, 8);
     spare.points.rightCols(2) << 2, 9, 1, 9, 0, 0;
-    writeMeshFile(file("spare.obj"), spare);
+    test::writeSurface(file("spare.obj"), spare);
     RunOutputs outputs;
     outputs.mesh = file("spare.vtu");
     run(project(
@@ -295,14 +292,14 @@ void TestMeshTrust::spareVerticesOfMeshesAreTold() {
         outputs);
     QVERIFY(anyContains(
         m_notices, "2 vertices belong to no cell; 1 of them lie at the place of another and move with it"));
-    const MeshFile out = readMeshFile(file("spare.vtu"));
-    QCOMPARE(out.points.cols(), Eigen::Index(8));
-    QVERIFY(out.points.col(6) == out.points.col(5) && out.points.col(7) == spare.points.col(7));
-    QVERIFY((out.points.col(6) - Vec<3>(2.2, 1.1, 0)).norm() < 1e-9);
+    const auto out = sharedMeshFile(file("spare.vtu"));
+    QCOMPARE(pointsOf(*out).cols(), Eigen::Index(8));
+    QVERIFY(pointsOf(*out).col(6) == pointsOf(*out).col(5) && pointsOf(*out).col(7) == spare.points.col(7));
+    QVERIFY((pointsOf(*out).col(6) - Vec<3>(2.2, 1.1, 0)).norm() < 1e-9);
 }
 
 void TestMeshTrust::errorAtTheEndIsTold() {
-    writeMeshFile(file("strip.obj"), toMeshFile<2>(stripMesh(6, 2)));
+    writeMesh<2>(file("strip.obj"), stripMesh(6, 2));
     RunOutputs outputs;
     outputs.report = file("report.json");
     const std::string rest =
@@ -310,7 +307,7 @@ void TestMeshTrust::errorAtTheEndIsTold() {
         "[6, 13, 20]}, 'motion': [{'kind': 'rotate', 'centre': [3, 1], 'angle': 1.5}]}], 'integration': ";
     outputs.mesh = file("bent.obj");
     run(project(rest + "{'method': 'rk4', 'steps': 400}"), outputs);
-    const MeshFile exact = readMeshFile(outputs.mesh);
+    const auto exact = sharedMeshFile(outputs.mesh);
     const double size = std::hypot(6, 2);
     for (const char* method : {"dopri5", "adams"}) {
         double last = 1;
@@ -324,7 +321,8 @@ void TestMeshTrust::errorAtTheEndIsTold() {
             // The order of magnitude: what the steps told of themselves is the error of the lower of two
             // orders.
             const double error =
-                (readMeshFile(outputs.mesh).points - exact.points).colwise().norm().maxCoeff() / size;
+                (pointsOf(*sharedMeshFile(outputs.mesh)) - pointsOf(*exact)).colwise().norm().maxCoeff() /
+                size;
             QVERIFY2(
                 error < 10 * estimate && error > estimate / 1000,
                 qPrintable(

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/depth_region.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
-#include "app/document/project.h"
 #include "app/document/project_writer.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/option_field.h"
@@ -19,6 +21,7 @@
 #include "app/view/canvas.h"
 #include "core/meshing/outline_combination.h"
 #include "core/solver/components.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 #include "warp/convert.h"
 #include "warp/warp.h"
@@ -80,7 +83,7 @@ class TestOutlineTools : public QObject {
     QPoint at(double x, double y) const { return m_canvas->toWidget({x, y}).toPoint(); }
     void draw(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers = {});
     void click(double x, double y, Qt::KeyboardModifiers modifiers = {});
-    const Domain& domain() const { return m_session->document().project()->domain; }
+    const Domain& domain() const { return m_session->document().domain(); }
     int steps() { return m_session->document().undoStack()->index(); }
     void verify(double area, double tolerance, int parts = 1);
 
@@ -104,8 +107,8 @@ void TestOutlineTools::init() {
     m_canvas->resize(700, 500);
     m_canvas->show();
     OpenedFile file = openFile(m_folder.filePath(QStringLiteral("photograph.png")));
-    auto project = std::make_shared<Project>(*file.project);
-    project->domain.vertices = kVertices;
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = kVertices;
     file.project = project;
     m_session->document().open(std::move(file));
     QVERIFY(settle(*m_session));
@@ -297,10 +300,9 @@ void TestOutlineTools::whatIsAtRestStays() {
     m_session->beginDrag();
     m_session->dragTo({20, 10});
     m_session->endDrag(0.2);
-    Project painted = *m_session->document().project();
-    std::get<Design<2>>(painted.design)
-        .material.regions.push_back({"stiff", Ball<2>{{100, 100}, 30}, 4, 1.5, {}});
-    painted.depth.push_back({"front", Ball<2>{{100, 100}, 30}, 2});
+    const auto painted = copyOf(*m_session->document().project());
+    designOf<2>(*painted).material.regions.push_back({"stiff", Ball<2>{{100, 100}, 30}, 4, 1.5, {}});
+    depthOf(*painted).push_back({"front", Ball<2>{{100, 100}, 30}, 2});
     m_session->document().change(QStringLiteral("Paint"), painted);
     QVERIFY(settle(*m_session));
     const auto before = m_session->document().project();
@@ -308,9 +310,9 @@ void TestOutlineTools::whatIsAtRestStays() {
     draw({{150, 20}, {150, 60}});
     const auto after = m_session->document().project();
     QVERIFY(after != before);
-    Project same = *after;
-    same.domain = before->domain;
-    QCOMPARE(toJson(same), toJson(*before));
+    const auto same = copyOf(*after);
+    domainOf(*same) = domainOf(*before);
+    QCOMPARE(toJson(*same), toJson(*before));
     m_session->playback().setTime(m_session->playback().end());
     const auto pins = m_session->pins<2>();
     QCOMPARE(pins.size(), std::size_t(2));
@@ -360,12 +362,16 @@ void TestOutlineTools::pinsBesideItGo() {
 }
 
 void TestOutlineTools::pinsOnTheLineStay() {
-    Project project = *m_session->document().project();
+    Document document;
+    OpenedFile file;
+    file.project = m_session->document().project();
+    document.open(file);
     for (const Vec<2>& p : {Vec<2>(30, 60), Vec<2>(120, 60), Vec<2>(60, 30), Vec<2>(60, 120), Vec<2>(30, 30),
                             Vec<2>(70, 70), Vec<2>(29.9, 60)})
-        project = withPin(project, p, "Pin");
-    QCOMPARE(setOutline(project, {{{{30, 30}, {120, 30}, {120, 120}, {30, 120}}}}), 1);
-    QCOMPARE(std::get<Design<2>>(project.design).handles.size(), std::size_t(6));
+        addPin(document, p, "Pin");
+    const auto project = copyOf(*document.project());
+    QCOMPARE(setOutline(*project, {{{{30, 30}, {120, 30}, {120, 120}, {30, 120}}}}), 1);
+    QCOMPARE(designOf<2>(*project).handles.size(), std::size_t(6));
 }
 
 /// Less than nine pixels of the picture are a slip of the hand.

@@ -4,10 +4,13 @@
 #include <map>
 #include <numbers>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/project_reader.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 #include "core/integration/deformer.h"
+#include "core/integration/integration_options.h"
 
 using namespace wend;
 
@@ -65,15 +68,16 @@ double roughness(const SimplicialMesh<2>& rest, const Points<2>& pose) {
 
 double roughnessOf(const std::string& sample, SmoothingKind kind, int vertices) {
     const std::string folder = WEND_SOURCE_DIR "/resources/samples/";
-    Project project = readProject(folder + sample + ".wend").project;
-    project.domain.vertices = vertices;
-    auto& material = std::get<Design<2>>(project.design).material;
+    const auto project = readProject(folder + sample + ".wend").project;
+    domainOf(*project).vertices = vertices;
+    auto& material = designOf<2>(*project).material;
     material.phi = phi::kEquia;
     material.smoothing.kind = kind;
-    project.integration.tolerance = 1e-3;
-    const auto shape = std::get<Shape<2>>(loadShape(project, folder));
-    Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
-    const AdvanceResult result = deformer.advance(project.end);
+    IntegrationOptions options = integrationOf(*project);
+    options.tolerance = 1e-3;
+    const auto shape = std::get<Shape<2>>(loadShape(*project, folder));
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(*project, shape), options);
+    const AdvanceResult result = deformer.advance(endOf(*project));
     if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
     return result.outcome == Outcome::Done ? roughness(*shape.rest, deformer.state().points) : NAN;
 }

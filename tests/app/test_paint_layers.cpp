@@ -1,7 +1,8 @@
 #include <QToolButton>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/session/opening.h"
@@ -144,18 +145,18 @@ void TestPaintLayers::fills() {
     const QString path = folder.filePath(QStringLiteral("filled.wend"));
     session.document().save(path);
     const auto saved = openFile(path).project;
-    QCOMPARE(regionGroups(std::get<Design<Dim>>(saved->design)).size(), std::size_t(2));
+    QCOMPARE(regionGroups(designOf<Dim>(*saved)).size(), std::size_t(2));
 }
 
 /// The bar is cut in two: a click fills the half that it lies in, with Shift both.
 void TestPaintLayers::fillsEndWithTheirPart() {
     QVERIFY(m_f->openPicture());
     auto& session = m_f->session();
-    Project halves = m_f->project();
-    halves.domain.outline = OutlineKind::Polygons;
-    halves.domain.polygons.loops = {{{24, 64}, {110, 64}, {110, 96}, {24, 96}},
-                                    {{130, 64}, {216, 64}, {216, 96}, {130, 96}}};
-    session.document().change(QStringLiteral("Halves"), std::move(halves));
+    const auto halves = copyOf(m_f->project());
+    domainOf(*halves).outline = OutlineKind::Polygons;
+    domainOf(*halves).polygons.loops = {{{24, 64}, {110, 64}, {110, 96}, {24, 96}},
+                                        {{130, 64}, {216, 64}, {216, 96}, {130, 96}}};
+    session.document().change(QStringLiteral("Halves"), halves);
     QVERIFY(settle(session));
     m_f->tool("fill")->trigger();
     const auto halfIs = [&](int side, double phi) {
@@ -221,9 +222,9 @@ void TestPaintLayers::orderAndNames() {
 void TestPaintLayers::marksLieAlongWhatIsStiff() {
     QVERIFY(m_f->openPicture());
     ShapeCanvas& canvas = m_f->window().canvas();
-    Project project = m_f->project();
-    std::get<Design<2>>(project.design)
-        .material.regions.push_back({"all", Box<2>{{0, 0}, {240, 160}}, 0, {}, Stiffness<2>{{1, 0}, 20}});
+    const auto project = copyOf(m_f->project());
+    designOf<2>(*project).material.regions.push_back(
+        {"all", Box<2>{{0, 0}, {240, 160}}, 0, {}, Stiffness<2>{{1, 0}, 20}});
     m_f->session().document().change(QStringLiteral("Stiff"), project);
     QVERIFY(settle(m_f->session()));
     QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));

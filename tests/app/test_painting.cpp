@@ -5,8 +5,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/document/design.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/smooth_map.h"
@@ -203,13 +203,13 @@ void TestPainting::seenAtOnce() {
 template <int Dim>
 void TestPainting::paintHalf(double feather) {
     constexpr double kUnit = Bar<Dim>::kUnit;
-    Project next = m_f->project();
-    auto& material = std::get<Design<Dim>>(next.design).material;
+    Design<Dim> next = m_f->session().document().design<Dim>();
+    auto& material = next.material;
     material.phi = phi::kEquia;
     const Vec<Dim> centre = Bar<Dim>::place(0, 0) - 3 * kUnit * Vec<Dim>::UnitX();
     const Region<Dim> half(Ball<Dim>{centre, 3 * kUnit});
     material.regions.push_back({"half", half, feather * kUnit, phi::conformal(Dim), {}});
-    m_f->session().document().change(QStringLiteral("Half"), std::move(next));
+    m_f->session().document().changeDesign(QStringLiteral("Half"), next);
     QVERIFY(settle(m_f->session()));
     m_f->tool("paint")->trigger();
     QTRY_VERIFY(Bar<Dim>::canvas(*m_f).isSettled());

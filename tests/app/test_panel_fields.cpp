@@ -22,7 +22,8 @@
 #include <QWheelEvent>
 #include <QWindow>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/cut_panel.h"
@@ -217,14 +218,13 @@ void TestPanelFields::numbersCanBeTyped() {
     if (!solid) check("Margin", "0.5", "0.5 px");
     if (solid) check("Radius–edge ratio", "2.25", "2.25");
     QVERIFY(settle(m_f->session()));
-    const Project& project = *m_f->session().document().project();
     std::visit(
         [](const auto& design) {
             QCOMPARE(design.material.phi, 1.257);
             QCOMPARE(design.material.smoothing.length, 0.04);
         },
-        project.design);
-    QCOMPARE(project.domain.vertices, 450);
+        m_f->session().document().design());
+    QCOMPARE(m_f->domain().vertices, 450);
 }
 
 /// A motion that plays, or is being computed, brings frames all the time.
@@ -782,13 +782,13 @@ void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
     });
     m_f->window().close();
     QVERIFY(asked && m_f->window().isVisible());
-    QCOMPARE(m_f->session().document().project()->end, 2.0);
+    QCOMPARE(m_f->session().document().end(), 2.0);
     type(QStringLiteral("3"));
     QTemporaryDir folder;
     nameNextFile(this, folder.filePath(QStringLiteral("typed.wend")));
     m_f->window().files().saveAs();
     QVERIFY(undo.isClean());
-    QCOMPARE(m_f->session().document().project()->end, 3.0);
+    QCOMPARE(m_f->session().document().end(), 3.0);
     type(QStringLiteral("4"));
     m_f.reset();
 }

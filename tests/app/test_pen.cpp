@@ -2,6 +2,7 @@
 #include <QStatusBar>
 #include <QUndoStack>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
 #include "app/session/pin_shapes.h"
@@ -39,7 +40,7 @@ class TestPen : public QObject {
     const Handle<Dim>& handle(int h) {
         return m_f->session().document().design<Dim>().handles.at(h);
     }
-    bool isSolid() { return m_f->project().dimension() == 3; }
+    bool isSolid() { return m_f->session().document().dimension() == 3; }
     bool open(int dimension);
     QPoint pin(int h);
     void press(const QPoint& at, Qt::KeyboardModifiers modifiers = {});
@@ -218,7 +219,7 @@ void TestPen::otherPathsGoOnBeside() {
         key(Qt::Key_Return);
         QVERIFY(settle(m_f->session()));
     };
-    const double end = m_f->project().end;
+    const double end = m_f->session().document().end();
     draw(1, {-10, 60});
     draw(0, {10, 40});
     for (const int h : {0, 1}) {
@@ -235,7 +236,7 @@ void TestPen::otherPathsGoOnBeside() {
     m_f->session().playback().setTime(end);
     QVERIFY(settle(m_f->session()));
     draw(1, {0, -20});
-    QCOMPARE(m_f->project().end, end);
+    QCOMPARE(m_f->session().document().end(), end);
     QCOMPARE(motions(1), 3);
     QCOMPARE(handle<2>(1).motions[2].end, end);
     QVERIFY(handle<2>(1).motions[2].start < 0.9 * end && handle<2>(0).motions[0].end < 0.9 * end);
@@ -292,7 +293,7 @@ void TestPen::otherChangesGiveUp() {
     QCOMPARE(motions(1), 0);
     begin();
     Document& document = m_f->session().document();
-    document.change(QStringLiteral("Name"), withHandleName(*document.project(), 0, "foot"));
+    renameHandle(document, QStringLiteral("Name"), 0, "foot");
     QVERIFY(settle(m_f->session()));
     key(Qt::Key_Return);
     QCOMPARE(motions(1), 0);

@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "app/document/design.h"
 #include "app/tools/pin_tool.h"
 #include "app/view/pin_actions.h"
 #include "tests/support/bar.h"

@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <QTreeWidget>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_writer.h"
 #include "app/panels/marks.h"
@@ -63,7 +64,7 @@ class TestPins : public QObject {
     const HandleTraits& traits(int handle) {
         return std::visit(
             [handle](const auto& own) -> const HandleTraits& { return own.handles.at(handle).traits; },
-            m_f->project().design);
+            m_f->session().document().design());
     }
     QString said() { return m_f->window().statusBar()->currentMessage(); }
     template <int Dim>

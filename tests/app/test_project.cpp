@@ -6,6 +6,7 @@
 
 #include "app/document/named_files.h"
 #include "app/document/options.h"
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
 #include "app/document/settings.h"
@@ -134,7 +135,7 @@ class TestProject : public QObject {
     void defaults() {
         const LoadedProject loaded = parseProject(projectText(kImage), "p.wend");
         QVERIFY(loaded.warnings.empty());
-        const Project& project = loaded.project;
+        const Project& project = *loaded.project;
         QCOMPARE(project.dimension(), 2);
         QCOMPARE(project.domain.path, std::string("frog.png"));
         QCOMPARE(project.domain.outline, OutlineKind::Frame);
@@ -163,11 +164,11 @@ class TestProject : public QObject {
             QVERIFY2(read.warnings.empty(), key);
             for (const Option& other : options())
                 if (other.field.at.get)
-                    QVERIFY2(other.field.at.get(read.project) == other.field.at.get(after), key);
-            QCOMPARE(toJson(read.project), toJson(after));
+                    QVERIFY2(other.field.at.get(*read.project) == other.field.at.get(after), key);
+            QCOMPARE(toJson(*read.project), toJson(after));
             if (one.field.makes != Makes::Nothing)
                 QVERIFY2(!sameSettings(before, after, one.field.makes), key);
-            QVERIFY2(sameSettings(after, read.project, one.field.makes), key);
+            QVERIFY2(sameSettings(after, *read.project, one.field.makes), key);
             ++seen;
         }
         QVERIFY(seen >= 25);
@@ -186,7 +187,7 @@ class TestProject : public QObject {
     void everythingIsRead() {
         const LoadedProject loaded = parseProject(kFull, "p.wend");
         QCOMPARE(loaded.warnings.size(), std::size_t(0));
-        const Project& project = loaded.project;
+        const Project& project = *loaded.project;
         QCOMPARE(project.domain.outline, OutlineKind::Alpha);
         QCOMPARE(project.domain.alpha.smallest, 10.0);
         QCOMPARE(project.domain.edge, 2.5);
@@ -214,8 +215,8 @@ class TestProject : public QObject {
     }
 
     void writingKeepsEverything() {
-        const std::string once = toJson(parseProject(kFull, "p.wend").project);
-        const std::string twice = toJson(parseProject(once, "p.wend").project);
+        const std::string once = toJson(*parseProject(kFull, "p.wend").project);
+        const std::string twice = toJson(*parseProject(once, "p.wend").project);
         QCOMPARE(twice, once);
         for (const char* piece :
              {"\"conf\"", "1.000000000000001", "-1.5707963267948966", "[0.1, null]", "\"inOut\"", "\"rk4\""})
@@ -249,7 +250,7 @@ class TestProject : public QObject {
             return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
         };
         const QStringList lost =
-            missingFrom(read(toJson(parseProject(input, "p.wend").project)), read(input), "");
+            missingFrom(read(toJson(*parseProject(input, "p.wend").project)), read(input), "");
         QVERIFY2(lost.isEmpty(), qPrintable(lost.join(", ")));
     }
 
@@ -260,13 +261,13 @@ class TestProject : public QObject {
             "1}}, 'phi': 1}]}, "
             "'handles': [{'at': {'points': [[0, 0, 1]]}, 'motion': [ "
             "{'kind': 'rotate', 'centre': [0, 0, 0], 'axis': [0, 0, 1], 'angle': 3}]}]");
-        const Project project = parseProject(text, "p.wend").project;
+        const Project project = *parseProject(text, "p.wend").project;
         QCOMPARE(project.dimension(), 3);
         const auto& design = std::get<Design<3>>(project.design);
         QCOMPARE(design.material.phi, std::numbers::pi - std::atan(0.75));
         QCOMPARE(std::get<Rotate<3>>(design.handles[0].motions[0].kind).axis.z(), 1.0);
         const std::string once = toJson(project);
-        QCOMPARE(toJson(parseProject(once, "p.wend").project), once);
+        QCOMPARE(toJson(*parseProject(once, "p.wend").project), once);
     }
 
     /// All that a surface's domain may say.
@@ -278,7 +279,7 @@ class TestProject : public QObject {
             "'radius': 1}}, 'name': 'tip', 'feather': 0.5, 'factor': 0.25, 'hue': 3}], 'detail': "
             "'fine.obj'}");
         const LoadedProject loaded = parseProject(text, "p.wend");
-        const Domain& domain = loaded.project.domain;
+        const Domain& domain = loaded.project->domain;
         QVERIFY(domain.refineSurface && domain.repair);
         QCOMPARE(domain.largestHole, 12);
         QCOMPARE(domain.sizesFile, std::string("paint.txt"));
@@ -286,21 +287,21 @@ class TestProject : public QObject {
         QCOMPARE(domain.sizes.at(0).name, std::string("tip"));
         QCOMPARE(domain.detail, std::string("fine.obj"));
         QCOMPARE(loaded.warnings.size(), std::size_t(1));
-        const std::string once = toJson(loaded.project);
-        const Project again = parseProject(once, "p.wend").project;
+        const std::string once = toJson(*loaded.project);
+        const Project again = *parseProject(once, "p.wend").project;
         QCOMPARE(toJson(again), once);
         QVERIFY(again.domain.sizes == domain.sizes);
         QVERIFY(once.find("\"hue\": 3") != std::string::npos);
         const std::string plain =
             projectText("'domain': {'surface': 'bar.obj', 'vertices': 900, 'repair': true, 'quality': 1.5}");
-        QVERIFY(toJson(parseProject(plain, "p.wend").project).find("\"repair\": true") != std::string::npos);
+        QVERIFY(toJson(*parseProject(plain, "p.wend").project).find("\"repair\": true") != std::string::npos);
     }
 
     void cageOfASurface() {
         const auto domain = [](const std::string& cage) {
-            return parseProject(projectText("'domain': {'surface': 'bar.obj', " + cage + "'vertices': 9}"),
-                                "p.wend")
-                .project;
+            return *parseProject(projectText("'domain': {'surface': 'bar.obj', " + cage + "'vertices': 9}"),
+                                 "p.wend")
+                        .project;
         };
         QCOMPARE(domain("").domain.fit, Fit::Automatic);
         QCOMPARE(domain("'cage': false, ").domain.fit, Fit::Exact);
@@ -310,7 +311,7 @@ class TestProject : public QObject {
         for (const char* cage :
              {"", "'cage': false, ", "'cage': true, ", "'cage': {'detail': 2.5, 'offset': 0.5}, "}) {
             const std::string once = toJson(domain(cage));
-            QCOMPARE(toJson(parseProject(once, "p.wend").project), once);
+            QCOMPARE(toJson(*parseProject(once, "p.wend").project), once);
         }
         QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': {'detail': 0}, "));
         QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': {'offset': -1}, "));
@@ -320,8 +321,8 @@ class TestProject : public QObject {
     /// A mesh that cannot be opened leaves the coordinates to tell.
     void dimensionFromCoordinates() {
         const std::string head = "'domain': {'mesh': 'missing.msh'}, 'handles': [{'at': {'points':";
-        QCOMPARE(parseProject(projectText(head + "[[1, 2]]}}]"), "p.wend").project.dimension(), 2);
-        QCOMPARE(parseProject(projectText(head + "[[1, 2, 3]]}}]"), "p.wend").project.dimension(), 3);
+        QCOMPARE(dimensionOf(*parseProject(projectText(head + "[[1, 2]]}}]"), "p.wend").project), 2);
+        QCOMPARE(dimensionOf(*parseProject(projectText(head + "[[1, 2, 3]]}}]"), "p.wend").project), 3);
     }
 
     void unknownKeysAreKept() {
@@ -335,23 +336,23 @@ class TestProject : public QObject {
             "'time': {'end': 1, 'fps': 25}");
         const LoadedProject loaded = parseProject(text, "p.wend");
         QCOMPARE(loaded.warnings.size(), std::size_t(9));
-        const std::string once = toJson(loaded.project);
+        const std::string once = toJson(*loaded.project);
         for (const char* piece :
              {"'author': {'name': 'A', 'years': [1, 2]}", "'zz': 1", "'tint': 'red'", "'glow': true",
               "'ink': 2", "'snap': 1", "'tint': '#ff0000'", "'a/b': {'deep': null}", "'fps': 25"})
             QVERIFY2(once.find(json(piece)) != std::string::npos, (piece + once).c_str());
         const LoadedProject again = parseProject(once, "p.wend");
         QCOMPARE(again.warnings.size(), std::size_t(9));
-        QCOMPARE(toJson(again.project), once);
+        QCOMPARE(toJson(*again.project), once);
     }
 
     /// A shape that has become another one leaves its unknown keys behind instead of failing.
     void unknownKeysOfWhatIsGone() {
         Project project =
-            parseProject(withMaterial("'regions': [{'phi': 1, 'shape': "
-                                      "{'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}}]"),
-                         "p.wend")
-                .project;
+            *parseProject(withMaterial("'regions': [{'phi': 1, 'shape': "
+                                       "{'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}}]"),
+                          "p.wend")
+                 .project;
         std::get<Design<2>>(project.design).material.regions[0].shape = Box<2>{{0, 0}, {1, 1}};
         QVERIFY(toJson(project).find("glow") == std::string::npos);
     }
@@ -555,43 +556,43 @@ class TestProject : public QObject {
         QTemporaryDir folder;
         const fs::path base = folder.path().toStdString();
         fs::create_directories(base / "sub");
-        const Project project = parseProject(kFull, "p.wend").project;
+        const Project project = *parseProject(kFull, "p.wend").project;
         const std::string path = (base / "a.wend").string();
         writeProject(path, project);
-        QCOMPARE(toJson(readProject(path).project), toJson(project));
+        QCOMPARE(toJson(*readProject(path).project), toJson(project));
         // saved in another folder, it names the same picture
         writeProject((base / "sub" / "b.wend").string(), project, base.string());
-        QCOMPARE(readProject((base / "sub" / "b.wend").string()).project.domain.path,
+        QCOMPARE(domainOf(*readProject((base / "sub" / "b.wend").string()).project).path,
                  std::string("../frog.png"));
         // and so it does with all others
         const std::string meshText = projectText(
             "'domain': {'mesh': 'in/strip.obj', 'image': 'in/frog.png'}, 'material': {'cells': "
             "'cells.json'}");
-        writeProject((base / "sub" / "c.wend").string(), parseProject(meshText, "p.wend").project,
+        writeProject((base / "sub" / "c.wend").string(), *parseProject(meshText, "p.wend").project,
                      base.string());
-        const Project moved = readProject((base / "sub" / "c.wend").string()).project;
+        const Project moved = *readProject((base / "sub" / "c.wend").string()).project;
         QCOMPARE(moved.domain.path, std::string("../in/strip.obj"));
         QCOMPARE(moved.domain.texture, std::string("../in/frog.png"));
         QCOMPARE(planar(moved).material.cellsFile, std::string("../cells.json"));
         const std::string solidText = projectText(
             "'domain': {'surface': 'in/bar.stl', 'detail': 'in/fine.obj', 'sizes': [{'values': "
             "'in/sizes.txt'}]}");
-        writeProject((base / "sub" / "d.wend").string(), parseProject(solidText, "p.wend").project,
+        writeProject((base / "sub" / "d.wend").string(), *parseProject(solidText, "p.wend").project,
                      base.string());
-        const Domain solid = readProject((base / "sub" / "d.wend").string()).project.domain;
+        const Domain solid = domainOf(*readProject((base / "sub" / "d.wend").string()).project);
         QCOMPARE(solid.path, std::string("../in/bar.stl"));
         QCOMPARE(solid.detail, std::string("../in/fine.obj"));
         QCOMPARE(solid.sizesFile, std::string("../in/sizes.txt"));
         Project absolute = project;
         absolute.domain.path = (base / "pictures" / "x.png").string();
         writeProject(path, absolute);
-        QCOMPARE(readProject(path).project.domain.path, std::string("pictures/x.png"));
+        QCOMPARE(domainOf(*readProject(path).project).path, std::string("pictures/x.png"));
     }
 
     void filesThatFail() {
         QTemporaryDir folder;
         const std::string base = folder.path().toStdString();
-        const Project project = parseProject(kFull, "p.wend").project;
+        const Project project = *parseProject(kFull, "p.wend").project;
         QVERIFY_THROWS_EXCEPTION(InputError, readProject(base + "/none.wend"));
         QVERIFY_THROWS_EXCEPTION(InputError, readProject(base));
         QVERIFY_THROWS_EXCEPTION(InputError, writeProject(base + "/no/folder.wend", project));
@@ -599,7 +600,7 @@ class TestProject : public QObject {
         Project broken = project;
         broken.end = std::numeric_limits<double>::quiet_NaN();
         QVERIFY_THROWS_EXCEPTION(InputError, writeProject(base + "/kept.wend", broken));
-        QCOMPARE(toJson(readProject(base + "/kept.wend").project), toJson(project));
+        QCOMPARE(toJson(*readProject(base + "/kept.wend").project), toJson(project));
         QCOMPARE(std::distance(fs::directory_iterator(base), fs::directory_iterator{}),
                  1);  // no temporary is left
     }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/document/project.h"
 #include "app/document/project_reader.h"
 #include "app/document/project_writer.h"
 #include "app/document/text_file.h"
@@ -107,7 +108,7 @@ class TestProjectSaved : public QObject {
         const LoadedProject loaded = parseProject(text.toStdString(), "p.wend");
         QVERIFY(loaded.warnings.empty());
         const QStringList missing =
-            lost(Json::parse(text.toStdString()), Json::parse(toJson(loaded.project)));
+            lost(Json::parse(text.toStdString()), Json::parse(toJson(*loaded.project)));
         QVERIFY2(missing.isEmpty(), qPrintable(missing.join("\n")));
     }
 
@@ -120,13 +121,13 @@ class TestProjectSaved : public QObject {
             const std::string text = projectText(start + view);
             const LoadedProject loaded = parseProject(text, "p.wend");
             QCOMPARE(loaded.warnings.size(), std::size_t(1));
-            QCOMPARE(Json::parse(toJson(loaded.project))["view"], Json::parse(text)["view"]);
+            QCOMPARE(Json::parse(toJson(*loaded.project))["view"], Json::parse(text)["view"]);
         }
     }
 
     void viewIsNotWrittenWithoutNeed() {
         const std::string text = projectText("'domain': {'surface': 'bar.obj'}, 'view': {'up': 'z'}");
-        QVERIFY(!Json::parse(toJson(parseProject(text, "p.wend").project)).contains("view"));
+        QVERIFY(!Json::parse(toJson(*parseProject(text, "p.wend").project)).contains("view"));
     }
 
     /// Saved in another folder, every file that a project names is still that file.
@@ -134,7 +135,7 @@ class TestProjectSaved : public QObject {
         QTemporaryDir folder;
         const fs::path base = folder.path().toStdString();
         fs::create_directories(base / "new" / "deep");
-        Project project = parseProject(kSolid, "p.wend").project;
+        Project project = *parseProject(kSolid, "p.wend").project;
         project.domain.kind = DomainKind::Mesh;
         project.domain.texture = "paint/skin.png";
         const std::string path = (base / "new" / "deep" / "b.wend").string();

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_reader.h"
 #include "app/panels/pin_list.h"
@@ -120,7 +121,7 @@ QString TestRandomGestures::wrongInDocument() {
         const std::string text = toJson(*m_looked);
         const LoadedProject read = parseProject(text, "memory.wend");
         if (!read.warnings.empty()) return QString::fromStdString(read.warnings.front());
-        if (nlohmann::json::parse(toJson(read.project)) != nlohmann::json::parse(text))
+        if (nlohmann::json::parse(toJson(*read.project)) != nlohmann::json::parse(text))
             return QStringLiteral("read otherwise than written: %1").arg(QString::fromStdString(text));
     } catch (const std::exception& error) {
         return QStringLiteral("cannot be read: %1\n%2")
@@ -184,10 +185,10 @@ void TestRandomGestures::takeStep(int index) {
 /// A hand may well ask for a mesh that takes minutes: it is taken back.
 void TestRandomGestures::staySmall() {
     const auto frame = session().frame();
-    while (stack().canUndo() && (m_f->project().domain.vertices > 1500 ||
-                                 (frame && frame->vertices > 3000 && stack().index() > 0))) {
+    while (stack().canUndo() &&
+           (m_f->domain().vertices > 1500 || (frame && frame->vertices > 3000 && stack().index() > 0))) {
         stack().undo();
-        if (m_f->project().domain.vertices <= 1500) break;
+        if (m_f->domain().vertices <= 1500) break;
     }
 }
 

@@ -3,10 +3,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/free_name.h"
 #include "app/document/handle_edits.h"
 #include "app/document/project_reader.h"
 #include "app/document/recovery.h"
+#include "tests/support/projects.h"
 
 using namespace wend;
 
@@ -47,18 +50,16 @@ void TestRecovery::init() {
     m_folder = std::make_unique<QTemporaryDir>();
     m_document = std::make_unique<Document>();
     OpenedFile file;
-    Project project;
-    project.domain.path = "/pictures/frog.png";
-    file.project = std::make_shared<const Project>(project);
+    const auto project = newProject();
+    domainOf(*project).path = "/pictures/frog.png";
+    file.project = project;
     file.path = QStringLiteral("/pictures/frog.wend");
     file.source = file.path;
     m_document->open(std::move(file));
 }
 
 void TestRecovery::addPin() {
-    const Project& project = *m_document->project();
-    m_document->change(QStringLiteral("Add pin"),
-                       withPin(project, {1, 2}, freeName(namesOf(m_document->design<2>().handles), "Pin")));
+    test::addPin(*m_document, {1, 2}, freeName(namesOf(m_document->design<2>().handles), "Pin"));
 }
 
 void TestRecovery::addPinAndWait(Recovery& recovery) {
@@ -70,11 +71,9 @@ void TestRecovery::addPinAndWait(Recovery& recovery) {
 void TestRecovery::aChangeIsCopied() {
     Recovery recovery(*m_document, m_folder->path(), 0);
     addPinAndWait(recovery);
-    QCOMPARE(std::get<Design<2>>(readProject(recovery.copy().toStdString()).project.design).handles.size(),
-             std::size_t(1));
+    QCOMPARE(designOf<2>(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(1));
     addPinAndWait(recovery);
-    QCOMPARE(std::get<Design<2>>(readProject(recovery.copy().toStdString()).project.design).handles.size(),
-             std::size_t(2));
+    QCOMPARE(designOf<2>(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(2));
 }
 
 /// Unsaved work is nobody else's, in whatever folder the copies were before.
@@ -134,7 +133,7 @@ void TestRecovery::aFolderThatCannotBeWrittenIsSaidOnce() {
 
 void TestRecovery::recoveredWorkIsUnsaved() {
     OpenedFile file;
-    file.project = std::make_shared<const Project>();
+    file.project = newProject();
     file.recoveredFrom = QStringLiteral("copy.wend");
     m_document->open(std::move(file));
     QVERIFY(m_document->isModified());

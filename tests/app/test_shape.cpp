@@ -21,7 +21,7 @@ SimplicialMesh<2> grid(int n) {
     return stripMesh(n, n);
 }
 
-Project parsed(const std::string& rest, const std::string& folder) {
+std::shared_ptr<Project> parsed(const std::string& rest, const std::string& folder) {
     return parseProject(json("{'format': 'wend', 'version': 1, " + rest + "}"), folder + "/p.wend").project;
 }
 
@@ -44,8 +44,8 @@ class TestShape : public QObject {
     }
 
     void frame() {
-        const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 500}", m_base);
-        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        const auto project = parsed("'domain': {'image': 'disc.png', 'vertices': 500}", m_base);
+        const auto shape = std::get<Shape<2>>(loadShape(*project, m_base));
         QVERIFY(std::abs(shape.rest->vertexCount() - 500) <= 50);
         QCOMPARE(shape.picture->width, 200);
         double area = 0;
@@ -56,23 +56,23 @@ class TestShape : public QObject {
     /// Points of handles that are there from the start are the first vertices, each place once; later ones
     /// are not.
     void handlePointsAreVertices() {
-        const Project project = parsed(
+        const auto project = parsed(
             "'domain': {'image': 'disc.png', 'outline': {'from': 'alpha'}, 'vertices': 400}, 'handles': ["
             "{'at': {'points': [[100.25, 90.5], [60, 100]]}}, {'at': {'points': [[60, 100], [120, 130]]}},"
             "{'at': {'points': [[111, 111]]}, 'active': [0.5, 1]}, {'at': {'points': [[1, 1]]}}]",
             m_base);
-        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        const auto shape = std::get<Shape<2>>(loadShape(*project, m_base));
         QCOMPARE(shape.rest->points.col(0), Vec<2>(100.25, 90.5));
         QCOMPARE(shape.rest->points.col(1), Vec<2>(60, 100));
         QCOMPARE(shape.rest->points.col(2), Vec<2>(120, 130));
         for (int i = 0; i < shape.rest->vertexCount(); ++i)
             QVERIFY((shape.rest->points.col(i) - Vec<2>(111, 111)).norm() > 1e-6);
-        QCOMPARE(heldHandles(project, shape).size(), std::size_t(4));
+        QCOMPARE(heldHandles(*project, shape).size(), std::size_t(4));
     }
 
     void edgeLength() {
-        const Project project = parsed("'domain': {'image': 'disc.png', 'edge': 20}", m_base);
-        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        const auto project = parsed("'domain': {'image': 'disc.png', 'edge': 20}", m_base);
+        const auto shape = std::get<Shape<2>>(loadShape(*project, m_base));
         double sum = 0;
         for (const auto& cell : shape.rest->cells)
             for (int k = 0; k < 3; ++k)
@@ -82,8 +82,8 @@ class TestShape : public QObject {
     }
 
     void meshDomainKeepsOrder() {
-        const Project project = parsed("'domain': {'mesh': 'grid.obj'}", m_base);
-        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        const auto project = parsed("'domain': {'mesh': 'grid.obj'}", m_base);
+        const auto shape = std::get<Shape<2>>(loadShape(*project, m_base));
         QCOMPARE(shape.rest->points, grid(4).points);
         QVERIFY(shape.rest->cells == grid(4).cells);
         QVERIFY(!shape.picture);
@@ -206,7 +206,7 @@ class TestShape : public QObject {
         const QTemporaryDir folder;
         const std::string base = folder.path().toStdString();
         writeImage(base + "/disc.png", discPicture(60, 25));
-        const Project project = parsed(
+        const auto project = parsed(
             "'domain': {'image': 'disc.png', 'vertices': 100}, 'handles': [{'at': {'points': [[30, 30]]}, "
             "'motion': [{'kind': 'translate', 'by': [9, 5], 'time': [0, 1]}]}]",
             base);
@@ -223,7 +223,7 @@ class TestShape : public QObject {
             while (all.hasNext()) hidden += all.next().contains(QStringLiteral("/."));
             if (work == "deforming") atOnce = std::max(atOnce, hidden);
         };
-        QVERIFY(runProject(project, base + "/p.wend", options, watch).outcome == Outcome::Done);
+        QVERIFY(runProject(*project, base + "/p.wend", options, watch).outcome == Outcome::Done);
         QVERIFY(atOnce > (options.canvas.kind == Canvas::Fit ? 0 : 5));
         QCOMPARE(QDir(folder.path()).entryList({"f_?.png"}).size(), 9);
         QVERIFY(QDir(folder.path())
@@ -248,9 +248,9 @@ class TestShape : public QObject {
     void missingFiles() {
         QFETCH(QString, domain);
         QFETCH(QString, file);
-        const Project project = parsed("'domain': " + domain.toStdString(), m_base);
+        const auto project = parsed("'domain': " + domain.toStdString(), m_base);
         try {
-            loadShape(project, m_base);
+            loadShape(*project, m_base);
             QFAIL("nothing was thrown");
         } catch (const InputError& error) {
             QVERIFY2(QString(error.what()).contains(file), error.what());
@@ -260,8 +260,8 @@ class TestShape : public QObject {
     void stops() {
         std::stop_source source;
         source.request_stop();
-        const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 20000}", m_base);
-        QVERIFY_THROWS_EXCEPTION(Cancelled, loadShape(project, m_base, source.get_token()));
+        const auto project = parsed("'domain': {'image': 'disc.png', 'vertices': 20000}", m_base);
+        QVERIFY_THROWS_EXCEPTION(Cancelled, loadShape(*project, m_base, source.get_token()));
     }
 
   private:

@@ -3,13 +3,15 @@
 
 #include <QtTest>
 
+#include "app/document/domain.h"
 #include "app/document/project_reader.h"
 #include "app/document/settings.h"
 #include "app/session/flat_shape.h"
 #include "app/session/shape_builder.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/surfaces.h"
 
 using namespace wend;
@@ -25,7 +27,7 @@ std::vector<double> othersOf(const Option& setting, const Project& project) {
         for (std::size_t k = 0; k < choicesOf(setting).size(); ++k) tried.push_back(static_cast<double>(k));
     } else if (setting.kind == OptionKind::Flag)
         tried = {0, 1};
-    const Range range = rangeOf(setting, project.dimension());
+    const Range range = rangeOf(setting, dimensionOf(project));
     std::erase_if(tried, [&](double value) {
         if (setting.kind == OptionKind::Integer && value != std::floor(value)) return true;
         return value == now || !(range.contains(value));
@@ -66,12 +68,8 @@ class TestShapeBuilder : public QObject {
 void TestShapeBuilder::initTestCase() {
     QVERIFY(m_folder.isValid());
     writeImage(m_base + "/disc.png", discPicture(120, 40));
-    writeMeshFile(m_base + "/grid.obj", toMeshFile<2>(stripMesh(4, 4)));
-    const Surface bar = test::box({0, 0, 0}, {3, 1, 1}, 3);
-    MeshFile file;
-    file.points = bar.points;
-    file.triangles = bar.triangles;
-    writeMeshFile(m_base + "/bar.obj", file);
+    writeMesh<2>(m_base + "/grid.obj", stripMesh(4, 4));
+    test::writeSurface(m_base + "/bar.obj", test::box({0, 0, 0}, {3, 1, 1}, 3));
 }
 
 void TestShapeBuilder::everySettingIsFollowed_data() {
@@ -90,24 +88,24 @@ void TestShapeBuilder::follow(const Project& project, const Option& setting) {
     ShapeBuilder<Dim> builder;
     const auto build = [&](const Project& of) {
         ShapeInputs inputs;
-        inputs.project = std::make_shared<const Project>(of);
+        inputs.project = copyOf(of);
         inputs.folder = m_base;
-        if (of.domain.kind == DomainKind::Image) inputs.picture = loadPicture(of.domain, m_base);
+        if (domainOf(of).kind == DomainKind::Image) inputs.picture = loadPicture(domainOf(of), m_base);
         return builder.build(inputs, {});
     };
     const Shape<Dim> first = build(project);
     for (const double value : othersOf(setting, project)) {
-        Project changed = project;
-        setting.field.at.set(changed, value);
+        const auto changed = copyOf(project);
+        setting.field.at.set(*changed, value);
         const QByteArray place =
             QByteArray(setting.key.data(), setting.key.size()) + " = " + QByteArray::number(value);
         Shape<Dim> line;
         try {
-            line = std::get<Shape<Dim>>(loadShape(changed, m_base));
+            line = std::get<Shape<Dim>>(loadShape(*changed, m_base));
         } catch (const InputError& error) {
             continue;  // no shape on either path
         }
-        const Shape<Dim> window = build(changed);
+        const Shape<Dim> window = build(*changed);
         QVERIFY2(sameShape(window, line), place + ": another mesh");
         QVERIFY2(sameMaterial(*window.material, *line.material), place + ": another material");
         if (setting.field.makes == Makes::Material || setting.field.makes == Makes::Motion)
@@ -120,15 +118,15 @@ void TestShapeBuilder::follow(const Project& project, const Option& setting) {
 
 void TestShapeBuilder::everySettingIsFollowed() {
     QFETCH(QString, domain);
-    const Project project = parseProject(json("{'format': 'wend', 'version': 1, 'domain': {" +
-                                              domain.toStdString() + "}, 'material': {'phi': 'metr'}}"),
-                                         m_base + "/p.wend")
-                                .project;
+    const auto project = parseProject(json("{'format': 'wend', 'version': 1, 'domain': {" +
+                                           domain.toStdString() + "}, 'material': {'phi': 'metr'}}"),
+                                      m_base + "/p.wend")
+                             .project;
     int count = 0;
     for (const Option& setting : options()) {
-        if (!setting.field.at.set || !isFor(setting, project)) continue;
+        if (!setting.field.at.set || !isFor(setting, *project)) continue;
         ++count;
-        project.dimension() == 2 ? follow<2>(project, setting) : follow<3>(project, setting);
+        dimensionOf(*project) == 2 ? follow<2>(*project, setting) : follow<3>(*project, setting);
         if (QTest::currentTestFailed()) return;
     }
     QVERIFY(count > 5);

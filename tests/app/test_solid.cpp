@@ -2,15 +2,18 @@
 
 #include <QtTest>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/project_reader.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
 #include "app/session/solid.h"
 #include "app/session/told_units.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/surfaces.h"
 
 using namespace wend;
@@ -46,13 +49,13 @@ class TestSolid : public QObject {
     void filesOpen();
 
   private:
-    Project project(const std::string& domain) const {
+    std::shared_ptr<Project> project(const std::string& domain) const {
         const std::string text = "{'format': 'wend', 'version': 1, 'domain': {" + domain + "}}";
         return parseProject(json(text), m_base + "/p.wend").project;
     }
     Shape<3> solid(const std::string& domain) const {
-        const Project read = project(domain);
-        return loadSolid(read.domain, std::get<Design<3>>(read.design), m_base);
+        const auto read = project(domain);
+        return loadSolid(domainOf(*read), designOf<3>(*read), m_base);
     }
 
     QTemporaryDir m_folder;
@@ -63,13 +66,6 @@ namespace {
 
 const Surface kBar = test::box({0, 0, 0}, {3, 1, 1}, 7);
 
-MeshFile fileOf(const Surface& surface) {
-    MeshFile file;
-    file.points = surface.points;
-    file.triangles = surface.triangles;
-    return file;
-}
-
 int countNear(const SimplicialMesh<3>& mesh, const Vec<3>& p, double radius) {
     return static_cast<int>(((mesh.points.colwise() - p).colwise().norm().array() < radius).count());
 }
@@ -78,16 +74,15 @@ int countNear(const SimplicialMesh<3>& mesh, const Vec<3>& p, double radius) {
 
 void TestSolid::initTestCase() {
     m_base = m_folder.path().toStdString();
-    writeMeshFile(m_base + "/bar.obj", fileOf(kBar));
-    writeMeshFile(m_base + "/bar.mesh", toMeshFile<3>(barMesh(4)));
+    test::writeSurface(m_base + "/bar.obj", kBar);
+    writeMesh<3>(m_base + "/bar.mesh", barMesh(4));
     Surface holed = kBar;
     holed.triangles.pop_back();
-    writeMeshFile(m_base + "/holed.obj", fileOf(holed));
-    writeMeshFile(m_base + "/crossing.obj",
-                  fileOf(test::joined(kBar, test::box({2, 0.2, 0.2}, {5, 0.8, 0.8}))));
-    writeMeshFile(m_base + "/fine.ply", fileOf(test::box({-0.01, -0.01, -0.01}, {3.01, 1.01, 1.01}, 20)));
-    writeMeshFile(m_base + "/far.ply", fileOf(test::box({40, 0, 0}, {44, 1, 1}, 2)));
-    writeMeshFile(m_base + "/flat.obj", toMeshFile<2>(stripMesh(3, 3)));
+    test::writeSurface(m_base + "/holed.obj", holed);
+    test::writeSurface(m_base + "/crossing.obj", test::joined(kBar, test::box({2, 0.2, 0.2}, {5, 0.8, 0.8})));
+    test::writeSurface(m_base + "/fine.ply", test::box({-0.01, -0.01, -0.01}, {3.01, 1.01, 1.01}, 20));
+    test::writeSurface(m_base + "/far.ply", test::box({40, 0, 0}, {44, 1, 1}, 2));
+    writeMesh<2>(m_base + "/flat.obj", stripMesh(3, 3));
 }
 
 void TestSolid::surfaceBecomesSolid() {
@@ -99,7 +94,7 @@ void TestSolid::surfaceBecomesSolid() {
     const Points<3> pose = 1.7 * bar.rest->points;
     QVERIFY(bar.embedding->carry(*bar.rest, pose) == pose.leftCols(kBar.vertexCount()));
     QVERIFY(bar.notices.empty());
-    const auto any = loadShape(project("'surface': 'bar.obj', 'vertices': 700"), m_base);
+    const auto any = loadShape(*project("'surface': 'bar.obj', 'vertices': 700"), m_base);
     QVERIFY(std::get<Shape<3>>(any).rest->points == bar.rest->points);
 }
 
@@ -119,11 +114,11 @@ void TestSolid::aimThatCannotBeMetIsTold() {
 }
 
 void TestSolid::coarseSurfaceIsTold() {
-    writeMeshFile(m_base + "/cube.obj", fileOf(test::box({0, 0, 0}, {1, 1, 1})));
+    test::writeSurface(m_base + "/cube.obj", test::box({0, 0, 0}, {1, 1, 1}));
     const Shape<3> kept = solid("'surface': 'cube.obj', 'vertices': 700");
     QVERIFY(QString::fromStdString(kept.notices.at(0))
                 .contains("the surface is kept as it is (see `refineSurface`)"));
-    writeMeshFile(m_base + "/coarse.obj", fileOf(test::box({0, 0, 0}, {4, 1, 1}, 4)));
+    test::writeSurface(m_base + "/coarse.obj", test::box({0, 0, 0}, {4, 1, 1}, 4));
     const Shape<3> coarse = solid("'surface': 'coarse.obj', 'vertices': 1500");
     QVERIFY(QString::fromStdString(coarse.notices.at(0)).contains("`refineSurface` splits them"));
     const Shape<3> refined = solid("'surface': 'cube.obj', 'vertices': 1000, 'refineSurface': true");
@@ -183,7 +178,7 @@ void TestSolid::singleFaultsArePutRight() {
     Surface two = kBar;
     two.triangles.pop_back();
     two.triangles.erase(two.triangles.begin());
-    writeMeshFile(m_base + "/two.obj", fileOf(two));
+    test::writeSurface(m_base + "/two.obj", two);
     try {
         const Shape<3> bar =
             solid("'surface': 'two.obj', 'vertices': 300, 'cage': false, " + domain.toStdString());
@@ -215,7 +210,7 @@ void TestSolid::cageIsChosenByItself_data() {
 void TestSolid::cageIsChosenByItself() {
     QFETCH(QString, domain);
     QFETCH(QString, why);
-    writeMeshFile(m_base + "/dense.obj", fileOf(test::box({0, 0, 0}, {3, 1, 1}, 24)));
+    test::writeSurface(m_base + "/dense.obj", test::box({0, 0, 0}, {3, 1, 1}, 24));
     const Shape<3> one = solid(domain.toStdString() + ", 'vertices': 300");
     QCOMPARE(one.cage.has_value(), !why.isEmpty());
     QVERIFY(std::abs(one.rest->vertexCount() - 300) <= 45 || why.isEmpty());
@@ -237,13 +232,13 @@ void TestSolid::cageCarriesTheSurface() {
         A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
         const Points<3> carried = one.embedding->carry(*one.rest, A * one.rest->points);
         QVERIFY((carried - A * one.skin->points).cwiseAbs().maxCoeff() < 1e-12);
-        QVERIFY(one.skin->triangles == readMeshFile(m_base + "/" + file).triangles);
+        QVERIFY(one.skin->triangles == trianglesOf(*sharedMeshFile(m_base + "/" + file)));
     }
 }
 
 void TestSolid::partsThatShareACageAreTold() {
-    writeMeshFile(m_base + "/near.obj", fileOf(test::joined(kBar, test::box({3.01, 0, 0}, {4, 1, 1}, 2))));
-    writeMeshFile(m_base + "/apart.obj", fileOf(test::joined(kBar, test::box({9, 0, 0}, {10, 1, 1}, 2))));
+    test::writeSurface(m_base + "/near.obj", test::joined(kBar, test::box({3.01, 0, 0}, {4, 1, 1}, 2)));
+    test::writeSurface(m_base + "/apart.obj", test::joined(kBar, test::box({9, 0, 0}, {10, 1, 1}, 2)));
     const auto told = [&](const char* file) {
         std::string all;
         for (const auto& notice :
@@ -260,7 +255,7 @@ void TestSolid::partsThatShareACageAreTold() {
 
 /// A fork with a slot of a tenth: where it is, how wide, and how many vertices open it.
 void TestSolid::gapsThatACageClosesAreTold() {
-    writeMeshFile(m_base + "/fork.obj", fileOf(test::fork(0.1)));
+    test::writeSurface(m_base + "/fork.obj", test::fork(0.1));
     const auto caged = [this](int vertices) {
         return solid("'surface': 'fork.obj', 'cage': true, 'vertices': " + std::to_string(vertices));
     };
@@ -314,19 +309,19 @@ void TestSolid::cageIsMadeAgainWhenItChanges() {
     const auto domain = [&](const std::string& cage) {
         return project("'surface': 'bar.obj', 'vertices': 300" + cage);
     };
-    QVERIFY(sameSolid(domain(", 'cage': true"), domain(", 'cage': {}")));
-    QVERIFY(!sameSolid(domain(""), domain(", 'cage': false")));
-    QVERIFY(!sameSolid(domain(", 'cage': true"), domain(", 'cage': {'detail': 2}")));
-    QVERIFY(!sameSolid(domain(", 'cage': true"), domain(", 'cage': {'offset': 0.5}")));
+    QVERIFY(sameSolid(*domain(", 'cage': true"), *domain(", 'cage': {}")));
+    QVERIFY(!sameSolid(*domain(""), *domain(", 'cage': false")));
+    QVERIFY(!sameSolid(*domain(", 'cage': true"), *domain(", 'cage': {'detail': 2}")));
+    QVERIFY(!sameSolid(*domain(", 'cage': true"), *domain(", 'cage': {'offset': 0.5}")));
 }
 
 void TestSolid::handlesByNumberKeepTheSurface() {
-    writeMeshFile(m_base + "/dense.obj", fileOf(test::box({0, 0, 0}, {3, 1, 1}, 24)));
+    test::writeSurface(m_base + "/dense.obj", test::box({0, 0, 0}, {3, 1, 1}, 24));
     const std::string text =
         "{'format': 'wend', 'version': 1, 'domain': {'surface': 'dense.obj', 'vertices': 300}, "
         "'handles': [{'at': {'vertices': [3000]}}]}";
-    const Project read = parseProject(json(text), m_base + "/p.wend").project;
-    QVERIFY(!loadSolid(read.domain, std::get<Design<3>>(read.design), m_base).cage);
+    const auto read = parseProject(json(text), m_base + "/p.wend").project;
+    QVERIFY(!loadSolid(domainOf(*read), designOf<3>(*read), m_base).cage);
 }
 
 void TestSolid::sizesFollowRegionsAndPaint() {
@@ -371,23 +366,23 @@ void TestSolid::detailFarOffIsTold() {
 void TestSolid::builderKeepsWhatHolds() {
     ShapeBuilder<3> builder;
     ShapeInputs inputs;
-    inputs.project = std::make_shared<const Project>(project("'surface': 'bar.obj', 'vertices': 400"));
+    inputs.project = project("'surface': 'bar.obj', 'vertices': 400");
     inputs.folder = m_base;
     const auto first = builder.build(inputs, {});
     QVERIFY(first.rest && first.material && first.skin && first.embedding);
-    Project stiffer = *inputs.project;
-    std::get<Design<3>>(stiffer.design).material.phi = 1;
-    inputs.project = std::make_shared<const Project>(stiffer);
+    const auto stiffer = copyOf(*inputs.project);
+    designOf<3>(*stiffer).material.phi = 1;
+    inputs.project = copyOf(*stiffer);
     const auto second = builder.build(inputs, {});
     QCOMPARE(second.rest, first.rest);
     QCOMPARE(second.material->phi[0], 1.0);
-    stiffer.domain.vertices = 600;
-    inputs.project = std::make_shared<const Project>(stiffer);
+    domainOf(*stiffer).vertices = 600;
+    inputs.project = copyOf(*stiffer);
     QVERIFY(builder.build(inputs, {}).rest != first.rest);
     std::stop_source stopped;
     stopped.request_stop();
-    stiffer.domain.vertices = 700;
-    inputs.project = std::make_shared<const Project>(stiffer);
+    domainOf(*stiffer).vertices = 700;
+    inputs.project = copyOf(*stiffer);
     QVERIFY(!builder.build(inputs, stopped.get_token()).rest);
 }
 
@@ -405,8 +400,8 @@ void TestSolid::filesOpen() {
     QFETCH(int, kind);
     const QString path = m_folder.filePath(name);
     const OpenedFile file = openFile(path);
-    QCOMPARE(file.project->dimension(), dimension);
-    QCOMPARE(int(file.project->domain.kind), kind);
+    QCOMPARE(dimensionOf(*file.project), dimension);
+    QCOMPARE(int(domainOf(*file.project).kind), kind);
 }
 
 QTEST_GUILESS_MAIN(TestSolid)

@@ -3,11 +3,13 @@
 #include <QtTest>
 #include <map>
 
+#include "app/document/design.h"
 #include "app/document/project_reader.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
+#include "core/integration/integration_options.h"
 #include "core/mesh/error.h"
 #include "tests/app/cli_harness.h"
 
@@ -70,19 +72,19 @@ std::string turning(const std::string& centre, const std::string& axis, double a
 
 Distortion deformed(const Project& project, const std::string& folder) {
     const Shape<3> shape = std::get<Shape<3>>(loadShape(project, folder));
-    Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), project.integration,
+    Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project),
                          BackEndKind::Cpu);
-    const AdvanceResult result = deformer.advance(project.end);
+    const AdvanceResult result = deformer.advance(endOf(project));
     if (result.outcome != Outcome::Done) throw InputError(result.message);
     if (deformer.statistics().constraintError > 1e-12) throw InputError("a handle is off its way");
     return distortion(*shape.rest, deformer.state().points);
 }
 
-std::array<Distortion, 4> ofNamedEnergies(Project project, const std::string& folder) {
+std::array<Distortion, 4> ofNamedEnergies(Project& project, const std::string& folder) {
     std::array<Distortion, 4> errors;
     int at = 0;
     for (double phi : {phi::kEquia, phi::kMetr, phi::kAkvf, phi::conformal(3)}) {
-        std::get<Design<3>>(project.design).material.phi = phi;
+        designOf<3>(project).material.phi = phi;
         errors[at++] = deformed(project, folder);
     }
     return errors;
@@ -138,7 +140,7 @@ void TestSolidBend::keepsItsName() {
         "{'format': 'wend', 'version': 1, 'domain': {'surface': 'bar.obj', 'vertices': 400}, "
         "'handles': [" +
         handles.toStdString() + "]}";
-    requireOrder(ofNamedEnergies(parseProject(json(text), folder + "/p.wend").project, folder), slack);
+    requireOrder(ofNamedEnergies(*parseProject(json(text), folder + "/p.wend").project, folder), slack);
 }
 
 void TestSolidBend::samples_data() {
@@ -151,10 +153,10 @@ void TestSolidBend::samples() {
     const std::string folder = WEND_SOURCE_DIR "/resources/samples";
     const LoadedProject loaded = readProject(folder + "/" + name.toStdString() + ".wend");
     QVERIFY(loaded.warnings.empty());
-    const Shape<3> shape = std::get<Shape<3>>(loadShape(loaded.project, folder));
+    const Shape<3> shape = std::get<Shape<3>>(loadShape(*loaded.project, folder));
     QVERIFY(shape.notices.empty());
     QVERIFY(shape.rest->vertexCount() >= 1500 && shape.rest->vertexCount() <= 5000);
-    const Distortion error = deformed(loaded.project, folder);
+    const Distortion error = deformed(*loaded.project, folder);
     QCOMPARE(error.flips, 0);
     QVERIFY(error.minDet > 0.5);
 }

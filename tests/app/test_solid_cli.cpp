@@ -2,9 +2,10 @@
 
 #include <QtTest>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/skin_file.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/surfaces.h"
 
 using namespace wend;
@@ -42,12 +43,7 @@ class TestSolidCli : public QObject {
         QVERIFY2(result.code == 0 && result.error.isEmpty(),
                  qPrintable(QString::number(result.code) + result.error));
     }
-    void write(const char* name, const Surface& surface) const {
-        MeshFile mesh;
-        mesh.points = surface.points;
-        mesh.triangles = surface.triangles;
-        writeMeshFile(file(name), mesh);
-    }
+    void write(const char* name, const Surface& surface) const { test::writeSurface(file(name), surface); }
 
     QTemporaryDir m_folder;
 };
@@ -57,14 +53,14 @@ namespace {
 const Surface kBar = test::box({0, 0, 0}, {2, 1, 1}, 6);
 
 const MeshField* find(const MeshFile& file, const std::string& name) {
-    for (const auto& field : file.fields)
+    for (const auto& field : fieldsOf(file))
         if (field.name == name) return &field;
     return nullptr;
 }
 
 double volumeOf(const MeshFile& file) {
     double sum = 0;
-    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(file.points, cell);
+    for (const auto& cell : tetrahedraOf(file)) sum += cellMeasure<3>(pointsOf(file), cell);
     return sum;
 }
 
@@ -106,27 +102,28 @@ void TestSolidCli::meshCommand_data() {
 void TestSolidCli::meshCommand() {
     QFETCH(QStringList, output);
     succeed(QStringList{"mesh", "bar.obj", "--vertices", "600", "-o"} + output);
-    const MeshFile mesh = readMeshFile(file(output[0]));
-    QVERIFY(std::abs(mesh.points.cols() - 600) <= 90);
-    QVERIFY(std::abs(volumeOf(mesh) - 2) < 1e-12);
-    QVERIFY((mesh.points.leftCols(kBar.vertexCount()) - kBar.points).cwiseAbs().maxCoeff() < 1e-6);  // %f
+    const auto mesh = sharedMeshFile(file(output[0]));
+    QVERIFY(std::abs(pointsOf(*mesh).cols() - 600) <= 90);
+    QVERIFY(std::abs(volumeOf(*mesh) - 2) < 1e-12);
+    QVERIFY((pointsOf(*mesh).leftCols(kBar.vertexCount()) - kBar.points).cwiseAbs().maxCoeff() < 1e-6);  // %f
     if (output[0].endsWith(".node")) return;
-    QCOMPARE(mesh.triangles.size(), kBar.triangles.size());
-    QCOMPARE(std::ranges::count(mesh.labels, 1), 100);
-    QCOMPARE(std::ranges::count(mesh.labels, 2), kBar.triangleCount() - 100);
-    if (output[0].endsWith(".msh")) QVERIFY(mesh.labelNames == (std::vector<std::string>{"red", "blue"}));
+    QCOMPARE(trianglesOf(*mesh).size(), kBar.triangles.size());
+    QCOMPARE(std::ranges::count(labelsOf(*mesh), 1), 100);
+    QCOMPARE(std::ranges::count(labelsOf(*mesh), 2), kBar.triangleCount() - 100);
+    if (output[0].endsWith(".msh"))
+        QVERIFY(test::labelNamesOf(*mesh) == (std::vector<std::string>{"red", "blue"}));
 }
 
 void TestSolidCli::meshOptions() {
     succeed({"mesh", "bar.off", "--max-volume", "0.002", "--refine-surface", "-o", "fine.vtu"});
-    const MeshFile fine = readMeshFile(file("fine.vtu"));
+    const auto fine = sharedMeshFile(file("fine.vtu"));
     int tooLarge = 0;  // TetGen leaves some, hardly larger, whose new vertex would come too close to others
-    for (const auto& cell : fine.tetrahedra) {
-        const double volume = cellMeasure<3>(fine.points, cell);
+    for (const auto& cell : tetrahedraOf(*fine)) {
+        const double volume = cellMeasure<3>(pointsOf(*fine), cell);
         QVERIFY(volume <= 0.002 * 1.5);
         tooLarge += volume > 0.002 * (1 + 1e-9);
     }
-    QVERIFY(static_cast<std::size_t>(tooLarge) * 50 <= fine.tetrahedra.size());
+    QVERIFY(static_cast<std::size_t>(tooLarge) * 50 <= tetrahedraOf(*fine).size());
     Surface holed = kBar;
     holed.triangles.pop_back();
     write("holed.off", holed);
@@ -139,7 +136,7 @@ void TestSolidCli::meshOptions() {
     QCOMPARE(run({"mesh", "bar.off", "--cage", "--no-cage", "-o", "p.vtu"}).code, 2);
     QCOMPARE(run({"mesh", "bar.off", "--cage-detail", "0", "-o", "p.vtu"}).code, 2);
     succeed({"mesh", "bar.off", "--cage", "--cage-detail", "3", "--vertices", "500", "-o", "caged.vtu"});
-    QVERIFY(volumeOf(readMeshFile(file("caged.vtu"))) > 2);
+    QVERIFY(volumeOf(*sharedMeshFile(file("caged.vtu"))) > 2);
     QCOMPARE(run({"mesh", "bar.off", "--largest-hole", "3", "-o", "p.vtu"}).code, 2);
     QCOMPARE(run({"mesh", "bar.off", "--vertices", "300", "--max-volume", "1", "-o", "p.vtu"}).code, 2);
     const CliResult surface = run({"mesh", "bar.off", "-o", "p.stl"});
@@ -157,8 +154,8 @@ void TestSolidCli::volumeOutputs() {
     QFETCH(QString, name);
     QFETCH(bool, fields);
     succeed({"run", "twist.wend", "--mesh", name});
-    const MeshFile mesh = readMeshFile(file(name));
-    QVERIFY(mesh.tetrahedra.size() > 500);
+    const auto mesh = sharedMeshFile(file(name));
+    QVERIFY(tetrahedraOf(*mesh).size() > 500);
     if (name == "t.msh") {  // Gmsh's own data, which is not read back here
         const std::string text = readTextFile(file(name));
         for (const char* field : {"\"error_metric\"", "\"phi\"", "\"B\"", "\"velocity\""})
@@ -166,15 +163,15 @@ void TestSolidCli::volumeOutputs() {
     }
     if (!fields) return;
     for (const char* field : {"error_angle", "error_volume", "error_metric", "ratio", "phi"})
-        QCOMPARE(find(mesh, field)->values.size(), mesh.tetrahedra.size());
-    QCOMPARE(find(mesh, "B")->components, 9);
-    QCOMPARE(find(mesh, "phi")->values[0], std::atan(0.5));
-    const MeshField* velocity = find(mesh, "velocity");
+        QCOMPARE(find(*mesh, field)->values.size(), tetrahedraOf(*mesh).size());
+    QCOMPARE(find(*mesh, "B")->components, 9);
+    QCOMPARE(find(*mesh, "phi")->values[0], std::atan(0.5));
+    const MeshField* velocity = find(*mesh, "velocity");
     QVERIFY(!velocity->perCell && velocity->components == 3);
-    QVERIFY(mesh.triangles.empty());
+    QVERIFY(trianglesOf(*mesh).empty());
     succeed({"run", "twist.wend", "--mesh", "bordered-" + name, "--border"});
-    const MeshFile bordered = readMeshFile(file("bordered-" + name));
-    QVERIFY(std::ranges::count(bordered.labels, 2) > 0 && bordered.tetrahedra == mesh.tetrahedra);
+    const auto bordered = sharedMeshFile(file("bordered-" + name));
+    QVERIFY(std::ranges::count(labelsOf(*bordered), 2) > 0 && tetrahedraOf(*bordered) == tetrahedraOf(*mesh));
     double most = 0;
     for (double x : velocity->values) most = std::max(most, std::abs(x));
     QVERIFY(most > 0.5 && most < 3);  // 1.5 radians in a unit of time, half a diagonal away at most
@@ -188,14 +185,15 @@ void TestSolidCli::skinOutputs() {
     QFETCH(QString, name);
     succeed({"run", "twist.wend", "--mesh", name});
     succeed({"run", "twist.wend", "--mesh", "whole.mesh"});
-    const MeshFile skin = readMeshFile(file(name)), whole = readMeshFile(file("whole.mesh"));
-    QCOMPARE(skin.triangles.size(), kBar.triangles.size());
+    const auto skin = sharedMeshFile(file(name));
+    const auto whole = sharedMeshFile(file("whole.mesh"));
+    QCOMPARE(trianglesOf(*skin).size(), kBar.triangles.size());
     if (name != "s.stl")
-        QVERIFY(skin.points == whole.points.leftCols(kBar.vertexCount()));  // to the last bit
+        QVERIFY(pointsOf(*skin) == pointsOf(*whole).leftCols(kBar.vertexCount()));  // to the last bit
     if (name != "s.ply") return;
-    QCOMPARE(find(skin, "error_metric")->values.size(), std::size_t(skin.points.cols()));
-    QVERIFY(find(skin, "velocity_2") != nullptr);
-    QCOMPARE(skin.uv.cols(), skin.points.cols());
+    QCOMPARE(find(*skin, "error_metric")->values.size(), std::size_t(pointsOf(*skin).cols()));
+    QVERIFY(find(*skin, "velocity_2") != nullptr);
+    QCOMPARE(uvOf(*skin).cols(), pointsOf(*skin).cols());
 }
 
 void TestSolidCli::objKeepsItsLook() {
@@ -214,8 +212,8 @@ void TestSolidCli::framesWithCollection() {
     const std::string text = readTextFile(file("frames/f.pvd"));
     QVERIFY2(text.find("<DataSet timestep=\"0.5\" part=\"0\" file=\"f_0001.vtu\"/>") != std::string::npos,
              text.c_str());
-    const MeshFile rest = readMeshFile(file("frames/f_0000.vtu"));
-    for (double error : find(rest, "error_metric")->values) QVERIFY(std::abs(error) < 1e-12);
+    const auto rest = sharedMeshFile(file("frames/f_0000.vtu"));
+    for (double error : find(*rest, "error_metric")->values) QVERIFY(std::abs(error) < 1e-12);
 }
 
 void TestSolidCli::animation() {
@@ -236,7 +234,7 @@ void TestSolidCli::animation() {
 
 void TestSolidCli::fieldsAreLeftOut() {
     succeed({"run", "twist.wend", "--mesh", "bare.vtu", "--fields", "none"});
-    QVERIFY(readMeshFile(file("bare.vtu")).fields.empty());
+    QVERIFY(fieldsOf(*sharedMeshFile(file("bare.vtu"))).empty());
 }
 
 void TestSolidCli::infoOfVolume() {
@@ -269,11 +267,11 @@ void TestSolidCli::infoOfBadSurface() {
     QCOMPARE(problems["triangles without area"]["where"].toArray(), (QJsonArray{bad.triangleCount() - 1}));
     const QJsonArray pairs = problems["pairs of triangles that intersect"]["where"].toArray();
     QVERIFY(!pairs.isEmpty());
-    const MeshFile wrong = readMeshFile(file("wrong.ply"));
-    const MeshField* cells = find(wrong, "cell");
+    const auto wrong = sharedMeshFile(file("wrong.ply"));
+    const MeshField* cells = find(*wrong, "cell");
     QVERIFY(cells != nullptr);
-    const MeshField* crossing = find(wrong, "crossing");  // which fault each one has
-    const MeshField* flat = find(wrong, "flat");
+    const MeshField* crossing = find(*wrong, "crossing");  // which fault each one has
+    const MeshField* flat = find(*wrong, "flat");
     QVERIFY(crossing && flat && flat->values.back() == 1 && crossing->values.back() == 0);
     for (std::size_t i = 0; i < crossing->values.size(); ++i) {
         const auto has = [&](const QJsonValue pair) {
@@ -283,10 +281,10 @@ void TestSolidCli::infoOfBadSurface() {
     }
     for (const QJsonValue pair : pairs)
         for (const QJsonValue t : pair.toArray()) QVERIFY(std::ranges::count(cells->values, t.toInt()) == 1);
-    for (std::size_t i = 0; i < wrong.triangles.size(); ++i) {  // the same corners as in the file
+    for (std::size_t i = 0; i < trianglesOf(*wrong).size(); ++i) {  // the same corners as in the file
         const auto& original = bad.triangles[static_cast<std::size_t>(cells->values[i])];
         for (int k = 0; k < 3; ++k)
-            QVERIFY(wrong.points.col(wrong.triangles[i][k]) == bad.points.col(original[k]));
+            QVERIFY(pointsOf(*wrong).col(trianglesOf(*wrong)[i][k]) == bad.points.col(original[k]));
     }
 }
 
@@ -347,9 +345,9 @@ void TestSolidCli::badSurfaces() {
              qPrintable(free.error));
     const auto told = QJsonDocument::fromJson(free.out.toUtf8());
     QVERIFY(told["cage"]["why"].toString().contains(reason));
-    const MeshFile caged = readMeshFile(file("caged.vtu"));
-    QCOMPARE(told["vertices"].toInt(), int(caged.points.cols()));
-    QVERIFY(std::abs(caged.points.cols() - 400) <= 60);
+    const auto caged = sharedMeshFile(file("caged.vtu"));
+    QCOMPARE(told["vertices"].toInt(), int(pointsOf(*caged).cols()));
+    QVERIFY(std::abs(pointsOf(*caged).cols() - 400) <= 60);
     QFile::remove(path() + "/caged.vtu");
 }
 
@@ -404,16 +402,16 @@ void TestSolidCli::cagedSurfaceBends() {
 /// Meshing that would take hours ends at a signal, and leaves nothing behind.
 /// A bar that is moved into another one, a corner of it, and grows to three times its size on the way.
 void TestSolidCli::faultsAreCounted() {
-    MeshFile pair = toMeshFile<3>(barMesh(2));
-    const int first = static_cast<int>(pair.points.cols()), cells = static_cast<int>(pair.tetrahedra.size());
+    SimplicialMesh<3> pair = barMesh(2);
+    const int first = pair.vertexCount(), cells = pair.cellCount();
     pair.points.conservativeResize(Eigen::NoChange, 2 * first);
     pair.points.rightCols(first) = pair.points.leftCols(first).colwise() + Vec<3>(8, 0, 0);
     for (int c = 0; c < cells; ++c) {
-        Cell<3> cell = pair.tetrahedra[c];
+        Cell<3> cell = pair.cells[c];
         for (int& v : cell) v += first;
-        pair.tetrahedra.push_back(cell);
+        pair.cells.push_back(cell);
     }
-    writeMeshFile(file("pair.mesh"), pair);
+    writeMesh<3>(file("pair.mesh"), pair);
     const auto moved = [&](const std::string& motion) {
         putProject(path(), "pair.wend",
                    "'domain': {'mesh': 'pair.mesh'}, 'handles': ["

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
@@ -99,13 +99,13 @@ void TestSolidMesh::maxVolumeByThePanel() {
     QTest::keyClicks(&volume(), volume().locale().toString(0.002));
     QTest::keyClick(&volume(), Qt::Key_Return);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->project().domain.maxVolume, 0.002);
+    QCOMPARE(m_f->domain().maxVolume, 0.002);
     QVERIFY(m_f->session().frame()->cells > 4 / 0.002);  // so many such cells make its volume
     m_f->picture(QStringLiteral("largest-volume"));
     m_f->window().actions().undo->trigger();
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->project().domain.maxVolume, 0.0);
+    QCOMPARE(m_f->domain().maxVolume, 0.0);
     QCOMPARE(m_f->session().frame()->vertices, before);
     QVERIFY(!volume().isVisible());
     m_f->window().actions().redo->trigger();
@@ -125,7 +125,7 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
     const auto border = drawn();
     nameNextFile(this, plate);
     QTest::mouseClick(&button("chooseDetail"), Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return !m_f->project().domain.detail.empty(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return !m_f->domain().detail.empty(); }, 20000));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(drawn(), 2);
     QVERIFY(button("removeDetail").isVisible());
@@ -133,17 +133,17 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
     // Saved and read again it is the same file.
     const QString saved = m_folder.filePath(QStringLiteral("with.wend"));
     m_f->session().document().save(saved);
-    QCOMPARE(QFileInfo(QString::fromStdString(openFile(saved).project->domain.detail)), QFileInfo(plate));
+    QCOMPARE(QFileInfo(QString::fromStdString(domainOf(*openFile(saved).project).detail)), QFileInfo(plate));
     QTest::mouseClick(&button("removeDetail"), Qt::LeftButton);
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->project().domain.detail.empty());
+    QVERIFY(m_f->domain().detail.empty());
     QCOMPARE(drawn(), border);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QCOMPARE(drawn(), 2);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->project().domain.detail.empty());
+    QVERIFY(m_f->domain().detail.empty());
 }
 
 /// Without a map, and on a cut.

@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <QWheelEvent>
 
+#include "app/document/design.h"
 #include "app/document/project_writer.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/folding_section.h"
@@ -240,10 +241,9 @@ void TestSolidView::colourMapIsSmooth() {
 
 /// What is stiff at the back of the bar is told on its front, which is not; arrows there are not told.
 void TestSolidView::stiffnessShinesThrough() {
-    Project stiff = m_f->project();
-    std::get<Design<3>>(stiff.design)
-        .material.regions.push_back(
-            {"back", Box<3>{{-3, 0.2, -1}, {3, 1, 1}}, 0, {}, Stiffness<3>{{1, 0, 0}, 20}});
+    const auto stiff = copyOf(m_f->project());
+    designOf<3>(*stiff).material.regions.push_back(
+        {"back", Box<3>{{-3, 0.2, -1}, {3, 1, 1}}, 0, {}, Stiffness<3>{{1, 0, 0}, 20}});
     document().change(QStringLiteral("Stiffen"), stiff);
     QVERIFY(settle(m_f->session()));
     m_f->canvas().fit();

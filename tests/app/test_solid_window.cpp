@@ -8,8 +8,9 @@
 #include <cstdlib>
 
 #include "app/document/curve_edits.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"
@@ -28,8 +29,10 @@
 #include "app/view/work_note.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
+#include "core/integration/integration_options.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/projects.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -117,7 +120,7 @@ void TestSolidWindow::holdEnds() {
 
 void TestSolidWindow::opensSurfacesAndTetrahedra() {
     QVERIFY(m_f->open());
-    QCOMPARE(m_f->session().document().project()->domain.kind, DomainKind::Surface);
+    QCOMPARE(m_f->domain().kind, DomainKind::Surface);
     const auto frame = m_f->session().frame<3>();
     QVERIFY(frame && frame->pose == frame->rest->points);
     QVERIFY(m_f->canvas().isVisible() && !m_f->actions().front->toolTip().isEmpty());
@@ -126,8 +129,7 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
     writeMesh<3>(path.toStdString(), mesh);
     m_f->window().session().document().undoStack()->setClean();
     m_f->window().openPath(path);
-    QVERIFY(QTest::qWaitFor(
-        [&] { return m_f->session().document().project()->domain.kind == DomainKind::Mesh; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return m_f->domain().kind == DomainKind::Mesh; }, 20000));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().frame()->vertices, mesh.vertexCount());
 }
@@ -217,9 +219,7 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
     QVERIFY(m_f->window().statusBar()->currentMessage().isEmpty());  // the hint is not drawn over it
     const auto rest = m_f->session().frame<3>()->rest;
     for (const bool byKey : {true, false}) {
-        Project fine = *m_f->session().document().project();
-        fine.domain.vertices = 300000;
-        m_f->session().document().change(QStringLiteral("Fine"), fine);
+        setVertices(m_f->session().document(), 300000);
         QVERIFY(QTest::qWaitFor([&] { return m_f->window().work().isVisible(); }, 20000));
         QVERIFY(m_f->window().work().text().contains(QStringLiteral("Meshing")));
         m_f->picture(QStringLiteral("work"));
@@ -227,7 +227,7 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
             QTest::keyClick(&m_f->canvas(), Qt::Key_Escape);
         else
             QTest::mouseClick(m_f->window().work().cancelButton(), Qt::LeftButton);
-        QCOMPARE(m_f->session().document().project()->domain.vertices, 300);
+        QCOMPARE(m_f->domain().vertices, 300);
         QVERIFY(settle(m_f->session()));
         QVERIFY(m_f->session().frame<3>()->rest == rest);
         QVERIFY(m_f->window().work().isHidden());
@@ -245,9 +245,9 @@ void TestSolidWindow::surfaceIsRefinedByTheSwitch() {
     QVERIFY(refine && refine->isVisible() && !refine->isChecked());
     refine->click();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().document().project()->domain.refineSurface);
+    QVERIFY(m_f->domain().refineSurface);
     m_f->window().actions().undo->trigger();
-    QVERIFY(!m_f->session().document().project()->domain.refineSurface && !refine->isChecked());
+    QVERIFY(!m_f->domain().refineSurface && !refine->isChecked());
     QVERIFY(settle(m_f->session()));
 }
 
@@ -352,10 +352,8 @@ void TestSolidWindow::sameShapeAsTheCommandLine() {
     QVERIFY(settle(m_f->session()));
     const Project& project = *m_f->session().document().project();
     const auto shape = std::get<Shape<3>>(loadShape(project, m_f->folder().path().toStdString()));
-    IntegrationOptions options = project.integration;
-    options.end = project.end;
-    Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), options);
-    deformer.advance(project.end);
+    Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
+    deformer.advance(endOf(project));
     QVERIFY(m_f->session().frame<3>()->pose == deformer.state().points);
 }
 
@@ -402,12 +400,13 @@ void TestSolidWindow::cutShowsTheInsideAndMoves() {
 void TestSolidWindow::coloursFollowTheMeasure() {
     QVERIFY(m_f->open());
     holdEnds();
-    Project painted = *m_f->session().document().project();  // what is painted nowhere is seen nowhere
+    const auto painted =
+        copyOf(*m_f->session().document().project());  // what is painted nowhere is seen nowhere
     MaterialRegion<3> right;
     right.shape = HalfSpace<3>{Vec<3>::Zero(), -Vec<3>::UnitX()};
     right.phi = phi::kAkvf;
     right.stiffness = Stiffness<3>{Vec<3>::UnitZ(), 30};
-    std::get<Design<3>>(painted.design).material.regions.push_back(right);
+    designOf<3>(*painted).material.regions.push_back(right);
     m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
     Grip grip;

@@ -2,8 +2,8 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 
+#include "app/document/design.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/region_panel.h"

@@ -1,6 +1,7 @@
 #include <QDoubleSpinBox>
 
 #include "app/document/curve_edits.h"
+#include "app/document/design.h"
 #include "app/panels/handle_panel.h"
 #include "app/session/curve_making.h"
 #include "app/view/curve_actions.h"

@@ -3,13 +3,14 @@
 #include <QSignalSpy>
 
 #include "app/document/curve_edits.h"
+#include "app/document/design.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/region_panel.h"
 #include "app/view/curve_actions.h"
+#include "tests/support/projects.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -81,9 +82,8 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture_data() {
 /// What was gathered are numbers of the finer mesh.
 void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     QFETCH(QString, tool);
-    Project fine = m_f->project(), coarse = fine;
-    fine.domain.vertices = 1200;
-    m_f->session().document().change(QStringLiteral("Fine"), fine);
+    const auto coarse = m_f->session().document().project();
+    setVertices(m_f->session().document(), 1200);
     QVERIFY(settle(m_f->session()));
     m_f->actions().through->setChecked(true);
     m_f->tool(tool == "brush" ? "grabBrush" : qPrintable(tool))->trigger();
@@ -176,8 +176,8 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     m_f->click(m_f->at(lastCurve(m_f->session().document().design<3>(), 0)->points[2]));
     const QKeyEvent key(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
     QVERIFY(m_f->canvas().viewport().tool()->ownsKey(key));  // a point is chosen
-    Project without = m_f->project();
-    auto& handles = std::get<Design<3>>(without.design).handles;
+    const auto without = copyOf(m_f->project());
+    auto& handles = designOf<3>(*without).handles;
     handles.erase(handles.begin());
     m_f->session().document().change(QStringLiteral("Without"), without);
     m_f->session().selection().set({0});

@@ -80,9 +80,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     bad.write(text);
     bad.close();
     m_f->window().openPath(bad.fileName());
-    const auto isOpen = [&] {
-        return m_f->session().document().project()->domain.path.ends_with("open.obj");
-    };
+    const auto isOpen = [&] { return m_f->domain().path.ends_with("open.obj"); };
     QVERIFY(QTest::qWaitFor(isOpen, 20000));
     QVERIFY(settle(m_f->session()));  // in a cage, which is taken away now
     auto* panel = m_f->window().findChild<SurfacePanel*>();
@@ -110,7 +108,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     press(QStringLiteral("Show them"));
     QVERIFY(m_f->canvas().camera().pixelSize(m_f->canvas().size()) > 1.2 * near);
     press(QStringLiteral("Exact surface only"));
-    QCOMPARE(m_f->session().document().project()->domain.fit, Fit::Exact);
+    QCOMPARE(m_f->domain().fit, Fit::Exact);
     m_f->window().tools().setMode(Mode::Pins);  // where nothing can be done without a solid
     const auto offersCage = [&] {
         return std::ranges::any_of(panel->findChildren<QPushButton*>(), [](const QPushButton* button) {
@@ -156,8 +154,8 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     limit->setValue(7);
     QVERIFY(QTest::qWaitFor([&] { return repair->isEnabled(); }, 20000));
     QTest::mouseClick(repair, Qt::LeftButton);
-    QVERIFY(m_f->session().document().project()->domain.repair);
-    QCOMPARE(m_f->session().document().project()->domain.largestHole, 7);
+    QVERIFY(m_f->domain().repair);
+    QCOMPARE(m_f->domain().largestHole, 7);
     QVERIFY(settle(m_f->session()));
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
     QVERIFY(m_f->session().frame<3>()->cells > 100);
@@ -242,10 +240,8 @@ void TestSurfaceWindow::openHoles() {
     bad.write(text);
     bad.close();
     m_f->window().openPath(bad.fileName());
-    const auto isOpen = [&] {
-        return m_f->session().document().project()->domain.path.ends_with("holes.obj");
-    };
-    QVERIFY(QTest::qWaitFor(isOpen, 20000));
+    const auto domain = [&] { return m_f->domain(); };
+    QVERIFY(QTest::qWaitFor([&] { return domain().path.ends_with("holes.obj"); }, 20000));
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<SurfacePanel*>();
     m_f->window().tools().setMode(Mode::Mesh);

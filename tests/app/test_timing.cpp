@@ -341,7 +341,7 @@ void TestTiming::almostTheEndIsTheEnd() {
     QVERIFY2(motions[1].end == motions[2].start,
              qPrintable(QString("%1 %2").arg(motions[1].end).arg(motions[2].start)));
     if (times.empty()) QCOMPARE(handlesOf(next)[1].activeFrom, motions[2].start);
-    QCOMPARE(toJson(parseProject(toJson(next), "memory.wend").project), toJson(next));
+    QCOMPARE(toJson(*parseProject(toJson(next), "memory.wend").project), toJson(next));
 }
 
 QTEST_GUILESS_MAIN(TestTiming)

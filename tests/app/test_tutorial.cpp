@@ -4,7 +4,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/material_panel.h"
 #include "app/session/opening.h"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/document/curve_edits.h"
+#include "app/document/project.h"
 #include "app/document/project_writer.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"

@@ -9,6 +9,7 @@
 #include <QTextBrowser>
 #include <QTranslator>
 
+#include "app/document/design.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/surface_panel.h"
@@ -187,8 +188,8 @@ void TestWholeTexts::bend() {
 }
 
 void TestWholeTexts::paintLayers() {
-    Project project = *m_f->session().document().project();
-    auto& regions = std::get<Design<2>>(project.design).material.regions;
+    const auto project = copyOf(*m_f->session().document().project());
+    auto& regions = designOf<2>(*project).material.regions;
     regions.push_back({"Neck and shoulders", Box<2>{{0, 0}, {100, 160}}, 3, 1.5, {}});
     regions.push_back({"Tail", Box<2>{{100, 0}, {240, 160}}, 0, {}, Stiffness<2>{{1, 0}, 20}});
     m_f->session().document().change(QStringLiteral("Layers"), project);

@@ -10,8 +10,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/document/design.h"
 #include "app/document/domain.h"
-#include "app/document/project.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"
@@ -568,8 +568,8 @@ void TestWindow::whatIsNotComputedYetIsNotExported() {
     click(40, 80);
     QVERIFY(settle(m_window->session()));
     Document& document = m_window->session().document();
-    Project next = *document.project();
-    Handle<2>& pin = std::get<Design<2>>(next.design).handles[0];
+    const auto next = copyOf(*document.project());
+    Handle<2>& pin = designOf<2>(*next).handles[0];
     pin.motions.push_back({Translate<2>{Vec<2>(0, 20)}, 0, 1, Ease::Linear, {}});
     document.change(QStringLiteral("Move"), next);  // what is shown has not moved yet
     bool asked = false;

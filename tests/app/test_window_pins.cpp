@@ -5,6 +5,7 @@
 #include <QStatusBar>
 
 #include "app/document/curve_edits.h"
+#include "app/document/design.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"

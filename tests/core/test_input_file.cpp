@@ -2,9 +2,10 @@
 
 #include <QtTest>
 
+#include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/printable.h"
-#include "test_mesh_files.h"
+#include "test_folder.h"
 
 using namespace wend;
 

@@ -5,7 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/skin_file.h"
 #include "tests/support/surfaces.h"
 
@@ -123,10 +124,11 @@ void TestSkin::objIsTheSameFileElsewhere() {
 void TestSkin::fieldsAndLabelsInPly() {
     const Skin skin = readSkin(file("sheet.obj"));
     writeSkin(file("sheet.ply"), skin, skin.points, {{"heat", true, 1, {1, 2, 3}}});
-    const MeshFile mesh = readMeshFile(file("sheet.ply"));
-    QVERIFY(mesh.triangles == skin.triangles);
-    QCOMPARE(mesh.uv.cols(), mesh.points.cols());
-    QVERIFY(mesh.fields.at(0).name == "heat" && mesh.fields[0].values == (std::vector<double>{1, 2, 3}));
+    const auto mesh = sharedMeshFile(file("sheet.ply"));
+    QVERIFY(trianglesOf(*mesh) == skin.triangles);
+    QCOMPARE(uvOf(*mesh).cols(), pointsOf(*mesh).cols());
+    const MeshField& heat = fieldsOf(*mesh).at(0);
+    QVERIFY(heat.name == "heat" && heat.values == (std::vector<double>{1, 2, 3}));
     QVERIFY(readSkin(file("sheet.ply")).labels == skin.labels);
 }
 

@@ -3,8 +3,8 @@
 #include <QListWidget>
 #include <QUndoStack>
 
+#include "app/document/design.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "tests/support/bar.h"
@@ -43,9 +43,9 @@ class PaintTest : public QObject {
     }
     template <int Dim>
     bool setEverywhere(double phi) {
-        Project next = m_f->project();
-        std::get<Design<Dim>>(next.design).material.phi = phi;
-        m_f->session().document().change(QStringLiteral("Energy"), std::move(next));
+        Design<Dim> next = m_f->session().document().design<Dim>();
+        next.material.phi = phi;
+        m_f->session().document().changeDesign(QStringLiteral("Energy"), next);
         return settle(m_f->session());
     }
 

@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QTextStream>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/project_writer.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
@@ -11,7 +13,7 @@
 #include "app/view/solid_workshop.h"
 #include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
-#include "tests/support/bar_project.h"
+#include "tests/support/projects.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
 
@@ -40,9 +42,7 @@ class SolidFixture {
     bool open(int vertices = 300) {
         m_window.openPath(writeBar());
         if (!QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000)) return false;
-        Project coarse = *session().document().project();
-        coarse.domain.vertices = vertices;
-        session().document().change(QStringLiteral("Coarse"), coarse);
+        setVertices(session().document(), vertices);
         const bool settled = settle(session());
         m_window.activateWindow();
         const bool active = QTest::qWaitForWindowActive(&m_window);
@@ -54,9 +54,7 @@ class SolidFixture {
     bool openPicture() {
         m_window.openPath(writeCutOut(m_folder));
         if (!QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000)) return false;
-        Project coarse = *session().document().project();
-        coarse.domain.vertices = 400;
-        session().document().change(QStringLiteral("Coarse"), coarse);
+        setVertices(session().document(), 400);
         const bool settled = settle(session());
         m_window.activateWindow();
         const bool active = QTest::qWaitForWindowActive(&m_window);
@@ -66,17 +64,10 @@ class SolidFixture {
     /// The bar, or the picture, as a project whose mesh is coarse from the first: what can be undone is what
     /// was done since.
     bool openProject(int dimension, int vertices) {
-        Project project;
-        if (dimension == 2) {
-            project = barProject(writeCutOut(m_folder));
-        } else {
-            project.domain.kind = DomainKind::Surface;
-            project.domain.path = writeBar().toStdString();
-            project.design = Design<3>();
-        }
-        project.domain.vertices = vertices;
+        const auto project =
+            dimension == 2 ? barProject(writeCutOut(m_folder), vertices) : solidProject(writeBar(), vertices);
         const QString path = m_folder.filePath(QStringLiteral("bar.wend"));
-        writeProject(path.toStdString(), project);
+        writeProject(path.toStdString(), *project);
         return openFile(path);
     }
     bool openFile(const QString& path) {
@@ -120,6 +111,7 @@ class SolidFixture {
     QAction* tool(const char* id) { return m_window.tools().action(QLatin1String(id)); }
     ShapeSession& session() { return m_window.session(); }
     const Project& project() { return *session().document().project(); }
+    const Domain& domain() { return session().document().domain(); }
     const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
     Vec<3> pin(int handle) {
         for (const auto& view : session().pins<3>())

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
+#include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
 namespace wend::test {
@@ -23,9 +24,7 @@ class WindowTest : public QObject {
     void open() {
         m_window->openPath(writeCutOut(*m_folder));
         QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
-        Project coarse = *m_window->session().document().project();
-        coarse.domain.vertices = 400;
-        m_window->session().document().change(QStringLiteral("Coarse"), coarse);
+        setVertices(m_window->session().document(), 400);
         QVERIFY(settle(m_window->session()));
         m_window->canvas().setFocus();
     }

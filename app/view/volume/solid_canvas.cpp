@@ -7,7 +7,6 @@
 #include "app/document/domain.h"
 #include "app/panels/smooth_map.h"
 #include "app/panels/theme.h"
-#include "app/session/caged_solid.h"
 #include "app/session/shape.h"
 
 namespace wend {
@@ -36,10 +35,6 @@ class Overlay : public QWidget {
   private:
     SolidCanvas& m_canvas;
 };
-
-bool isEmbeddedInCage(const PosedFrame<3>& frame) {
-    return frame.built->source && frame.built->skin && isCage(*frame.built->source, *frame.built->skin);
-}
 
 }  // namespace
 
@@ -103,8 +98,7 @@ QRgb SolidCanvas::plainColour() const {
 bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
-           (isEmbeddedInCage(frame) || !m_session.document().domain().detail.empty() ||
-            !skin->materials.empty());
+           (frame.built->cage || !m_session.document().domain().detail.empty() || !skin->materials.empty());
 }
 
 bool SolidCanvas::hasDetail() const {

@@ -1,0 +1,46 @@
+#include "tests/support/projects.h"
+
+#include "app/document/document.h"
+#include "app/document/film_time.h"
+#include "app/document/handle_edits.h"
+#include "app/document/project.h"
+
+namespace wend::test {
+
+std::shared_ptr<Project> barProject(const QString& picture, int vertices) {
+    auto project = newProject();
+    project->domain.kind = DomainKind::Image;
+    project->domain.path = picture.toStdString();
+    project->domain.outline = OutlineKind::Alpha;
+    project->domain.vertices = vertices;
+    return project;
+}
+
+std::shared_ptr<Project> solidProject(const QString& surface, int vertices) {
+    auto project = newProject();
+    project->domain.kind = DomainKind::Surface;
+    project->domain.path = surface.toStdString();
+    project->domain.vertices = vertices;
+    project->design = Design<3>();
+    return project;
+}
+
+void setVertices(Document& document, int vertices) {
+    Domain domain = document.domain();
+    domain.vertices = vertices;
+    document.changeDomain(QStringLiteral("Vertices"), domain);
+}
+
+void setLength(Document& document, double length) {
+    document.change(QStringLiteral("Length"), withLength(*document.project(), length));
+}
+
+template <int Dim>
+void addPin(Document& document, const Vec<Dim>& rest, const std::string& name) {
+    document.change(QStringLiteral("Pin"), withPin<Dim>(*document.project(), rest, name));
+}
+
+template void addPin<2>(Document&, const Vec<2>&, const std::string&);
+template void addPin<3>(Document&, const Vec<3>&, const std::string&);
+
+}  // namespace wend::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <string>
+
+#include "app/document/project_fwd.h"
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+class Document;
+
+namespace test {
+
+// What most tests do with a whole project: out of line, so that a change of what it holds makes few of them
+// anew.
+
+/// A project of that picture, cut out, or of that surface, with a coarse mesh, for speed.
+std::shared_ptr<Project> barProject(const QString& picture, int vertices = 400);
+std::shared_ptr<Project> solidProject(const QString& surface, int vertices);
+
+// One step of the document each.
+void setVertices(Document& document, int vertices);
+void setLength(Document& document, double length);
+template <int Dim = 2>
+void addPin(Document& document, const Vec<Dim>& rest, const std::string& name);
+
+}  // namespace test
+}  // namespace wend
