@@ -264,7 +264,7 @@ bool TestSurfaceWindow::says(const QString& words) {
 /// One after the other.
 void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     openHoles();
-    const auto domain = [&] { return m_f->session().document().project()->domain; };
+    const auto domain = [&] { return m_f->domain(); };
     auto* panel = m_f->window().findChild<SurfacePanel*>();
     QPushButton* fix = button(QStringLiteral("Fix this one"));
     QVERIFY(says(QStringLiteral("It would add triangles (1). It would leave 1 of 2 faults.")));
@@ -373,7 +373,7 @@ void TestSurfaceWindow::allAreFixedOnceThatIsKnown() {
     QVERIFY(!button(QStringLiteral("Exact surface only"))->hasFocus());
     settleLayout(*one);
     QCOMPARE(one->y(), place);  // more or fewer words move nothing
-    const auto fixes = [&] { return m_f->session().document().project()->domain.fixes.size(); };
+    const auto fixes = [&] { return m_f->domain().fixes.size(); };
     QVERIFY(QTest::qWaitFor([&] { return fixes() == 2; }, 20000));
     QVERIFY(settle(m_f->session()));
     QVERIFY(m_f->session().frame<3>() && !m_f->session().frame<3>()->built->cage);
