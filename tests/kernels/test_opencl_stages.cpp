@@ -203,8 +203,8 @@ void checkIterations() {
     // Of a run of iterations the last one needs no product, as a rule.
     QVERIFY(products < static_cast<std::size_t>(counts.solverIterations) + evaluations);
     const std::size_t up = counts.copied.toDevice - before.toDevice - bending.massRegularization();
-    // A shape ahead is set, after one still farther ahead, and goes up again for the distances from it.
-    const std::size_t ahead = bending.calls.shapes / 2 * 3;
+    // A shape ahead is set, and goes up again for the distances from it.
+    const std::size_t ahead = 2 * bending.calls.shapes;
     QCOMPARE(up, vector * (products + 4 * steps + steps + 1 + ahead));
     const std::size_t down = counts.copied.fromDevice - before.fromDevice;
     const std::size_t more = down - vector * (products + steps) - bending.values() * factors -
