@@ -5659,6 +5659,18 @@
         <source>direction into it</source>
         <translation>Richtung hinein</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>Der Radius der Kugel.</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;dius</translation>
+    </message>
 </context>
 <context>
     <name>wend::RegionPanel</name>

@@ -5659,6 +5659,18 @@
         <source>direction into it</source>
         <translation>dirección hacia dentro</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>El radio de la esfera.</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;dio</translation>
+    </message>
 </context>
 <context>
     <name>wend::RegionPanel</name>

@@ -5659,6 +5659,18 @@
         <source>direction into it</source>
         <translation>direction intérieure</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>Le rayon de la sphère.</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;yon</translation>
+    </message>
 </context>
 <context>
     <name>wend::RegionPanel</name>

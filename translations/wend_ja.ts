@@ -5651,6 +5651,18 @@
         <source>direction into it</source>
         <translation>内側への方向</translation>
     </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>球の半径。</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>半径(&amp;D)</translation>
+    </message>
 </context>
 <context>
     <name>wend::RegionPanel</name>

@@ -37,15 +37,17 @@ int digitsFor(double diagonal) {
     return diagonal > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(diagonal))), 1, 12) : 4;
 }
 
-RegionNumbers::RegionNumbers(QWidget* parent)
+RegionNumbers::RegionNumbers(Radius radius, QWidget* parent)
     : QWidget(parent),
       m_kind(new QComboBox(this)),
       m_firstName(secondLabel({}, this)),
-      m_secondName(secondLabel({}, this)) {
+      m_secondName(secondLabel({}, this)),
+      m_hasRadius(radius == Radius::Here) {
     makeControls();
     arrange();
     connect(m_kind, &QComboBox::activated, this, &RegionNumbers::chooseKind);
-    for (ExactBox* box : {m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
+    for (ExactBox* box :
+         {m_radius, m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { emit changed(numbers()); });
 }
 
@@ -70,6 +72,12 @@ void RegionNumbers::makeControls() {
     describe(m_kind, tr("Kind of region"), tr("What the region is; another kind keeps its place."));
     m_first = makeNumbers();
     m_second = makeNumbers();
+    m_radiusRow = new QWidget(this);
+    m_radius = new ExactBox(m_radiusRow);
+    m_radius->setRange(1e-9, 1e9);
+    m_radius->setDecimals(4);
+    m_radius->setFixedWidth(116);
+    describe(m_radius, tr("Radius"), tr("The radius of the ball."));
 }
 
 void RegionNumbers::arrange() {
@@ -81,11 +89,16 @@ void RegionNumbers::arrange() {
         for (ExactBox* box : boxes) row->addWidget(box);
         layout->addLayout(row);
     }
+    auto* radius = panelRow(tr("Ra&dius"), m_radius, m_radiusRow);
+    radius->setContentsMargins(0, 0, 0, 0);
+    m_radiusRow->setLayout(radius);
+    layout->addWidget(m_radiusRow);
 }
 
 Region<3> RegionNumbers::numbers() const {
     const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
-    if (m_kind->currentIndex() == BallKind) return Ball<3>{a, extentOf(m_region, 0).second};
+    if (m_kind->currentIndex() == BallKind)
+        return Ball<3>{a, m_hasRadius ? m_radius->exact() : extentOf(m_region, 0).second};
     if (m_kind->currentIndex() == BoxKind) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
     return HalfSpace<3>{a, b};
 }
@@ -113,9 +126,11 @@ void RegionNumbers::showRegion(const Region<3>& region, double diagonal) {
     m_secondName->setText(kind == BoxKind ? tr("to") : tr("direction into it"));
     m_secondName->setVisible(kind != BallKind);
     for (ExactBox* box : m_second) box->setVisible(kind != BallKind);
+    m_radiusRow->setVisible(m_hasRadius && kind == BallKind);
     showDigits(kind == HalfKind);
     if (const auto* ball = std::get_if<Ball<3>>(&region)) {
         put(m_first, ball->centre);
+        m_radius->put(ball->radius);
     } else if (const auto* box = std::get_if<Box<3>>(&region)) {
         put(m_first, box->min);
         put(m_second, box->max);
@@ -130,6 +145,9 @@ void RegionNumbers::showDigits(bool direction) {
     const int digits = digitsFor(m_diagonal);
     for (ExactBox* box : m_first) box->showDigits(digits);
     for (ExactBox* box : m_second) box->showDigits(direction ? kDirectionDigits : digits);
+    m_radius->showDigits(digits);
+    const QSignalBlocker quiet(m_radius);
+    m_radius->setMinimum(std::pow(0.1, digits));
 }
 
 }  // namespace wend

@@ -20,7 +20,9 @@ class RegionNumbers : public QWidget {
     Q_OBJECT
 
   public:
-    explicit RegionNumbers(QWidget* parent = nullptr);
+    /// Elsewhere: beside it is a field for the radius, which may be that of a point as well.
+    enum class Radius { Here, Elsewhere };
+    explicit RegionNumbers(Radius radius, QWidget* parent = nullptr);
     /// `diagonal` of the shape: so fine are the numbers.
     void showRegion(const Region<3>& region, double diagonal);
     /// Of a kind that has numbers here.
@@ -43,6 +45,9 @@ class RegionNumbers : public QWidget {
     QComboBox* m_kind;
     QLabel *m_firstName, *m_secondName;
     Numbers m_first, m_second;
+    QWidget* m_radiusRow;
+    ExactBox* m_radius;
+    bool m_hasRadius;
 };
 
 }  // namespace wend

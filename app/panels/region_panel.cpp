@@ -13,7 +13,7 @@ namespace wend {
 RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_numbers(new RegionNumbers(this)),
+      m_numbers(new RegionNumbers(RegionNumbers::Radius::Elsewhere, this)),
       m_radius(new ExactBox(this)),
       m_count(secondLabel({}, this)) {
     auto* layout = sectionColumn(this);

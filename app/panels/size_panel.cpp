@@ -36,7 +36,7 @@ SizePanel::SizePanel(ShapeSession& session, Brush& brush, QWidget* parent)
       m_add(new QToolButton(this)),
       m_remove(new QToolButton(this)),
       m_shape(new QWidget(this)),
-      m_numbers(new RegionNumbers(m_shape)),
+      m_numbers(new RegionNumbers(RegionNumbers::Radius::Here, m_shape)),
       m_feather(new MagnitudeBox(m_shape)),
       m_note(secondLabel({}, this)) {
     makeControls();
