@@ -97,8 +97,7 @@ void RegionNumbers::arrange() {
 
 Region<3> RegionNumbers::numbers() const {
     const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
-    if (m_kind->currentIndex() == BallKind)
-        return Ball<3>{a, m_hasRadius ? m_radius->exact() : extentOf(m_region, 0).second};
+    if (m_kind->currentIndex() == BallKind) return Ball<3>{a, m_radius->exact()};
     if (m_kind->currentIndex() == BoxKind) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
     return HalfSpace<3>{a, b};
 }
