@@ -260,7 +260,7 @@ void TestTiming::severalAreMovedAndScaled() {
     Project project = busyFilm();
     project.design = withoutMotions(project.design, {{0, 2}});
     QCOMPARE(spanOf(project.design, kSeveral), (MotionTime{0, 3}));
-    for (const MotionTime& to : {MotionTime{0, 1.5}, {0.25, 3.25}, {0, 6}, {1.5, 3}}) {
+    for (const MotionTime& to : {MotionTime{0, 1.5}, {0.25, 3.25}, {1.5, 4.5}, {0, 6}, {1.5, 3}}) {
         const Project after = withMotionSpan(project, kSeveral, to);
         for (const auto& [handle, motion] : kSeveral) {
             const MotionTime was = timeOf(project.design, handle, motion),
@@ -317,6 +317,8 @@ void TestTiming::easeAndRemoval() {
     left.design = withoutMotions(left.design, {{0, 0}, {1, 0}, {0, 2}});
     QVERIFY(handlesOf(left)[0].motions.size() == 1 && handlesOf(left)[1].motions.empty());
     QCOMPARE(timeOf(left.design, 0, 0), (MotionTime{2, 3}));
+    left.design = withoutMotions(busyFilm().design, {{0, 0}, {0, 1}});
+    QVERIFY(timeOf(left.design, 0, 0) == timeOf(busyFilm().design, 0, 2));
 }
 
 void TestTiming::almostTheEndIsTheEnd_data() {
