@@ -393,6 +393,13 @@ void TestSurfaceWindow::noteOfWorkIsWhole() {
     QTest::qWait(50);
     for (const QLabel* label : note->findChildren<QLabel*>())
         QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+    // Other words have their width at once.
+    const auto* words = note->findChild<QLabel*>();
+    const int around = note->width() - words->minimumWidth();
+    fine.vertices = 1000000;
+    document.changeDomain(QStringLiteral("Finer"), fine);
+    QVERIFY(words->text().contains(QStringLiteral("1,000,000")));
+    QCOMPARE(note->width(), words->minimumWidth() + around);
     m_f->session().cancelWork();
     QVERIFY(settle(m_f->session()));
 }
