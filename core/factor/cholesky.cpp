@@ -40,24 +40,43 @@ class [[maybe_unused]] SerialOpenMp {
     [[maybe_unused]] int m_levels = 1;
 };
 
+/// A function of the BLAS that CHOLMOD is linked with; null where that BLAS has none of this name.
+template <class Function>
+Function* blasFunction(const char* name) {
+    return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));  // NOLINT: the way of dlsym
+}
+
 /// One BLAS thread: repeatable, and no slower on blocks of this size. Absent with the reference BLAS.
 void useOneBlasThread() {
     static std::once_flag once;
     std::call_once(once, [] {
-        using SetThreads = void (*)(int);
-        if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
-            reinterpret_cast<SetThreads>(symbol)(1);  // NOLINT: the way of dlsym
+        if (auto* setThreads = blasFunction<void(int)>("openblas_set_num_threads")) setThreads(1);
     });
 }
 
+/// The smallest call that makes OpenBLAS take its buffer: 0 = 0 · 0 · 0 + 0 · 0.
+void callBlas() {
+    using Syrk = void(const char*, const char*, const int*, const int*, const double*, const double*,
+                      const int*, const double*, double*, const int*);
+    const int one = 1;
+    const double zero = 0;
+    double sum = 0;
+    if (auto* syrk = blasFunction<Syrk>("dsyrk_"))
+        syrk("L", "N", &one, &one, &zero, &zero, &one, &zero, &sum, &one);
+}
+
 /// OpenBLAS takes a buffer for each thread that calls it at a time, keeps it, and where there are no
-/// addresses for one asks for it for ever: so whether there are is looked at before it is called.
+/// addresses for one asks for it for ever: so whether there are is looked at before it is called, and the
+/// buffer is taken at once, before CHOLMOD or another thread takes the addresses.
 class BlasBuffer {
   public:
     BlasBuffer() {
-        if (++allUsers <= allKept || hasAddressRoom(kRoom)) return;
-        --allUsers;
-        throw std::bad_alloc();
+        if (++allUsers <= allKept) return;
+        if (!hasAddressRoom(kRoom)) {
+            --allUsers;
+            throw std::bad_alloc();
+        }
+        callBlas();
     }
     ~BlasBuffer() {
         const int users = allUsers--;
