@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/bench/test_picture.h"
-#include "app/view/render_thread.h"
+#include "app/view/canvas/render_thread.h"
 #include "core/assembly/cpu_back_end.h"
 #include "core/energy/distortion.h"
 #include "core/integration/drag_flow.h"

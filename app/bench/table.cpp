@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "app/document/json_text.h"
+#include "app/document/file/json_text.h"
 
 namespace wend {
 namespace {

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/session/frame.h"
+#include "app/session/motion/frame.h"
 
 class QWidget;
 

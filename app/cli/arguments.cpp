@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "app/document/file/rgb_text.h"
+#include "app/document/options/settings.h"
 #include "app/document/pixel_rect.h"
 #include "app/document/project_fwd.h"
-#include "app/document/rgb_text.h"
-#include "app/document/settings.h"
 #include "core/energy/material.h"
 
 namespace wend {

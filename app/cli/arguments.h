@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/option_values.h"
-#include "app/document/options.h"
+#include "app/document/options/option_values.h"
+#include "app/document/options/options.h"
 
 namespace wend {
 

@@ -5,8 +5,8 @@
 #include "app/bench/bench.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
-#include "app/document/text_file.h"
-#include "app/session/output_set.h"
+#include "app/document/file/text_file.h"
+#include "app/session/run/output_set.h"
 #include "core/mesh/error.h"
 
 namespace wend {

@@ -1,8 +1,8 @@
 #include "app/panels/balance_panel.h"
 
-#include "app/document/settings.h"
-#include "app/panels/option_field.h"
-#include "app/panels/picture_tip.h"
+#include "app/document/options/settings.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/picture_tip.h"
 
 namespace wend {
 

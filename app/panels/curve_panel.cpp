@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <numbers>
 
-#include "app/document/curve_edits.h"
 #include "app/document/design.h"
-#include "app/document/timing_edits.h"
-#include "app/panels/ease_names.h"
-#include "app/panels/exact_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
-#include "app/session/curve_making.h"
+#include "app/document/edits/curve_edits.h"
+#include "app/document/edits/timing_edits.h"
+#include "app/panels/fields/ease_names.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/session/pins/curve_making.h"
 
 namespace wend {
 

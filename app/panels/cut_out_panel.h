@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/panels/setting_rows.h"
+#include "app/panels/fields/setting_rows.h"
 
 namespace wend {
 

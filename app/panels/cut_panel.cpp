@@ -5,9 +5,9 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/panels/exact_box.h"
-#include "app/panels/jump_slider.h"
-#include "app/panels/panel_parts.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/jump_slider.h"
+#include "app/panels/fields/panel_parts.h"
 
 namespace wend {
 

@@ -9,10 +9,10 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/panels/jump_slider.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
-#include "app/session/shape.h"
+#include "app/panels/fields/jump_slider.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/session/shape/shape.h"
 #include "core/energy/distortion.h"
 
 namespace wend {

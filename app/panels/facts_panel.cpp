@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "app/document/domain.h"
+#include "app/document/file/named_files.h"
 #include "app/document/in_background.h"
-#include "app/document/named_files.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
-#include "app/session/inspection.h"
-#include "app/session/shape.h"
-#include "app/session/told_units.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/session/shape/inspection.h"
+#include "app/session/shape/shape.h"
+#include "app/session/shape/told_units.h"
 
 namespace wend {
 

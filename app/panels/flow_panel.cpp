@@ -2,12 +2,12 @@
 
 #include <QPushButton>
 
-#include "app/document/setting_edits.h"
-#include "app/document/settings.h"
-#include "app/panels/memory_slider.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/picture_tip.h"
-#include "app/panels/reasons.h"
+#include "app/document/edits/setting_edits.h"
+#include "app/document/options/settings.h"
+#include "app/panels/fields/memory_slider.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/picture_tip.h"
+#include "app/panels/fields/reasons.h"
 #include "app/session/settle_step.h"
 
 namespace wend {

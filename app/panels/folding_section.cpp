@@ -4,7 +4,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/panels/panel_parts.h"
+#include "app/panels/fields/panel_parts.h"
 
 namespace wend {
 

@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "app/panels/curve_panel.h"
-#include "app/panels/number_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
-#include "app/panels/theme.h"
+#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/panels/look/theme.h"
 
 namespace wend {
 

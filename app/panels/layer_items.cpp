@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "app/panels/theme.h"
+#include "app/panels/look/theme.h"
 #include "app/session/accent.h"
 #include "app/session/energy_stops.h"
 

@@ -3,7 +3,7 @@
 #include <QIcon>
 #include <QItemDelegate>
 
-#include "app/document/material_edits.h"
+#include "app/document/edits/material_edits.h"
 
 namespace wend {
 

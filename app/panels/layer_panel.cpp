@@ -5,13 +5,13 @@
 #include <QListWidget>
 #include <QToolButton>
 
-#include "app/panels/energy_slider.h"
-#include "app/panels/exact_box.h"
+#include "app/panels/fields/energy_slider.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/panels/fields/stiffness_fields.h"
 #include "app/panels/layer_items.h"
-#include "app/panels/magnitude_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
-#include "app/panels/stiffness_fields.h"
 
 namespace wend {
 

@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "app/document/domain.h"
-#include "app/document/named_files.h"
-#include "app/panels/energy_slider.h"
-#include "app/panels/exact_box.h"
+#include "app/document/file/named_files.h"
+#include "app/panels/fields/energy_slider.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/layer_panel.h"
-#include "app/panels/magnitude_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/session/told_units.h"
+#include "app/session/shape/told_units.h"
 
 namespace wend {
 

@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/energy_scale.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/theme.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/energy_scale.h"
+#include "app/panels/look/theme.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <QToolButton>
 
-#include "app/panels/colour_map.h"
+#include "app/panels/look/colour_map.h"
 
 namespace wend {
 

@@ -3,9 +3,9 @@
 #include <QLocale>
 #include <QPushButton>
 
-#include "app/document/setting_edits.h"
-#include "app/document/settings.h"
-#include "app/panels/panel_parts.h"
+#include "app/document/edits/setting_edits.h"
+#include "app/document/options/settings.h"
+#include "app/panels/fields/panel_parts.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/panels/energy_slider.h"
+#include "app/panels/fields/energy_slider.h"
 #include "app/session/shape_session.h"
 
 class QLabel;

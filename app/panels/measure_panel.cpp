@@ -8,11 +8,11 @@
 #include <set>
 
 #include "app/document/design.h"
-#include "app/panels/colour_map.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/legend.h"
-#include "app/panels/panel_parts.h"
-#include "app/session/shape.h"
-#include "app/session/solid_places.h"
+#include "app/panels/look/colour_map.h"
+#include "app/session/pins/solid_places.h"
+#include "app/session/shape/shape.h"
 #include "core/mesh/quality.h"
 
 namespace wend {

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "app/document/domain.h"
-#include "app/document/setting_edits.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/panels/cut_out_panel.h"
-#include "app/panels/detail_row.h"
-#include "app/panels/jump_slider.h"
-#include "app/panels/option_field.h"
-#include "app/panels/panel_parts.h"
+#include "app/panels/fields/detail_row.h"
+#include "app/panels/fields/jump_slider.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
 #include "warp/image.h"
 
 namespace wend {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/energy_slider.h"
-#include "app/panels/exact_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/stiffness_fields.h"
+#include "app/panels/fields/energy_slider.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/stiffness_fields.h"
 
 namespace wend {
 

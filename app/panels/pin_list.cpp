@@ -10,12 +10,12 @@
 #include <algorithm>
 
 #include "app/document/design.h"
-#include "app/document/handle_edits.h"
-#include "app/document/pin_edits.h"
-#include "app/panels/marks.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/theme.h"
-#include "app/session/pin_traits.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/edits/pin_edits.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/marks.h"
+#include "app/panels/look/theme.h"
+#include "app/session/pins/pin_traits.h"
 
 namespace wend {
 

@@ -6,11 +6,11 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/document/handle_edits.h"
-#include "app/document/options.h"
-#include "app/panels/exact_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/options/options.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
 
 namespace wend {
 

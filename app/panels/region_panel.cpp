@@ -1,12 +1,12 @@
 #include "app/panels/region_panel.h"
 
 #include "app/document/design.h"
-#include "app/document/handle_edits.h"
-#include "app/panels/exact_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/region_numbers.h"
-#include "app/session/pin_shapes.h"
-#include "app/session/solid_places.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/region_numbers.h"
+#include "app/session/pins/pin_shapes.h"
+#include "app/session/pins/solid_places.h"
 
 namespace wend {
 

@@ -8,12 +8,12 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
-#include "app/document/options.h"
-#include "app/document/size_edits.h"
-#include "app/panels/magnitude_box.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
-#include "app/panels/region_numbers.h"
+#include "app/document/edits/size_edits.h"
+#include "app/document/options/options.h"
+#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/panels/fields/region_numbers.h"
 
 namespace wend {
 

@@ -6,9 +6,9 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/panels/option_field.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/reasons.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
 
 namespace wend {
 

@@ -1,8 +1,8 @@
 #include "app/session/comparison.h"
 
 #include "app/document/design.h"
-#include "app/document/material_edits.h"
-#include "app/document/options.h"
+#include "app/document/edits/material_edits.h"
+#include "app/document/options/options.h"
 
 namespace wend {
 

@@ -6,10 +6,10 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
-#include "app/document/project_reader.h"
-#include "app/document/project_writer.h"
-#include "app/session/flat_shape.h"
+#include "app/document/file/project_reader.h"
+#include "app/document/file/project_writer.h"
 #include "app/session/program_files.h"
+#include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"

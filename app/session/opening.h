@@ -3,7 +3,7 @@
 #include <QMap>
 #include <QStringList>
 
-#include "app/document/recovery.h"
+#include "app/document/edits/recovery.h"
 #include "core/mesh/error.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <QTimer>
 
 #include "app/document/in_background.h"
-#include "app/session/pose_faults.h"
+#include "app/session/shape/pose_faults.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

@@ -1,6 +1,6 @@
 #include "app/session/settle_step.h"
 
-#include "app/document/handle_edits.h"
+#include "app/document/edits/handle_edits.h"
 #include "app/document/project.h"
 
 namespace wend {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/document/film_time.h"
-#include "app/document/handle_edits.h"
-#include "app/document/pin_edits.h"
+#include "app/document/edits/film_time.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/edits/pin_edits.h"
 #include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/shape_session.h"

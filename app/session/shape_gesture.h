@@ -5,7 +5,7 @@
 #include <optional>
 #include <tuple>
 
-#include "app/session/drag_gesture.h"
+#include "app/session/motion/drag_gesture.h"
 #include "app/session/pins.h"
 
 namespace wend {

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "app/document/design.h"
-#include "app/document/handle_edits.h"
-#include "app/session/compute_thread.h"
-#include "app/session/fields.h"
-#include "app/session/playback.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/session/motion/compute_thread.h"
+#include "app/session/motion/fields.h"
+#include "app/session/motion/playback.h"
 #include "app/session/selection.h"
 #include "app/session/shape_session.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/document/document.h"
-#include "app/session/frame_track.h"
+#include "app/document/edits/document.h"
+#include "app/session/motion/frame_track.h"
 
 namespace wend {
 

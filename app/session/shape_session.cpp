@@ -1,8 +1,8 @@
 #include "app/session/shape_session.h"
 
 #include "app/document/design.h"
-#include "app/document/free_name.h"
-#include "app/document/handle_edits.h"
+#include "app/document/edits/free_name.h"
+#include "app/document/edits/handle_edits.h"
 
 namespace wend {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "app/document/grip.h"
+#include "app/document/edits/grip.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/document/grip.h"
+#include "app/document/edits/grip.h"
 #include "app/session/shared_value.h"
 #include "app/tools/drawn_outline.h"
 

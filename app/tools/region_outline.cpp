@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/solid_places.h"
+#include "app/session/pins/solid_places.h"
 
 namespace wend {
 

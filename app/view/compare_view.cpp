@@ -10,11 +10,11 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/document/material_edits.h"
-#include "app/document/settings.h"
-#include "app/panels/energy_scale.h"
-#include "app/panels/panel_parts.h"
-#include "app/view/canvas.h"
+#include "app/document/edits/material_edits.h"
+#include "app/document/options/settings.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/energy_scale.h"
+#include "app/view/canvas/canvas.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
 

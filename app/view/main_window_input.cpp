@@ -8,17 +8,17 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/panels/energy_slider.h"
-#include "app/panels/theme.h"
+#include "app/panels/fields/energy_slider.h"
+#include "app/panels/look/theme.h"
 #include "app/session/opening.h"
-#include "app/view/actions.h"
+#include "app/view/actions/actions.h"
+#include "app/view/actions/toolbox.h"
 #include "app/view/compare_view.h"
-#include "app/view/file_workflow.h"
+#include "app/view/files/file_workflow.h"
+#include "app/view/files/start_page.h"
 #include "app/view/main_window.h"
 #include "app/view/properties_rail.h"
-#include "app/view/start_page.h"
 #include "app/view/status_fields.h"
-#include "app/view/toolbox.h"
 
 namespace wend {
 

@@ -13,6 +13,9 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
+#include "app/panels/fields/panel_fields.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reach_row.h"
 #include "app/panels/flow_panel.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/handle_panel.h"
@@ -21,16 +24,13 @@
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/paint_panel.h"
-#include "app/panels/panel_fields.h"
-#include "app/panels/panel_parts.h"
 #include "app/panels/pin_list.h"
-#include "app/panels/reach_row.h"
 #include "app/panels/region_list.h"
 #include "app/panels/region_panel.h"
 #include "app/panels/size_panel.h"
 #include "app/panels/surface_panel.h"
-#include "app/view/export_panel.h"
-#include "app/view/toolbox.h"
+#include "app/view/actions/toolbox.h"
+#include "app/view/export/export_panel.h"
 
 namespace wend {
 

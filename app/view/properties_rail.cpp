@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/panels/panel_parts.h"
-#include "app/panels/theme.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/theme.h"
 #include "app/view/properties.h"
 
 namespace wend {

@@ -5,8 +5,8 @@
 #include <clocale>
 #include <optional>
 
-#include "app/view/file_workflow.h"
-#include "app/view/language_choice.h"
+#include "app/view/actions/language_choice.h"
+#include "app/view/files/file_workflow.h"
 #include "app/view/main_window.h"
 
 namespace wend {

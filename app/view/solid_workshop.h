@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/tools/tool.h"
-#include "app/view/solid_actions.h"
+#include "app/view/actions/solid_actions.h"
 #include "app/view/volume/plain_view.h"
 
 namespace wend {

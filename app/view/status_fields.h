@@ -3,8 +3,8 @@
 #include <QDeadlineTimer>
 #include <QObject>
 
-#include "app/panels/colour_map.h"
-#include "app/view/seen_delay.h"
+#include "app/panels/look/colour_map.h"
+#include "app/view/canvas/seen_delay.h"
 
 class QLabel;
 class QStatusBar;

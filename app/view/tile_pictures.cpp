@@ -1,11 +1,11 @@
 #include "app/view/tile_pictures.h"
 
 #include "app/document/domain.h"
-#include "app/document/options.h"
-#include "app/panels/energy_slider.h"
-#include "app/session/shape.h"
-#include "app/session/shape_builder.h"
-#include "app/view/canvas.h"
+#include "app/document/options/options.h"
+#include "app/panels/fields/energy_slider.h"
+#include "app/session/shape/shape.h"
+#include "app/session/shape/shape_builder.h"
+#include "app/view/canvas/canvas.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {

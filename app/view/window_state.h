@@ -2,7 +2,7 @@
 
 #include <QByteArray>
 
-#include "app/document/document.h"
+#include "app/document/edits/document.h"
 #include "app/tools/mode.h"
 
 namespace wend {

@@ -1,12 +1,12 @@
 #include "app/view/workspace.h"
 
-#include "app/view/actions.h"
-#include "app/view/canvas.h"
-#include "app/view/picture_actions.h"
-#include "app/view/pin_actions.h"
+#include "app/view/actions/actions.h"
+#include "app/view/actions/picture_actions.h"
+#include "app/view/actions/pin_actions.h"
+#include "app/view/actions/toolbox.h"
+#include "app/view/canvas/canvas.h"
 #include "app/view/properties.h"
 #include "app/view/solid_workshop.h"
-#include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {

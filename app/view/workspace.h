@@ -4,8 +4,8 @@
 #include <map>
 
 #include "app/session/brush.h"
-#include "app/view/paint_map.h"
-#include "app/view/tool_table.h"
+#include "app/view/actions/tool_table.h"
+#include "app/view/canvas/paint_map.h"
 
 namespace wend {
 

@@ -4,7 +4,7 @@
 #include <QUndoStack>
 
 #include "app/document/design.h"
-#include "app/document/material_edits.h"
+#include "app/document/edits/material_edits.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "tests/support/bar.h"

@@ -1,8 +1,8 @@
 #include "tests/support/projects.h"
 
-#include "app/document/document.h"
-#include "app/document/film_time.h"
-#include "app/document/handle_edits.h"
+#include "app/document/edits/document.h"
+#include "app/document/edits/film_time.h"
+#include "app/document/edits/handle_edits.h"
 #include "app/document/project.h"
 
 namespace wend::test {

@@ -16,8 +16,8 @@
 #include <random>
 
 #include "app/view/compare_view.h"
-#include "app/view/time_strip.h"
-#include "app/view/track_view.h"
+#include "app/view/film/time_strip.h"
+#include "app/view/film/track_view.h"
 #include "tests/support/solid_fixture.h"
 
 namespace wend::test {

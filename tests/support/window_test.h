@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/design.h"
-#include "app/view/canvas.h"
+#include "app/view/canvas/canvas.h"
 #include "app/view/main_window.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"

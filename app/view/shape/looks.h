@@ -3,9 +3,9 @@
 #include <QColor>
 #include <tuple>
 
-#include "app/panels/colour_map.h"
-#include "app/session/rest_frame.h"
-#include "app/session/shape.h"
+#include "app/panels/look/colour_map.h"
+#include "app/session/motion/rest_frame.h"
+#include "app/session/shape/shape.h"
 
 namespace wend {
 

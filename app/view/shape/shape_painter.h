@@ -2,11 +2,11 @@
 
 #include <QPainter>
 
-#include "app/panels/colour_map.h"
-#include "app/panels/marks.h"
-#include "app/panels/pin_animation.h"
-#include "app/panels/theme.h"
-#include "app/session/pose_faults.h"
+#include "app/panels/look/colour_map.h"
+#include "app/panels/look/marks.h"
+#include "app/panels/look/pin_animation.h"
+#include "app/panels/look/theme.h"
+#include "app/session/shape/pose_faults.h"
 #include "app/tools/shape_tool.h"
 
 namespace wend {

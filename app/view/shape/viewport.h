@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/panels/pin_animation.h"
+#include "app/panels/look/pin_animation.h"
 #include "app/tools/tool.h"
 #include "app/view/shape/looks.h"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "app/panels/marks.h"
+#include "app/panels/look/marks.h"
 
 namespace wend {
 

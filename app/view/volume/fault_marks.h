@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/pose_faults.h"
+#include "app/session/shape/pose_faults.h"
 #include "app/view/volume/glyphs.h"
 
 namespace wend {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/frame.h"
+#include "app/session/motion/frame.h"
 #include "app/view/volume/surface_renderer.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <QImage>
 #include <QPointer>
 
-#include "app/session/frame.h"
+#include "app/session/motion/frame.h"
 
 namespace wend {
 

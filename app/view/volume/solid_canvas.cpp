@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/document/domain.h"
-#include "app/panels/smooth_map.h"
-#include "app/panels/theme.h"
-#include "app/session/shape.h"
+#include "app/panels/look/smooth_map.h"
+#include "app/panels/look/theme.h"
+#include "app/session/shape/shape.h"
 
 namespace wend {
 

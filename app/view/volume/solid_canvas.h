@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/session/material_preview.h"
-#include "app/session/pose_faults.h"
-#include "app/tools/cut_tool.h"
-#include "app/tools/layer_lines.h"
-#include "app/tools/onion_skin.h"
+#include "app/session/motion/material_preview.h"
+#include "app/session/shape/pose_faults.h"
+#include "app/tools/mesh/cut_tool.h"
+#include "app/tools/paint/layer_lines.h"
+#include "app/tools/pins/onion_skin.h"
 #include "app/view/shape/viewport.h"
 #include "app/view/volume/volume_view.h"
 

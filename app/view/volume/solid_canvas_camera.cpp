@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "app/document/design.h"
-#include "app/session/pin_shapes.h"
+#include "app/session/pins/pin_shapes.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/smooth_map.h"
-#include "app/panels/theme.h"
+#include "app/panels/look/smooth_map.h"
+#include "app/panels/look/theme.h"
 #include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_canvas.h"

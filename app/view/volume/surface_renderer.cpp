@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "app/panels/marks.h"
+#include "app/panels/look/marks.h"
 
 namespace wend {
 namespace {

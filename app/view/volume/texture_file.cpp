@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/session/picture_file.h"
+#include "app/session/shape/picture_file.h"
 
 namespace wend {
 

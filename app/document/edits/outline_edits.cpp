@@ -1,0 +1,36 @@
+#include "app/document/edits/outline_edits.h"
+
+#include "app/document/project.h"
+#include "core/mesh/segments.h"
+#include "core/meshing/outline_combination.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kOnLine = 1e-9;  // pixels
+
+bool isOn(const Outline& outline, const Vec<2>& p) {
+    for (const auto& loop : outline.loops)
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            if (distanceToSegment<2>(p, loop[k], loop[(k + 1) % loop.size()]) <= kOnLine) return true;
+    return false;
+}
+
+}  // namespace
+
+int setOutline(Project& project, Outline outline) {
+    auto& handles = std::get<Design<2>>(project.design).handles;
+    for (Handle<2>& handle : handles)
+        if (auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at))
+            std::erase_if(*points,
+                          [&](const Vec<2>& p) { return !isInside(outline, p) && !isOn(outline, p); });
+    project.domain.outline = OutlineKind::Polygons;
+    project.domain.polygons = std::move(outline);
+    return static_cast<int>(std::erase_if(handles, [](const Handle<2>& handle) {
+        const auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at);
+        return points && points->empty();
+    }));
+}
+
+}  // namespace wend

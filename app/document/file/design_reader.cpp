@@ -1,0 +1,399 @@
+#include "app/document/file/design_reader.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "app/document/design.h"
+#include "app/document/file/rgb_text.h"
+#include "app/document/file/setting_json.h"
+#include "app/document/project_fwd.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+template <int Dim>
+Vec<Dim> readDirection(const JsonValue& value) {
+    const Vec<Dim> direction = value.point<Dim>();
+    if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
+    return direction;
+}
+
+double readPositive(const JsonValue& value) {
+    const double number = value.number();
+    if (number <= 0) value.fail(shortNumber(number) + " is out of range: it must be in ]0, ∞[");
+    return number;
+}
+
+std::pair<double, double> readWindow(const JsonValue& value) {
+    const std::vector<double> times = value.numbers();
+    if (times.size() != 2) value.fail("must be two times, [from, to]");
+    if (times[0] >= times[1])
+        value.fail("the window is reversed or empty: it goes from " + shortNumber(times[0]) + " to " +
+                   shortNumber(times[1]));
+    return {times[0], times[1]};
+}
+
+/// As a window, but an end may be null: open.
+template <int Dim>
+void readActive(const JsonValue& value, Handle<Dim>& handle) {
+    const std::vector<JsonValue> ends = value.elements();
+    if (ends.size() != 2) value.fail("must be two times, [from, to]");
+    if (!ends[0].json().is_null()) handle.activeFrom = ends[0].number();
+    if (!ends[1].json().is_null()) handle.activeTo = ends[1].number();
+    if (handle.activeFrom >= handle.activeTo)
+        value.fail("the window is reversed or empty: it goes from " + shortNumber(handle.activeFrom) +
+                   " to " + shortNumber(handle.activeTo));
+}
+
+// --- Regions ---
+
+Polygon readPolygon(const JsonValue& value) {
+    Polygon polygon{value.points<2>()};
+    if (polygon.points.size() < 3) value.fail("needs at least 3 points");
+    return polygon;
+}
+
+template <int Dim>
+Ball<Dim> readBall(const JsonValue& value) {
+    JsonObject object(value);
+    Ball<Dim> ball{object.require("centre").point<Dim>(), readPositive(object.require("radius"))};
+    object.finish();
+    return ball;
+}
+
+template <int Dim>
+Box<Dim> readBox(const JsonValue& value) {
+    JsonObject object(value);
+    Box<Dim> box{object.require("min").point<Dim>(), object.require("max").point<Dim>()};
+    if ((box.min.array() >= box.max.array()).any())
+        value.fail("min must be less than max in every coordinate");
+    object.finish();
+    return box;
+}
+
+template <int Dim>
+HalfSpace<Dim> readHalfSpace(const JsonValue& value) {
+    JsonObject object(value);
+    HalfSpace<Dim> half{object.require("point").point<Dim>(), readDirection<Dim>(object.require("normal"))};
+    object.finish();
+    return half;
+}
+
+template <int Dim>
+Blend<Dim> readBlend(const JsonValue& value) {
+    JsonObject object(value);
+    Blend<Dim> blend{object.require("from").point<Dim>(), object.require("to").point<Dim>()};
+    if (blend.from == blend.to) value.fail("from and to are the same point");
+    object.finish();
+    return blend;
+}
+
+template <int Dim>
+Region<Dim> readShape(const std::string& kind, const JsonValue& value) {
+    if constexpr (Dim == 2)
+        if (kind == "polygon") return readPolygon(value);
+    if (kind == "circle" || kind == "sphere") return readBall<Dim>(value);
+    if (kind == "box") return readBox<Dim>(value);
+    if (kind == "halfspace") return readHalfSpace<Dim>(value);
+    return readBlend<Dim>(value);
+}
+
+// --- Material ---
+
+void readSmoothing(const JsonValue& value, Project& project) {
+    JsonObject object(value);
+    object.require("kind");
+    readSettings(object, "material.smoothing", project);
+    object.finish();
+}
+
+template <int Dim>
+Stiffness<Dim> readStiffness(const JsonValue& value) {
+    JsonObject object(value);
+    Stiffness<Dim> stiffness;
+    stiffness.axis = readDirection<Dim>(object.require("axis"));
+    stiffness.ratio = object.require("ratio").number("material.regions[].stiffness.ratio");
+    object.finish();
+    return stiffness;
+}
+
+MaterialPictures readPictures(const JsonValue& value) {
+    JsonObject object(value);
+    MaterialPictures pictures;
+    for (const auto& [key, file] : {std::pair{"phi", &pictures.phi},
+                                    {"stiffness", &pictures.stiffness},
+                                    {"direction", &pictures.direction}})
+        if (auto found = object.find(key)) *file = found->text();
+    if (auto up = object.find("up")) pictures.up = up->boolean();
+    object.finish();
+    return pictures;
+}
+
+template <int Dim>
+MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
+    MaterialRegion<Dim> region;
+    JsonObject object(value.ownedBy(region.extras));
+    if (auto name = object.find("name")) region.name = name->text();
+    region.shape = readRegion<Dim>(object.require("shape"));
+    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
+    if (auto phi = object.find("phi")) region.phi = readPhi(*phi, Dim);
+    if (auto stiffness = object.find("stiffness")) region.stiffness = readStiffness<Dim>(*stiffness);
+    if constexpr (Dim == 2)
+        if (auto pictures = object.find("pictures")) {
+            region.pictures = readPictures(*pictures);
+            if (!std::holds_alternative<Box<2>>(region.shape)) pictures->fail("need a box, which they fill");
+            if (region.phi || region.stiffness) pictures->fail("stand in the place of phi and stiffness");
+        }
+    if (auto hidden = object.find("hidden")) region.hidden = hidden->boolean();
+    if (auto leaves = object.find("leaves")) region.leaves = leaves->number("material.regions[].leaves");
+    if (region.erases()) region.phi.reset(), region.stiffness.reset();  // see materialRegionJson()
+    if (region.erases() && region.pictures.any()) value.fail("erases, and has pictures");
+    if (!region.phi && !region.stiffness && !region.pictures.any() && !region.erases())
+        value.warn("has neither phi nor stiffness and changes nothing");
+    object.finish();
+    return region;
+}
+
+/// A symmetric positive definite matrix, given row by row.
+template <int Dim>
+Mat<Dim> readAnisotropy(const JsonValue& value) {
+    const std::vector<double> numbers = value.numbers();
+    if (numbers.size() != Dim * Dim)
+        value.fail("has " + std::to_string(numbers.size()) + " numbers where a matrix needs " +
+                   std::to_string(Dim * Dim));
+    const Mat<Dim> B = Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(numbers.data());
+    if ((B - B.transpose()).cwiseAbs().maxCoeff() > 1e-12 * B.cwiseAbs().maxCoeff())
+        value.fail("B is not symmetric");
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver(B, Eigen::EigenvaluesOnly);
+    if (!(solver.eigenvalues().minCoeff() > 0))
+        value.fail("B is not positive definite: its least eigenvalue is " +
+                   shortNumber(solver.eigenvalues().minCoeff()));
+    return B;
+}
+
+// --- Handles ---
+
+template <int Dim>
+std::vector<int> readVertexIds(const JsonValue& value) {
+    std::vector<int> ids;
+    for (const JsonValue& element : value.elements()) {
+        ids.push_back(element.integer());
+        if (ids.back() < 0) element.fail("a vertex number cannot be negative");
+    }
+    if (ids.empty()) value.fail("names no vertex");
+    return ids;
+}
+
+template <int Dim>
+Placement<Dim> readPlacement(const JsonValue& value) {
+    JsonObject object(value);
+    const std::string kind = object.oneOf({"vertices", "points", "region"});
+    const JsonValue at = object.require(kind);
+    object.finish();
+    if (kind == "vertices") return readVertexIds<Dim>(at);
+    if (kind == "points") {
+        auto points = at.points<Dim>();
+        if (points.empty()) at.fail("has no point");
+        return points;
+    }
+    Region<Dim> region = readRegion<Dim>(at);
+    if (std::holds_alternative<Blend<Dim>>(region)) at.fail("a blend has no inside that could be a handle");
+    return region;
+}
+
+template <int Dim>
+Translate<Dim> readTranslate(JsonObject& object) {
+    return {object.require("by").template point<Dim>()};
+}
+
+template <int Dim>
+Rotate<Dim> readRotate(JsonObject& object) {
+    Rotate<Dim> rotate;
+    rotate.centre = object.require("centre").template point<Dim>();
+    if (Dim == 3) rotate.axis = readDirection<Dim>(object.require("axis"));
+    if (Dim == 2 && object.has("axis"))
+        object.require("axis").fail("is for rotations in 3D; in 2D they are about the centre");
+    rotate.angle = object.require("angle").number();
+    return rotate;
+}
+
+template <int Dim>
+void requireEnoughPoints(const CurveMotion<Dim>& curve, const JsonValue& points) {
+    const std::size_t count = curve.points.size();
+    if (curve.interpolation == Interpolation::Bezier && (count < 4 || count % 3 != 1))
+        points.fail("a bezier is a chain of cubics and needs 4, 7, 10 … points, not " +
+                    std::to_string(count));
+    if (count < 2) points.fail("a curve needs at least 2 points");
+}
+
+template <int Dim>
+CurveMotion<Dim> readCurve(JsonObject& object) {
+    CurveMotion<Dim> curve;
+    curve.interpolation =
+        object.require("interpolation").choice<Interpolation>("handles[].motion[].interpolation");
+    const JsonValue points = object.require("points");
+    curve.points = points.points<Dim>();
+    requireEnoughPoints(curve, points);
+    if (auto frame = object.find("frame")) curve.frame = frame->choice<FrameKind>("handles[].motion[].frame");
+    if (auto twist = object.find("twist")) {
+        curve.twist = twist->number();
+        if (Dim == 2 && curve.twist != 0) twist->fail("is for curves in 3D");
+    }
+    if (auto scale = object.find("scale")) curve.scale = scale->number("handles[].motion[].scale");
+    return curve;
+}
+
+template <int Dim>
+Recorded<Dim> readRecorded(JsonObject& object) {
+    Recorded<Dim> stroke;
+    const JsonValue times = object.require("times"), points = object.require("points");
+    stroke.times = times.numbers();
+    stroke.points = points.points<Dim>();
+    if (stroke.times.size() < 2) times.fail("a recorded motion needs at least 2 times");
+    if (stroke.times.size() != stroke.points.size())
+        points.fail("has " + std::to_string(stroke.points.size()) + " points for " +
+                    std::to_string(stroke.times.size()) + " times");
+    for (std::size_t i = 1; i < stroke.times.size(); ++i)
+        if (stroke.times[i] <= stroke.times[i - 1])
+            times.fail("must increase, but " + shortNumber(stroke.times[i]) + " follows " +
+                       shortNumber(stroke.times[i - 1]));
+    return stroke;
+}
+
+template <int Dim>
+Motion<Dim> readMotion(const JsonValue& value, double end) {
+    Motion<Dim> motion;
+    motion.end = end;
+    JsonObject object(value.ownedBy(motion.extras));
+    const std::string kind = object.require("kind").choice("handles[].motion[].kind");
+    if (kind == "translate") motion.kind = readTranslate<Dim>(object);
+    if (kind == "rotate") motion.kind = readRotate<Dim>(object);
+    if (kind == "curve") motion.kind = readCurve<Dim>(object);
+    if (kind == "recorded") motion.kind = readRecorded<Dim>(object);
+    if (auto time = object.find("time")) std::tie(motion.start, motion.end) = readWindow(*time);
+    if (auto ease = object.find("ease")) motion.ease = ease->choice<Ease>("handles[].motion[].ease");
+    object.finish();
+    return motion;
+}
+
+template <int Dim>
+std::vector<Motion<Dim>> readMotions(const JsonValue& value, double end) {
+    std::vector<Motion<Dim>> motions;
+    for (const JsonValue& element : value.elements()) {
+        motions.push_back(readMotion<Dim>(element, end));
+        const std::size_t i = motions.size() - 1;
+        if (i > 0 && motions[i].start < motions[i - 1].end)
+            element.fail("begins at " + shortNumber(motions[i].start) +
+                         ", before the one in front of it ends at " + shortNumber(motions[i - 1].end));
+    }
+    return motions;
+}
+
+std::optional<unsigned> readColour(const JsonValue& value) {
+    const std::string text = value.text();
+    const auto colour = rgbOf(text);
+    if (!colour) value.fail("must be a colour like \"#d9822b\", not \"" + text + '"');
+    return colour;
+}
+
+HandleTraits readTraits(JsonObject& object) {
+    HandleTraits traits;
+    if (auto locked = object.find("locked")) traits.locked = locked->boolean();
+    if (auto hidden = object.find("hidden")) traits.hidden = hidden->boolean();
+    if (auto group = object.find("group")) traits.group = group->text();
+    if (auto link = object.find("link")) traits.link = link->integer("handles[].link");
+    if (auto colour = object.find("colour")) traits.colour = readColour(*colour);
+    return traits;
+}
+
+}  // namespace
+
+template <int Dim>
+Region<Dim> readRegion(const JsonValue& value) {
+    JsonObject object(value);
+    const std::string kind = Dim == 2 ? object.oneOf({"polygon", "circle", "box", "halfspace", "blend"})
+                                      : object.oneOf({"sphere", "box", "halfspace", "blend"});
+    const JsonValue shape = object.require(kind);
+    object.finish();
+    return readShape<Dim>(kind, shape);
+}
+
+Outline readPolygons(const JsonValue& value) {
+    Outline outline;
+    for (const JsonValue& loop : value.elements()) {
+        outline.loops.push_back(loop.points<2>());
+        if (outline.loops.back().size() < 3) loop.fail("needs at least 3 points");
+    }
+    if (outline.loops.empty()) value.fail("has no polygon");
+    return outline;
+}
+
+DepthRegions readDepth(const JsonValue& value) {
+    std::vector<DepthRegion> regions;
+    for (const JsonValue& element : value.elements()) {
+        DepthRegion& region = regions.emplace_back();
+        JsonObject object(element.ownedBy(region.extras));
+        if (auto name = object.find("name")) region.name = name->text();
+        const JsonValue shape = object.require("shape");
+        region.shape = readRegion<2>(shape);
+        if (std::holds_alternative<Blend<2>>(region.shape))
+            shape.fail("a blend has no inside that could lie in front or behind");
+        region.order = object.require("order").number("depth[].order");
+        object.finish();
+    }
+    return regions;
+}
+
+template <int Dim>
+void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
+    if (auto phi = object.find("phi"))
+        for (const JsonValue& element : phi->elements()) spec.cellPhi.push_back(readPhi(element, Dim));
+    if (auto matrices = object.find("B"))
+        for (const JsonValue& element : matrices->elements())
+            spec.cellB.push_back(readAnisotropy<Dim>(element));
+    object.finish();
+}
+
+template <int Dim>
+void readMaterial(const JsonValue& value, Project& project) {
+    MaterialSpec<Dim>& spec = designOf<Dim>(project).material;
+    JsonObject object(value);
+    readSettings(object, "material", project);
+    if (auto smoothing = object.find("smoothing")) readSmoothing(*smoothing, project);
+    if (auto regions = object.find("regions"))
+        for (const JsonValue& element : regions->elements())
+            spec.regions.push_back(readMaterialRegion<Dim>(element));
+    if (auto cells = object.find("cells")) {
+        if (cells->json().is_string()) {
+            spec.cellsFile = cells->text();
+        } else {
+            JsonObject inside(*cells);
+            readCellValues<Dim>(inside, spec);
+        }
+    }
+    object.finish();
+}
+
+template <int Dim>
+Handle<Dim> readHandle(const JsonValue& value, double end) {
+    Handle<Dim> handle;
+    JsonObject object(value.ownedBy(handle.extras));
+    if (auto name = object.find("name")) handle.name = name->text();
+    handle.at = readPlacement<Dim>(object.require("at"));
+    if (auto active = object.find("active")) readActive(*active, handle);
+    if (auto motion = object.find("motion")) handle.motions = readMotions<Dim>(*motion, end);
+    handle.traits = readTraits(object);
+    object.finish();
+    return handle;
+}
+
+template void readMaterial<2>(const JsonValue&, Project&);
+template void readMaterial<3>(const JsonValue&, Project&);
+template Handle<2> readHandle<2>(const JsonValue&, double);
+template Handle<3> readHandle<3>(const JsonValue&, double);
+template Region<2> readRegion<2>(const JsonValue&);
+template Region<3> readRegion<3>(const JsonValue&);
+template void readCellValues<2>(JsonObject&, MaterialSpec<2>&);
+template void readCellValues<3>(JsonObject&, MaterialSpec<3>&);
+
+}  // namespace wend

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/document/options/options.h"
+#include "core/mesh/types.h"
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// A value in a project with the path that names it in messages: every failure is an InputError
+/// "handles[2].motion[0].points: what is wrong".
+class JsonValue {
+  public:
+    using Json = nlohmann::ordered_json;
+    /// `warnings` hears of unknown keys; `extras` keeps them, relative to where it was set.
+    JsonValue(const Json& json, std::string path, Extras& extras, std::vector<std::string>& warnings)
+        : m_json(&json), m_path(std::move(path)), m_extras(&extras), m_warnings(&warnings) {}
+
+    [[noreturn]] void fail(const std::string& what) const;
+    void warn(const std::string& what) const;
+    const std::string& path() const { return m_path; }
+    const Json& json() const { return *m_json; }
+
+    JsonValue member(const std::string& key) const;
+    /// The elements of a list.
+    std::vector<JsonValue> elements() const;
+    /// The same value, with the unknown keys in and below it kept in `extras`.
+    JsonValue ownedBy(Extras& extras) const;
+    void keepUnknown(const std::string& key) const;
+
+    std::string text() const;
+    bool boolean() const;
+    double number() const;
+    /// A number in the option's range.
+    double number(std::string_view optionKey) const;
+    int integer() const;
+    int integer(std::string_view optionKey) const;
+    /// One of the option's words.
+    std::string choice(std::string_view optionKey) const;
+    /// Its place among them, as the number of an enumeration.
+    template <class Enum>
+    Enum choice(std::string_view optionKey) const {
+        return static_cast<Enum>(placeOf(option(optionKey), choice(optionKey)));
+    }
+    std::vector<double> numbers() const;
+    template <int Dim>
+    Vec<Dim> point() const;
+    template <int Dim>
+    std::vector<Vec<Dim>> points() const;
+
+  private:
+    const Json* m_json;
+    std::string m_path;
+    std::string m_pointer;  // relative to the owner of m_extras
+    Extras* m_extras;
+    std::vector<std::string>* m_warnings;
+};
+
+/// An object being read: what was not asked for by the end is an unknown key.
+class JsonObject {
+  public:
+    explicit JsonObject(JsonValue value);
+
+    JsonValue require(const std::string& key);
+    std::optional<JsonValue> find(const std::string& key);
+    bool has(const std::string& key) const { return m_value.json().contains(key); }
+    /// The one of these keys that is there; fails if none or several are.
+    std::string oneOf(const std::vector<std::string>& keys) const;
+    /// Keeps all keys that were not asked for, and warns about them.
+    void finish() const;
+    const JsonValue& value() const { return m_value; }
+
+  private:
+    JsonValue m_value;
+    std::set<std::string> m_known;
+};
+
+}  // namespace wend

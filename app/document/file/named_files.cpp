@@ -1,0 +1,102 @@
+#include "app/document/file/named_files.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <sstream>
+
+#include "app/document/file/design_reader.h"
+#include "app/document/file/json_text.h"
+#include "app/document/file/text_file.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_of_file.h"
+
+namespace wend {
+
+std::string folderOf(const std::string& path) {
+    return std::filesystem::path(path).parent_path().string();
+}
+
+std::string pathIn(const std::string& folder, const std::string& file) {
+    return (std::filesystem::path(folder) / file).string();
+}
+
+namespace {
+
+/// The values per cell of that name; empty if there are none.
+std::vector<double> cellField(const MeshFile& file, const std::string& name, int components) {
+    for (const MeshField& field : fieldsOf(file))
+        if (field.perCell && field.name == name) {
+            if (field.components == components) return field.values;
+            throw InputError("field " + name + ": has " + std::to_string(field.components) +
+                             " components instead of " + std::to_string(components));
+        }
+    return {};
+}
+
+template <int Dim>
+void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
+    spec.cellPhi = cellField(file, "phi", 1);
+    const std::vector<double> B = cellField(file, "B", Dim * Dim);
+    spec.cellB.clear();
+    for (std::size_t i = 0; i < B.size(); i += Dim * Dim)
+        spec.cellB.push_back(Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(&B[i]));
+    if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
+}
+
+bool isMeshFile(const std::string& path) {
+    const std::vector<std::string> known = meshFileExtensions();
+    return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
+}
+
+}  // namespace
+
+template <int Dim>
+void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
+    if (isMeshFile(path)) return readCellFields<Dim>(*sharedMeshFile(path), spec);
+    const auto json = parseJson(readTextFile(path), path);
+    Extras extras;
+    std::vector<std::string> warnings;
+    JsonObject object(JsonValue(json, "", extras, warnings));
+    readCellValues<Dim>(object, spec);
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+std::vector<double> readSizes(const std::string& path, int count) try {
+    std::istringstream text(readTextFile(path));
+    std::vector<double> sizes;
+    for (std::string word; text >> word;) {
+        double size = 0;
+        const auto done = std::from_chars(word.data(), word.data() + word.size(), size);
+        const std::string place = "value " + std::to_string(sizes.size()) + ": ";
+        if (done.ec != std::errc() || done.ptr != word.data() + word.size())
+            throw InputError(place + "\"" + word.substr(0, 20) + "\" is not a number");
+        if (const auto problem = rangeProblem(option("domain.sizes[].factor"), size); !problem.empty())
+            throw InputError(place + problem);
+        sizes.push_back(size);
+    }
+    if (static_cast<int>(sizes.size()) != count)
+        throw InputError("has " + std::to_string(sizes.size()) + " values, but the surface has " +
+                         std::to_string(count) + " vertices");
+    return sizes;
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+Outline readOutlineFile(const std::string& path) try {
+    const auto json = parseJson(readTextFile(path), path);
+    Extras extras;
+    std::vector<std::string> warnings;
+    JsonObject object(JsonValue(json, "", extras, warnings));
+    return readPolygons(object.require("polygons"));
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+template void readCells<2>(const std::string&, MaterialSpec<2>&);
+template void readCells<3>(const std::string&, MaterialSpec<3>&);
+
+}  // namespace wend

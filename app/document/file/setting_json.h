@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/document/file/json_reader.h"
+
+namespace wend {
+
+struct Project;
+
+/// What single steps of a repair are called, in the order of SurfaceFix::Kind.
+inline const std::vector<std::string> kFixWords{"fill", "drop", "turn"};
+
+/// Reads those settings of the table that stand in this object, "domain.outline", and that the project has as
+/// far as it is known by then.
+void readSettings(JsonObject& object, std::string_view group, Project& project);
+/// Writes them: all that are always written, and those that are not at their default.
+void writeSettings(nlohmann::ordered_json& json, std::string_view group, const Project& project);
+
+/// A name or a number in the range of that dimension.
+double readPhi(const JsonValue& value, int dim);
+nlohmann::ordered_json phiJson(double phi, int dim);
+/// Throws InputError for what JSON does not know.
+nlohmann::ordered_json numberJson(double value);
+
+/// The option's word for a value.
+template <class Enum>
+std::string wordOf(std::string_view optionKey, Enum value) {
+    return choicesOf(option(optionKey)).at(static_cast<std::size_t>(value));
+}
+
+}  // namespace wend

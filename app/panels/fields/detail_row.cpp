@@ -1,0 +1,46 @@
+#include "app/panels/fields/detail_row.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QToolButton>
+
+#include "app/document/domain.h"
+#include "app/panels/fields/panel_parts.h"
+
+namespace wend {
+
+DetailRow::DetailRow(QWidget* parent)
+    : QWidget(parent),
+      m_name(secondLabel({}, this)),
+      m_choose(new QToolButton(this)),
+      m_remove(new QToolButton(this)) {
+    auto* layout = bareColumn(this, 6);
+    m_choose->setText(tr("Choose…"));
+    m_choose->setObjectName(QStringLiteral("chooseDetail"));
+    m_remove->setText(tr("Remove"));
+    m_remove->setObjectName(QStringLiteral("removeDetail"));
+    for (QToolButton* button : {m_choose, m_remove}) button->setProperty("role", "chip");
+    describe(
+        m_choose, tr("Choose skin"),
+        tr("Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the "
+           "view shows and what surface formats get."));
+    describe(m_remove, tr("Remove skin"), tr("The solid is seen and exported with its own surface again."));
+    layout->addLayout(panelRow(tr("Skin"), m_choose, this));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_name, 1);
+    row->addWidget(m_remove);
+    layout->addLayout(row);
+    m_name->setObjectName(QStringLiteral("detailName"));
+    connect(m_choose, &QToolButton::clicked, this, &DetailRow::wanted);
+    connect(m_remove, &QToolButton::clicked, this, &DetailRow::removed);
+}
+
+void DetailRow::showDomain(const Domain& domain) {
+    const QString path = QString::fromStdString(domain.detail);
+    m_name->setText(QFileInfo(path).fileName());
+    m_name->setToolTip(QDir::toNativeSeparators(path));
+    m_name->setVisible(!path.isEmpty());
+    m_remove->setVisible(!path.isEmpty());
+}
+
+}  // namespace wend

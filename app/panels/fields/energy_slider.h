@@ -1,0 +1,91 @@
+#pragma once
+
+#include <QIcon>
+#include <QPixmap>
+#include <QSlider>
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/panels/look/energy_scale.h"
+
+class QMimeData;
+class QPainter;
+class QToolButton;
+
+namespace wend {
+
+/// The slider between the four named stops. Near a stop the handle snaps to it. The stops stand above it as
+/// tiles with a picture of what each does; or below it as words, with the colours that a part of the shape is
+/// painted with.
+class EnergySlider : public QWidget {
+    Q_OBJECT
+
+  public:
+    enum class Stops { Words, Tiles };
+    explicit EnergySlider(QWidget* parent = nullptr, Stops stops = Stops::Words);
+
+    double phi() const { return m_phi; }
+    void setPhi(double phi);
+    /// What it is called, in place of "What is kept".
+    void setName(const QString& name);
+    const EnergyScale& scale() const { return m_scale; }
+    /// The names and the range of φ depend on it.
+    void setDimension(int dimension);
+    QSlider* slider() const { return m_slider; }
+    QSize sizeHint() const override;
+    /// What the tiles show, in place of the pictures that are for every shape; empty: those again. What is
+    /// out of date is faint.
+    void setPictures(const std::vector<QPixmap>& pictures);
+    void setPicturesStale(bool stale);
+    /// The pictures lean to the right (up to 1) or to the left (to −1).
+    void setLean(double lean);
+    static QSize pictureSize();
+    /// What a tile that is dragged to the shape carries, and its φ; none for other data.
+    static std::optional<double> phiIn(const QMimeData* data);
+
+  signals:
+    /// The pointer rests on a tile; NaN: no longer.
+    void hovered(double phi);
+    /// The user chose another φ; the number is the same for all values of one gesture.
+    void phiChosen(double phi, int gesture);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void choose(int value);
+    void makeStop(int stop);
+    void placeLabels();
+    void placeTiles();
+    void showPictures();
+    QPixmap drawn(const QPixmap& picture) const;
+    void dragTile(int stop);
+    int stopX(int stop) const;
+    int tileWidth() const;
+    QString helpText() const;
+    QIcon swatch(int stop) const;
+    void paintColours(QPainter& painter) const;
+
+    Stops m_stops;
+    QString m_name;
+    int m_dimension = 2;
+    EnergyScale m_scale;
+    QSlider* m_slider;
+    std::array<QToolButton*, EnergyScale::kStops> m_labels;
+    std::array<QIcon, EnergyScale::kStops> m_samples;
+    double m_phi;
+    int m_gesture = 0;
+    std::vector<QPixmap> m_pictures;  // of the shape itself; empty: of a sample
+    bool m_stale = false;
+    double m_lean = 0;
+    QTimer m_rest;  // the pointer on a tile
+    int m_under = -1;
+    QPoint m_pressed;
+};
+
+}  // namespace wend

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/panels/fields/exact_box.h"
+
+namespace wend {
+
+/// A positive number of any size, with six digits that count unless told otherwise; a step changes it by a
+/// tenth.
+class MagnitudeBox : public ExactBox {
+    Q_OBJECT
+
+  public:
+    explicit MagnitudeBox(QWidget* parent = nullptr);
+    /// Those that are shown; the number keeps all.
+    void setDigits(int digits) { m_digits = digits; }
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& at) const override;
+    void stepBy(int steps) override;
+
+  private:
+    int m_digits = 6;
+};
+
+}  // namespace wend

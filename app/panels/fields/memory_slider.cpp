@@ -1,0 +1,113 @@
+#include "app/panels/fields/memory_slider.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+
+#include "app/document/options/options.h"
+#include "app/panels/fields/jump_slider.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/theme.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kSteps = 100;
+constexpr double kFully = 40;  // ρ at the slider's end: a strip comes back to a five-hundredth of its size
+constexpr int kPicture = 44, kSliderHeight = 22, kGap = 2;
+
+/// Evenly in effect: the residue of a closed path falls about evenly with the root of ρ.
+double memoryAt(int value) {
+    const double part = static_cast<double>(value) / kSteps;
+    return kFully * part * part;
+}
+
+int valueOf(double memory) {
+    return static_cast<int>(std::lround(kSteps * std::sqrt(std::clamp(memory / kFully, 0.0, 1.0))));
+}
+
+/// How much of the bend is left after a closed path, as a part of that without memory: as measured.
+double leftAfter(double memory) {
+    return 1 / (1 + memory / 3);
+}
+
+/// A strip that is held at its left end and whose right end stands `up` above where it was.
+QPainterPath strip(const QRectF& box, double up) {
+    QPainterPath path;
+    path.moveTo(box.left(), box.center().y());
+    path.cubicTo({box.center().x(), box.center().y()}, {box.center().x(), box.center().y()},
+                 {box.right(), box.center().y() - up});
+    return path;
+}
+
+}  // namespace
+
+MemorySlider::MemorySlider(QWidget* parent) : QWidget(parent), m_slider(new JumpSlider(this)) {
+    m_slider->setObjectName(QStringLiteral("memorySlider"));
+    m_slider->setRange(0, kSteps);
+    m_slider->setSingleStep(5);
+    m_slider->setPageStep(25);
+    const Row& words = option("material.memory").row;
+    describe(m_slider, QCoreApplication::translate("Options", words.label),
+             QCoreApplication::translate("Options", words.help));
+    setFocusProxy(m_slider);
+    connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+    connect(m_slider, &QSlider::valueChanged, this, &MemorySlider::choose);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void MemorySlider::setMemory(double memory) {
+    m_memory = memory;
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(valueOf(memory));
+    update();
+}
+
+void MemorySlider::choose(int value) {
+    if (!m_slider->isSliderDown()) ++m_gesture;
+    m_memory = memoryAt(value);
+    update();
+    emit memoryChosen(m_memory, m_gesture);
+}
+
+int MemorySlider::lineHeight() const {
+    return fontMetrics().lineSpacing();
+}
+
+QSize MemorySlider::sizeHint() const {
+    return {160, kPicture + kSliderHeight + kGap + lineHeight()};
+}
+
+void MemorySlider::resizeEvent(QResizeEvent*) {
+    m_slider->setGeometry(0, kPicture, width(), kSliderHeight);
+}
+
+void MemorySlider::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) updateGeometry();
+    QWidget::changeEvent(event);
+}
+
+void MemorySlider::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme theme = Theme::of(palette());
+    QColor quiet = palette().color(QPalette::WindowText);
+    quiet.setAlphaF(isEnabled() ? 0.35 : 0.15);
+    const QRectF box(8, 4, width() - 40, kPicture - 10);
+    const QPointF end(box.right(), box.center().y());
+    painter.setPen(QPen(quiet, 6, Qt::SolidLine, Qt::FlatCap));
+    painter.drawPath(strip(box, 0));
+    painter.setPen(QPen(quiet, 1.2, Qt::DashLine));
+    painter.drawEllipse(end + QPointF(11, 0), 11, 11);  // the pin's way
+    painter.setPen(QPen(isEnabled() ? theme.accent : quiet, 2.5));
+    painter.drawPath(strip(box, 0.45 * box.height() * leftAfter(m_memory)));
+    const QRect line(0, kPicture + kSliderHeight + kGap, width(), lineHeight());
+    painter.setPen(isEnabled() ? theme.secondText : quiet);
+    painter.drawText(line, Qt::AlignLeft, tr("not at all"));
+    painter.drawText(line, Qt::AlignRight, tr("fully"));
+}
+
+}  // namespace wend

@@ -1,0 +1,92 @@
+#include "app/panels/fields/panel_parts.h"
+
+#include <QComboBox>
+#include <QFrame>
+#include <QRegularExpression>
+
+namespace wend {
+
+QLabel* panelTitle(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", "title");
+    return label;
+}
+
+QLabel* secondLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", "second");
+    label->setTextFormat(Qt::PlainText);  // it may hold names from files
+    label->setWordWrap(true);
+    return label;
+}
+
+QFrame* panelLine(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setProperty("role", "line");
+    line->setFixedHeight(1);
+    return line;
+}
+
+QVBoxLayout* sectionColumn(QWidget* in) {
+    auto* column = bareColumn(in, 10);
+    column->setContentsMargins(16, 14, 16, 14);
+    return column;
+}
+
+QVBoxLayout* bareColumn(QWidget* in, int spacing) {
+    auto* column = new QVBoxLayout(in);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(spacing);
+    return column;
+}
+
+QHBoxLayout* bareRow(QWidget* in, int spacing) {
+    auto* row = new QHBoxLayout(in);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(spacing);
+    return row;
+}
+
+QString tableLine(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
+}
+
+QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    auto* text = new QLabel(label, parent);
+    text->setBuddy(control);
+    row->addWidget(text);
+    row->addStretch(1);
+    row->addWidget(control);
+    return row;
+}
+
+QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent) {
+    auto* row = new QWidget(parent);
+    auto* line = panelRow(label, control, row);
+    line->setContentsMargins(0, 0, 0, 0);
+    row->setLayout(line);
+    return row;
+}
+
+void fitToEntries(QComboBox* box, int least) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    box->setMinimumWidth(least);
+    box->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+}
+
+QString withoutKey(QString label) {
+    static const QRegularExpression keyInBrackets(QStringLiteral("\\(&.\\)"));
+    return label.remove(keyInBrackets).remove('&');
+}
+
+void describe(QWidget* widget, const QString& name, const QString& help) {
+    widget->setAccessibleName(name);
+    widget->setAccessibleDescription(help);
+    widget->setToolTip(
+        QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), help.toHtmlEscaped()));
+    widget->setStatusTip(help);
+}
+
+}  // namespace wend

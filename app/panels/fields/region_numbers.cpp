@@ -1,0 +1,152 @@
+#include "app/panels/fields/region_numbers.h"
+
+#include <QComboBox>
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+enum Kind { BallKind, BoxKind, HalfKind };
+constexpr int kDirectionDigits = 6;
+
+Vec<3> valuesOf(const std::array<ExactBox*, 3>& boxes) {
+    return {boxes[0]->exact(), boxes[1]->exact(), boxes[2]->exact()};
+}
+
+void put(const std::array<ExactBox*, 3>& boxes, const Vec<3>& values) {
+    for (int k = 0; k < 3; ++k) boxes[k]->put(values[k]);
+}
+
+/// The middle and the reach of any of the three.
+std::pair<Vec<3>, double> extentOf(const Region<3>& region, double fallback) {
+    if (const auto* ball = std::get_if<Ball<3>>(&region)) return {ball->centre, ball->radius};
+    if (const auto* box = std::get_if<Box<3>>(&region))
+        return {(box->min + box->max) / 2, (box->max - box->min).norm() / (2 * std::sqrt(3.0))};
+    if (const auto* half = std::get_if<HalfSpace<3>>(&region)) return {half->point, fallback};
+    return {Vec<3>::Zero(), fallback};
+}
+
+}  // namespace
+
+int digitsFor(double diagonal) {
+    return diagonal > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(diagonal))), 1, 12) : 4;
+}
+
+RegionNumbers::RegionNumbers(Radius radius, QWidget* parent)
+    : QWidget(parent),
+      m_kind(new QComboBox(this)),
+      m_firstName(secondLabel({}, this)),
+      m_secondName(secondLabel({}, this)),
+      m_hasRadius(radius == Radius::Here) {
+    makeControls();
+    arrange();
+    connect(m_kind, &QComboBox::activated, this, &RegionNumbers::chooseKind);
+    for (ExactBox* box :
+         {m_radius, m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] { emit changed(numbers()); });
+}
+
+RegionNumbers::Numbers RegionNumbers::makeNumbers() {
+    Numbers boxes;
+    for (ExactBox*& box : boxes) {
+        box = new ExactBox(this);
+        box->setRange(-1e9, 1e9);
+        box->setDecimals(4);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        describe(box, tr("Numbers of the region"),
+                 tr("As x, y and z, in the coordinates of the rest shape."));
+    }
+    return boxes;
+}
+
+void RegionNumbers::makeControls() {
+    m_kind->addItems({tr("Ball"), tr("Box"), tr("Half-space")});
+    fitToEntries(m_kind, 116);
+    describe(m_kind, tr("Kind of region"), tr("What the region is; another kind keeps its place."));
+    m_first = makeNumbers();
+    m_second = makeNumbers();
+    m_radiusRow = new QWidget(this);
+    m_radius = new ExactBox(m_radiusRow);
+    m_radius->setRange(1e-9, 1e9);
+    m_radius->setDecimals(4);
+    m_radius->setFixedWidth(116);
+    describe(m_radius, tr("Radius"), tr("The radius of the ball."));
+}
+
+void RegionNumbers::arrange() {
+    auto* layout = bareColumn(this, 10);
+    layout->addLayout(panelRow(tr("&Region"), m_kind, this));
+    for (const auto& [name, boxes] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
+        layout->addWidget(name);
+        auto* row = new QHBoxLayout;
+        for (ExactBox* box : boxes) row->addWidget(box);
+        layout->addLayout(row);
+    }
+    auto* radius = panelRow(tr("Ra&dius"), m_radius, m_radiusRow);
+    radius->setContentsMargins(0, 0, 0, 0);
+    m_radiusRow->setLayout(radius);
+    layout->addWidget(m_radiusRow);
+}
+
+Region<3> RegionNumbers::numbers() const {
+    const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
+    if (m_kind->currentIndex() == BallKind) return Ball<3>{a, m_radius->exact()};
+    if (m_kind->currentIndex() == BoxKind) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
+    return HalfSpace<3>{a, b};
+}
+
+/// Another kind at the same place.
+void RegionNumbers::chooseKind(int kind) {
+    const auto [centre, reach] = extentOf(m_region, 0.1 * m_diagonal);
+    Region<3> next = Ball<3>{centre, reach};
+    if (kind == BoxKind) next = Box<3>{centre.array() - reach, centre.array() + reach};
+    if (kind == HalfKind) next = HalfSpace<3>{centre, Vec<3>::UnitX()};
+    emit changed(next);
+}
+
+void RegionNumbers::showRegion(const Region<3>& region, double diagonal) {
+    m_region = region;
+    m_diagonal = diagonal;
+    const QSignalBlocker quiet(m_kind);
+    const int kind = std::holds_alternative<Ball<3>>(region)  ? BallKind
+                     : std::holds_alternative<Box<3>>(region) ? BoxKind
+                                                              : HalfKind;
+    m_kind->setCurrentIndex(kind);
+    m_firstName->setText(kind == BallKind  ? tr("centre")
+                         : kind == BoxKind ? tr("from")
+                                           : tr("point of the plane"));
+    m_secondName->setText(kind == BoxKind ? tr("to") : tr("direction into it"));
+    m_secondName->setVisible(kind != BallKind);
+    for (ExactBox* box : m_second) box->setVisible(kind != BallKind);
+    m_radiusRow->setVisible(m_hasRadius && kind == BallKind);
+    showDigits(kind == HalfKind);
+    if (const auto* ball = std::get_if<Ball<3>>(&region)) {
+        put(m_first, ball->centre);
+        m_radius->put(ball->radius);
+    } else if (const auto* box = std::get_if<Box<3>>(&region)) {
+        put(m_first, box->min);
+        put(m_second, box->max);
+    } else if (const auto* half = std::get_if<HalfSpace<3>>(&region)) {
+        put(m_first, half->point);
+        put(m_second, half->normal);
+    }
+}
+
+/// As the shape is large; a direction has no length.
+void RegionNumbers::showDigits(bool direction) {
+    const int digits = digitsFor(m_diagonal);
+    for (ExactBox* box : m_first) box->showDigits(digits);
+    for (ExactBox* box : m_second) box->showDigits(direction ? kDirectionDigits : digits);
+    m_radius->showDigits(digits);
+    const QSignalBlocker quiet(m_radius);
+    m_radius->setMinimum(std::pow(0.1, digits));
+}
+
+}  // namespace wend

@@ -1,0 +1,48 @@
+#include "app/panels/fields/setting_rows.h"
+
+#include <QComboBox>
+
+#include "app/document/edits/document.h"
+#include "app/document/edits/setting_edits.h"
+#include "app/document/options/settings.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kNumber = 116, kNarrowNumber = 96, kWords = 150;  // pixels
+
+}  // namespace
+
+SettingRows::SettingRows(Document& document, QWidget* panel, QString whyNot)
+    : QObject(panel), m_document(document), m_panel(panel), m_whyNot(std::move(whyNot)) {}
+
+QWidget* SettingRows::row(std::string_view key) {
+    auto* field = new OptionField(key, m_panel);
+    m_fields.emplace(field->option().key, field);
+    connect(field, &OptionField::changed, this,
+            [this, field] { changeSetting(m_document, field->option().key, field->number()); });
+    if (field->option().kind == OptionKind::Flag && !field->option().row.words[0]) {
+        field->sayLabel();
+        return field;
+    }
+    if (auto* choice = field->findChild<QComboBox*>())
+        fitToEntries(choice, kWords);
+    else
+        field->setWidth(kNumber, kNarrowNumber);
+    return panelRowIn(field->label(), field, m_panel);
+}
+
+void SettingRows::show() {
+    if (m_document.isEmpty()) return;
+    const Project& project = *m_document.project();
+    for (const auto& [key, field] : m_fields) {
+        field->allow(isFor(field->option(), project), m_whyNot);
+        field->setRange(rangeOf(field->option(), m_document.dimension()));
+        field->setNumber(field->option().field.at.get(project));
+    }
+}
+
+}  // namespace wend

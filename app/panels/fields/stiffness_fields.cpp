@@ -1,0 +1,39 @@
+#include "app/panels/fields/stiffness_fields.h"
+
+#include <QCoreApplication>
+
+#include "app/document/options/options.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/picture_tip.h"
+
+namespace wend {
+
+ExactBox* stiffnessField(const QString& help, QWidget* parent) {
+    auto* box = new ExactBox(parent);
+    const Range ratios = option("material.regions[].stiffness.ratio").range;
+    box->setRange(ratios.min, ratios.max);
+    box->setDecimals(1);
+    box->setPrefix(QStringLiteral("×"));
+    box->setFixedWidth(116);
+    describe(box, QCoreApplication::translate("StiffnessFields", "Stiffness"), help);
+    showInTip(box, stiffnessPictures);
+    return box;
+}
+
+std::array<ExactBox*, 3> directionFields(const QString& name, const QString& help, QWidget* parent) {
+    std::array<ExactBox*, 3> boxes{};
+    for (ExactBox*& box : boxes) {
+        box = new ExactBox(parent);
+        box->setRange(-1e6, 1e6);
+        box->setDecimals(3);
+        box->setSingleStep(0.1);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        describe(box, name, help);
+    }
+    return boxes;
+}
+
+}  // namespace wend

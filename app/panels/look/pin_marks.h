@@ -1,0 +1,95 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <functional>
+
+#include "app/panels/look/marks.h"
+#include "app/panels/look/pin_animation.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// How a pin of a session is drawn; `area`: it stands for more than a point.
+template <int Dim>
+Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool area, int hovered) {
+    const Handle<Dim>& handle = session.document().template design<Dim>().handles[view.handle];
+    return {session.selection().contains(view.handle),
+            view.handle == hovered,
+            area,
+            !handle.motions.empty() || session.isDragging(),
+            pinColour(view.handle, handle.traits),
+            handle.traits.locked,
+            0};
+}
+
+/// Lines from each pin that is selected or pointed at to those that move together with it.
+template <int Dim, class ToWidget>
+void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<PinView<Dim>>& pins, int hovered,
+                const ToWidget& toWidget) {
+    const auto& handles = session.document().template design<Dim>().handles;
+    for (const PinView<Dim>& one : pins) {
+        const int link = handles[one.handle].traits.link;
+        if (link == 0 || (one.handle != hovered && !session.selection().contains(one.handle))) continue;
+        for (const PinView<Dim>& other : pins)
+            if (other.handle != one.handle && handles[other.handle].traits.link == link)
+                marks.line({toWidget(one.centre), toWidget(other.centre)}, kInk, 1, Qt::DotLine);
+    }
+}
+
+/// The name of a handle that does not hold at a time, and since or until when.
+template <int Dim>
+QString ghostName(const Handle<Dim>& handle, const QString& name, double time) {
+    const bool isYetToCome = time < handle.activeFrom;
+    const QString when = QLocale().toString(isYetToCome ? handle.activeFrom : handle.activeTo, 'f', 2);
+    return (isYetToCome ? QCoreApplication::translate("PinTool", "%1: holds from %2 s")
+                        : QCoreApplication::translate("PinTool", "%1: let go at %2 s"))
+        .arg(name, when);
+}
+
+/// Pins in a view: those that the shape covers lie below the others, faintly, and below all those that do not
+/// hold now.
+template <int Dim>
+struct PinScene {
+    const ShapeSession& session;
+    const PinAnimation& animation;
+    std::vector<PinView<Dim>> pins;
+    int hovered;
+    std::function<QPointF(const Vec<Dim>&)> toWidget;
+    std::function<bool(const PinView<Dim>&)> isArea, isCovered;
+
+    void paint(QPainter& painter, Marks& marks) {
+        paintGhosts(marks);
+        paintLinks<Dim>(marks, session, pins, hovered, toWidget);
+        const auto seen = std::stable_partition(
+            pins.begin(), pins.end(), [this](const auto& view) { return !isArea(view) && isCovered(view); });
+        painter.setOpacity(kCoveredOpacity);
+        for (auto view = pins.begin(); view != pins.end(); ++view) {
+            if (view == seen) painter.setOpacity(1);
+            const auto [shift, squash] = animation.of(view->handle);
+            Marks::Pin look = pinLook<Dim>(session, *view, isArea(*view), hovered);
+            look.squash = squash;
+            marks.pin(toWidget(view->centre) + shift, look);
+        }
+        painter.setOpacity(1);
+        for (const auto& view : pins)
+            if (isNamed(view)) marks.name(toWidget(view.centre), view.name);
+    }
+    bool isNamed(const PinView<Dim>& view) const {
+        return view.handle == hovered && view.handle == animation.named();
+    }
+    void paintGhosts(Marks& marks) const {
+        const auto ghosts = session.template ghosts<Dim>();
+        const auto& handles = session.document().template design<Dim>().handles;
+        for (const PinView<Dim>& view : ghosts)
+            marks.ghost(toWidget(view.centre), session.selection().contains(view.handle),
+                        view.handle == hovered);
+        for (const PinView<Dim>& view : ghosts)
+            if (isNamed(view))
+                marks.name(toWidget(view.centre),
+                           ghostName<Dim>(handles[view.handle], view.name, session.playback().time()));
+    }
+};
+
+}  // namespace wend

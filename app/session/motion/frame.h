@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "app/document/edits/grip.h"
+#include "core/energy/material.h"
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+struct Distortion;
+
+/// The shape at one time, as the compute thread hands it to the view: what does not depend on the dimension.
+/// Immutable and shared.
+struct ShapeFrame {
+    int generation = 0;  // of the document whose shape it is
+    double time = 0;
+    bool live = false;  // a preview while dragging; otherwise of final quality
+    int dimension = 0;
+    std::shared_ptr<const void> shape;  // the rest mesh, to tell shapes apart
+    int vertices = 0, cells = 0;
+    double diagonal = 0;  // the rest shape's size: of a box its diagonal (ShapeSize)
+    std::shared_ptr<const Distortion> distortion;
+    double growth = 1;        // area or volume against that at rest
+    double pinError = 0;      // largest distance of a pin from where it should be, in the domain's units
+    double milliseconds = 0;  // that this frame took; 0 if it came from a longer run
+    int gesture = 0;          // live: the number of the drag
+    int sample = -1;          // live: the newest sample of the drag that it follows
+    Amount amount = Amount::Zero();  // live: how far the dragged handles have come
+    bool stopped = false;            // live: the handles could not reach the sample without a fold
+    std::string message;             // why not
+
+    virtual ~ShapeFrame() = default;
+};
+/// What frames are worth when the project has changed: their times are multiplied by the scale, and then
+/// those up to a time stay valid (−∞: none).
+struct KeptFrames {
+    double timeScale = 1;
+    double upTo = 0;
+};
+using FramePtr = std::shared_ptr<const ShapeFrame>;
+/// One column per vertex, in the domain's units per unit of time.
+using VelocityPtr = std::shared_ptr<const Eigen::MatrixXd>;
+
+template <int Dim>
+struct Shape;
+
+/// The shape itself.
+template <int Dim>
+struct PosedFrame : ShapeFrame {
+    std::shared_ptr<const Shape<Dim>> built;  // the same and what else came with it: file, picture, skin
+    std::shared_ptr<const SimplicialMesh<Dim>> rest;
+    std::shared_ptr<const Material<Dim>> material;
+    Points<Dim> pose;
+};
+template <int Dim>
+using PosedPtr = std::shared_ptr<const PosedFrame<Dim>>;
+
+/// The frame with its shape; null if there is none, or one of the other dimension.
+template <int Dim>
+PosedPtr<Dim> posed(const FramePtr& frame) {
+    if (!frame || frame->dimension != Dim) return {};
+    return std::static_pointer_cast<const PosedFrame<Dim>>(frame);
+}
+
+/// The same shape, standing for another time.
+inline FramePtr atTime(const FramePtr& frame, double time) {
+    const auto copy = [time](const auto& own) -> FramePtr {
+        auto other = std::make_shared<std::decay_t<decltype(own)>>(own);
+        other->time = time;
+        return other;
+    };
+    return frame->dimension == 2 ? copy(*posed<2>(frame)) : copy(*posed<3>(frame));
+}
+
+}  // namespace wend

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/document/edits/grip.h"
+#include "app/session/motion/coarse_body.h"
+#include "core/integration/drag_flow.h"
+
+namespace wend {
+
+/// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
+/// all others hold still, or go on as they do when a recording tells the time: a preview, replaced by the
+/// exact motion after the release. A large shape rides in a coarser body meanwhile.
+template <int Dim>
+class LiveDrag {
+  public:
+    struct Step {
+        Amount amount;  // how far the handles are from where the drag began
+        bool stopped = false;
+        std::string message;
+        double pinError = 0;
+    };
+
+    /// `handles` hold the shape; their motions do not matter. Analyzes at once, so that a drag begins
+    /// promptly. With a body, which is the shape's, the shape rides in it as far as it can.
+    LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles,
+             std::shared_ptr<const CoarseBody<Dim>> body = nullptr);
+
+    /// True if a drag of these handles can begin without another analysis.
+    bool fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
+    /// A drag of some handles, by their index, from a pose that is that of a time. `handles`: all with the
+    /// motions that they have now; none: they have none.
+    void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose,
+               const std::vector<Handle<Dim>>& handles = {}, double time = 0);
+    /// With a time the other handles are where they are then.
+    Step follow(const Amount& amount, std::optional<double> time = {});
+    const Points<Dim>& pose() const { return m_body ? m_carried : m_flow->pose(); }
+    /// Whether the shape rides in a body.
+    bool rides() const { return m_body != nullptr; }
+
+  private:
+    bool ride();
+    void beginFlow(const Points<Dim>& pose);
+    void flowByItself();
+    double length(const Amount& change) const;
+    std::vector<typename DragFlow<Dim>::Alongside> othersUntil(double time) const;
+
+    Shape<Dim> m_shape;
+    double m_size;
+    std::vector<Handle<Dim>> m_handles;
+    std::vector<int> m_dragged;
+    std::shared_ptr<const CoarseBody<Dim>> m_body;  // in which the shape rides, or null
+    typename CoarseBody<Dim>::Ride m_ride;
+    typename CoarseBody<Dim>::Held m_held;
+    Points<Dim> m_carried;                // by the body: the shape's pose
+    std::optional<DragFlow<Dim>> m_flow;  // of the body, or of the shape
+    Grip m_grip;
+    Amount m_amount = Amount::Zero();
+    struct Other {  // a handle that moves by itself
+        int handle;
+        std::vector<Trajectory<Dim>> motions;
+    };
+    std::vector<Other> m_others;
+    double m_time = 0;
+};
+
+}  // namespace wend

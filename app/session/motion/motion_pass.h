@@ -1,0 +1,72 @@
+#pragma once
+
+#include <future>
+#include <optional>
+
+#include "app/session/motion/frame.h"
+#include "app/session/motion/pose_cache.h"
+#include "app/session/motion/velocity_probe.h"
+#include "app/session/shape/shape.h"
+
+namespace wend {
+
+/// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the
+/// breakpoints of the motions' windows, which the integrator never crosses anyway, and keeps the states
+/// there: the result is the same bits as one run from the start. Where only the clock changes, the states
+/// stay and get other times: then it is the same but for rounding.
+template <int Dim>
+class MotionPass {
+  public:
+    struct Sink {
+        std::function<void(const State<Dim>&, double pinError)> onFrame;
+        std::function<void(double time, double end)> progress;
+        std::function<void()> meanwhile;  // while what cannot be stopped goes on in a thread of its own
+    };
+
+    /// The problem from now on; what earlier frames are worth.
+    KeptFrames set(const Shape<Dim>& shape, std::shared_ptr<const Project> project);
+    void clear();
+
+    bool isSet() const { return m_project != nullptr; }
+    bool isFinished() const { return m_result.has_value(); }
+    /// How the motion ended, once finished.
+    const AdvanceResult& result() const { return *m_result; }
+    const State<Dim>& state() const { return *m_cache.last(); }
+    double end() const { return m_end; }
+
+    /// Goes on until the end, a fold or a stop; frames come in the order of time.
+    void run(const Sink& sink, std::stop_token stop);
+    /// v̂ for a pose of this motion, solved for exactly; no columns if that fails, or if it was stopped before
+    /// the solver began. Does not touch the motion, whatever it throws.
+    Points<Dim> velocity(double time, const Points<Dim>& pose, std::stop_token stop);
+    /// How far some handles of that time take everything along, in the first row (influenceAt).
+    Points<Dim> influence(const std::vector<int>& handles, double time, const Points<Dim>& pose,
+                          std::stop_token stop);
+
+  private:
+    bool begin(const Sink& sink, const std::stop_token& stop);
+    bool makeDeformer(const Sink& sink, const std::stop_token& stop);
+    void beginMaking();
+    std::vector<double> frameTimes(double from, double to) const;
+    std::vector<double> breakpoints() const;
+    double nextBreakpoint(double time) const;
+    void changeClock(double scale);
+    void forgetFrom(double time);
+    double frameSpacing() const;
+    bool isDense() const;
+
+    Shape<Dim> m_shape;
+    std::shared_ptr<const Project> m_project;
+    std::optional<Deformer<Dim>> m_deformer;
+    std::future<Deformer<Dim>> m_making;         // a deformer that is not ready yet, …
+    std::shared_ptr<const Project> m_makingFor;  // … and the project that it will be of
+    bool m_begun = false;                        // the deformer is that of this project
+    std::optional<VelocityProbe<Dim>> m_probe;   // once a velocity was asked for
+    PoseCache<Dim> m_cache;
+    std::optional<AdvanceResult> m_result;
+    double m_end = 0;
+    std::vector<double> m_sent;  // times of frames
+    bool m_restSent = false;
+};
+
+}  // namespace wend

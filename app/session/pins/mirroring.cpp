@@ -1,0 +1,224 @@
+#include "app/session/pins/mirroring.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "app/document/design.h"
+#include "app/session/pins/solid_places.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kReach = 0.02;  // of the shape's size: how far an image may lie beside the shape
+constexpr double kSame = 1e-3;   // of the shape's size: closer pins are one
+constexpr int kSamples = 500;    // of the vertices
+
+/// The mean length of an edge, by one of each cell.
+template <int Dim>
+double edgeOf(const SimplicialMesh<Dim>& mesh) {
+    double sum = 0;
+    for (const Cell<Dim>& cell : mesh.cells)
+        sum += (mesh.points.col(cell[1]) - mesh.points.col(cell[0])).norm();
+    return sum / mesh.cellCount();
+}
+
+/// How far mirrored vertices lie from their nearest ones, in the mean; less than an edge tells nothing.
+template <int Dim>
+double unlikeness(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator,
+                  const Mirror<Dim>& mirror) {
+    const int step = std::max(1, rest.vertexCount() / kSamples);
+    double sum = 0;
+    int count = 0;
+    for (int v = 0; v < rest.vertexCount(); v += step, ++count) {
+        const Vec<Dim> image = mirror(rest.points.col(v));
+        sum += (rest.points.col(locator.nearestVertex(image)) - image).norm();
+    }
+    return std::max(sum / count, edgeOf(rest));
+}
+
+/// Makes mirror images of handles in a rest mesh.
+template <int Dim>
+class Imager {
+  public:
+    explicit Imager(const PosedFrame<Dim>& frame)
+        : m_rest(*frame.rest),
+          m_locator(frame.rest->points, frame.rest->cells),
+          m_mirror(mirrorOf<Dim>(*frame.rest)),
+          m_size(frame.diagonal) {}
+
+    /// Nothing where it would lie beside the shape.
+    std::optional<Handle<Dim>> operator()(const Handle<Dim>& handle) const {
+        Handle<Dim> image = handle;
+        const bool lies = std::visit([this](auto& at) { return this->move(at); }, image.at);
+        for (Motion<Dim>& motion : image.motions) motion = mirrored(motion, m_mirror);
+        image.traits.locked = image.traits.hidden = false;
+        image.traits.link = 0;
+        image.traits.colour.reset();
+        return lies ? std::optional(image) : std::nullopt;
+    }
+    /// True if some handle holds the same place.
+    bool isTaken(const Handle<Dim>& image, const std::vector<Handle<Dim>>& handles) const {
+        const Vec<Dim> own = middleOf(image);
+        return std::any_of(handles.begin(), handles.end(), [&](const Handle<Dim>& other) {
+            return (middleOf(other) - own).norm() < kSame * m_size;
+        });
+    }
+
+  private:
+    int nearest(const Vec<Dim>& p) const {
+        const int v = m_locator.nearestVertex(p);
+        return (m_rest.points.col(v) - p).norm() <= kReach * m_size ? v : -1;
+    }
+    bool move(std::vector<int>& vertices) const {
+        std::set<int> images;
+        for (const int v : vertices)
+            if (v < m_rest.vertexCount()) images.insert(nearest(m_mirror(m_rest.points.col(v))));
+        images.erase(-1);
+        vertices.assign(images.begin(), images.end());
+        return !vertices.empty();
+    }
+    bool move(std::vector<Vec<Dim>>& points) const {
+        std::vector<Vec<Dim>> images;
+        for (const Vec<Dim>& p : points) {
+            const Vec<Dim> image = m_mirror(p);
+            if (m_locator.find(image, 1e-9))
+                images.push_back(image);
+            else if (const int v = nearest(image); v >= 0)
+                images.push_back(m_rest.points.col(v));
+        }
+        points = images;
+        return !points.empty();
+    }
+    bool move(Region<Dim>& region) const {
+        region = mirrored<Dim>(region, m_mirror);
+        return !verticesInside<Dim>(region, m_rest).empty();
+    }
+    Vec<Dim> middleOf(const Handle<Dim>& handle) const {
+        std::vector<Vec<Dim>> points;
+        const auto places = placePins<Dim>({handle}, m_rest, m_locator);
+        for (const auto& place : places.front().points)
+            points.push_back(positionOf<Dim>(place, m_rest, m_rest.points));
+        return points.empty() ? Vec<Dim>(Vec<Dim>::Constant(std::numeric_limits<double>::infinity()))
+                              : meanOf<Dim>(points);
+    }
+
+    const SimplicialMesh<Dim>& m_rest;
+    PointLocator<Dim> m_locator;
+    Mirror<Dim> m_mirror;
+    double m_size;
+};
+
+QString imageName(const std::string& name) {
+    return ShapeSession::tr("%1 mirrored").arg(QString::fromStdString(name));
+}
+
+template <int Dim>
+std::string freeImageName(const std::vector<Handle<Dim>>& handles, const std::string& name) {
+    const QString wish = imageName(name);
+    QString free = wish;
+    const auto isTaken = [&](const QString& one) {
+        return std::any_of(handles.begin(), handles.end(),
+                           [&](const auto& h) { return h.name == one.toStdString(); });
+    };
+    for (int i = 2; isTaken(free); ++i) free = wish + QStringLiteral(" %1").arg(i);
+    return free.toStdString();
+}
+
+template <int Dim>
+void mirrorPinsOf(ShapeSession& session) {
+    const auto frame = session.frame<Dim>();
+    if (!frame) return;
+    Document& document = session.document();
+    const Imager<Dim> imager(*frame);
+    Design<Dim> next = document.design<Dim>();
+    auto& handles = next.handles;
+    std::vector<int> made;
+    bool beside = false, taken = false;
+    for (const int h : session.selection().handles()) {
+        auto image = imager(handles[h]);
+        beside = beside || !image;
+        const bool isTaken = image && imager.isTaken(*image, handles);
+        taken = taken || isTaken;
+        if (!image || isTaken) continue;
+        image->name = freeImageName(handles, handles[h].name);
+        made.push_back(static_cast<int>(handles.size()));
+        handles.push_back(std::move(*image));
+    }
+    if (beside)
+        emit session.notice(
+            ShapeSession::tr("There is no pin where a mirror image lies outside of the shape."));
+    else if (taken)
+        emit session.notice(ShapeSession::tr("There is a pin already where the mirror image would be."));
+    if (made.empty()) return;
+    document.changeDesign(ShapeSession::tr("Mirror %1").arg(session.nameOf(session.selection().handles())),
+                          std::move(next));
+    session.selection().set(made);
+}
+
+template <int Dim>
+void mirrorMotionOf(ShapeSession& session) {
+    const auto frame = session.frame<Dim>();
+    if (!frame) return;
+    Document& document = session.document();
+    Design<Dim> next = document.design<Dim>();
+    auto& handles = next.handles;
+    std::vector<int> moved;
+    std::vector<Vec<Dim>> starts;
+    for (const int h : session.selection().handles()) {
+        const auto own = session.pathStarts<Dim>(h);
+        if (handles[h].motions.empty() || own.empty() || !session.mayChange(h)) continue;
+        moved.push_back(h);
+        starts.push_back(meanOf<Dim>(own));
+    }
+    if (moved.empty()) return;
+    Mirror<Dim> mirror = mirrorOf<Dim>(*frame->rest);
+    mirror.at = meanOf<Dim>(starts)[mirror.axis];
+    for (const int h : moved)
+        for (Motion<Dim>& motion : handles[h].motions) motion = mirrored(motion, mirror);
+    document.changeDesign(ShapeSession::tr("Mirror the motion of %1").arg(session.nameOf(moved)),
+                          std::move(next));
+}
+
+}  // namespace
+
+template <int Dim>
+Mirror<Dim> mirrorOf(const SimplicialMesh<Dim>& rest) {
+    const Vec<Dim> middle = (rest.points.rowwise().minCoeff() + rest.points.rowwise().maxCoeff()) / 2;
+    Mirror<Dim> best{0, middle[0]};
+    if (Dim == 2) return best;
+    const PointLocator<Dim> locator(rest.points, rest.cells);
+    double least = unlikeness(rest, locator, best);
+    for (int k = 1; k < Dim; ++k) {
+        const Mirror<Dim> other{k, middle[k]};
+        const double unlike = unlikeness(rest, locator, other);
+        if (unlike < least) least = unlike, best = other;
+    }
+    return best;
+}
+
+void mirrorPins(ShapeSession& session) {
+    session.document().dimension() == 2 ? mirrorPinsOf<2>(session) : mirrorPinsOf<3>(session);
+}
+
+void mirrorMotion(ShapeSession& session) {
+    session.document().dimension() == 2 ? mirrorMotionOf<2>(session) : mirrorMotionOf<3>(session);
+}
+
+bool canMirrorMotion(const ShapeSession& session) {
+    if (session.document().isEmpty()) return false;
+    return std::visit(
+        [&](const auto& design) {
+            const auto& selected = session.selection().handles();
+            return std::any_of(selected.begin(), selected.end(), [&](int h) {
+                return h < static_cast<int>(design.handles.size()) && !design.handles[h].motions.empty();
+            });
+        },
+        session.document().design());
+}
+
+template Mirror<2> mirrorOf<2>(const SimplicialMesh<2>&);
+template Mirror<3> mirrorOf<3>(const SimplicialMesh<3>&);
+
+}  // namespace wend

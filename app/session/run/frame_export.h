@@ -1,0 +1,87 @@
+#pragma once
+
+#include "app/document/edits/document.h"
+#include "app/session/motion/frame.h"
+#include "app/session/run/run.h"
+
+namespace wend {
+
+struct WarpOptions;
+
+enum class ExportKind { Picture, Frames, StMap, Mesh };
+
+/// How far a shape reaches beyond the sides of its picture, in whole pixels; zeros where it does not.
+struct Overhang {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    bool any() const { return left + top + right + bottom > 0; }
+};
+
+struct FileSize {
+    double bytes = 0;
+    bool measured = false;  // the same bytes were written once; otherwise it is reckoned from a part of them
+};
+
+/// A frame of the window with all that is needed to write it: immutable values, for any thread. What comes
+/// out is what `wend run` writes of the same shape.
+class FrameExport {
+  public:
+    /// `motion`: all frames, `seconds`: how long they last.
+    FrameExport(const Document& document, FramePtr frame, std::vector<FramePtr> motion, double seconds);
+
+    int dimension() const { return m_frame->dimension; }
+    const FramePtr& frame() const { return m_frame; }
+    double seconds() const { return m_seconds; }
+    /// That a mesh file with this extension gets.
+    int vertexCount(const std::string& extension) const;
+
+    /// The picture that the shape carries, or null; rest and pose are in its pixels.
+    const std::shared_ptr<const Image>& picture() const { return m_picture; }
+    const SimplicialMesh<2>& restInPixels() const { return *m_rest; }
+    const Points<2>& poseInPixels() const { return m_pose; }
+    const std::vector<float>& depths() const { return m_depths; }
+    /// What the canvas shows of it; of a sequence, all of the motion. Throws InputError.
+    View view(ExportKind kind, const CanvasChoice& canvas) const;
+    /// What a canvas of the picture's size cuts off.
+    Overhang overhang(ExportKind kind) const;
+    WarpOptions warpOptions(const RunOptions& options) const;
+
+    /// Writes the file, or all of a sequence, whose name has #### in it. `remark` is told what the user
+    /// should know of what was written. Throws InputError and Cancelled.
+    void write(ExportKind kind, const std::string& path, const RunOptions& options, const RunWatch& watch,
+               std::string& remark) const;
+    /// Of the file or, reckoned from one, all of a sequence, or of the film that `options` name (see
+    /// isAnimation()). `extension`: with its dot. Throws as write().
+    FileSize size(ExportKind kind, const std::string& extension, const RunOptions& options,
+                  std::stop_token stop) const;
+
+  private:
+    void writePicture(const std::string& path, const View& view, const RunOptions& options,
+                      const RunWatch& watch) const;
+    void writeStMap(const std::string& path, const View& view) const;
+    template <int Dim>
+    void writeMesh(const std::string& path, const RunOptions& options, bool inSequence, const RunWatch& watch,
+                   std::string& remark) const;
+    void writeMesh(const std::string& path, const RunOptions& options, bool inSequence, const RunWatch& watch,
+                   std::string& remark) const;
+    void writeFrames(const std::string& path, const RunOptions& options, const RunWatch& watch) const;
+    FileSize pictureSize(ExportKind kind, const std::string& extension, const RunOptions& options,
+                         std::stop_token stop) const;
+    double filmSize(const RunOptions& options, const std::stop_token& stop) const;
+    double solidFilmBytes(int count, const RunOptions& options) const;
+    double pictureFilmBytes(int count, const RunOptions& options, const std::stop_token& stop) const;
+    Points<2> poseAt(double part) const;
+    Extent<2> extent(ExportKind kind) const;
+
+    std::shared_ptr<const Project> m_project;
+    std::string m_name;  // of the project, for messages and paths
+    FramePtr m_frame;
+    std::vector<FramePtr> m_motion;
+    double m_seconds = 0;
+    std::shared_ptr<const Image> m_picture;
+    std::shared_ptr<const SimplicialMesh<2>> m_rest;
+    Points<2> m_pose;
+    std::vector<float> m_depths;  // per cell: see WarpOptions
+};
+
+}  // namespace wend

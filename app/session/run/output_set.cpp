@@ -1,0 +1,101 @@
+#include "app/session/run/output_set.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+
+#include "app/document/file/text_file.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/stream_output.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// TetGen's files come in pairs: the extension of the other one, which is written along.
+std::optional<std::string> partnerOf(const std::string& path) {
+    const std::string extension = lowerExtension(path);
+    if (extension == ".node") return ".ele";
+    if (extension == ".ele") return ".node";
+    return std::nullopt;
+}
+
+/// Calls `write` with that file; errors name `path` instead.
+void writeTo(const std::string& file, const std::string& path, const OutputSet::Write& write) try {
+    write(file);
+} catch (const InputError& error) {
+    std::string reason = error.reason();
+    if (const auto at = reason.find(file); at != std::string::npos) reason.replace(at, file.size(), path);
+    throw InputError(path, reason);
+}
+
+}  // namespace
+
+std::string frameName(const std::string& pattern, int number) {
+    const auto last = pattern.find_last_of('#');
+    auto first = last;
+    while (first > 0 && pattern[first - 1] == '#') --first;
+    std::string digits = std::to_string(number);
+    if (const std::size_t width = last - first + 1; digits.size() < width)
+        digits.insert(0, width - digits.size(), '0');
+    return pattern.substr(0, first) + digits + pattern.substr(last + 1);
+}
+
+std::optional<int> frameNumber(const std::string& pattern, const std::string& name) {
+    const auto last = pattern.find_last_of('#');
+    const std::size_t first = pattern.find_last_not_of('#', last) + 1, after = pattern.size() - last - 1;
+    if (name.size() < first + after) return std::nullopt;
+    int number = 0;
+    const char* end = name.data() + name.size() - after;
+    const auto read = std::from_chars(name.data() + first, end, number);
+    if (read.ec != std::errc() || read.ptr != end || number < 0 || frameName(pattern, number) != name)
+        return std::nullopt;
+    return number;
+}
+
+std::vector<std::string> writtenAlong(const std::string& path) {
+    std::vector<std::string> files{path};
+    if (const auto other = partnerOf(path))
+        files.push_back(fs::path(path).replace_extension(*other).string());
+    return files;
+}
+
+void requirePlaces(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths)
+        if (!path.empty() && path != "-") PendingFile{path};
+}
+
+void OutputSet::add(const std::string& path, const std::string& extension, const Write& write) {
+    if (path == "-") {
+        const TemporaryFolder folder(scratchFolder());
+        const std::string file = (fs::path(folder.path()) / ("output" + extension)).string();
+        writeTo(file, path, write);
+        m_standardOutput = readTextFile(file);
+        return;
+    }
+    PendingFile file(path, Access::Usual, m_files.empty() ? nullptr : &m_files.back());
+    std::optional<PendingFile> partner;
+    if (const auto other = partnerOf(path); other && !file.isSpecial())
+        partner.emplace(file.companion(*other));
+    writeTo(file.temporary(), path, write);
+    if (partner) m_files.push_back(std::move(*partner));
+    m_files.push_back(std::move(file));
+}
+
+void OutputSet::discard() {
+    m_files.clear();
+    m_standardOutput.reset();
+}
+
+void OutputSet::commit() {
+    // First what is the likelier to fail, a closed pipe: then no file has been replaced.
+    if (m_standardOutput) writeStream(STDOUT_FILENO, *m_standardOutput, "-");
+    m_standardOutput.reset();
+    PendingFile::commit(m_files);
+    m_files.clear();
+}
+
+}  // namespace wend

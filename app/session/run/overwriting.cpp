@@ -1,0 +1,107 @@
+#include "app/session/run/overwriting.h"
+
+#include <filesystem>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/file/named_files.h"
+#include "app/session/run/output_set.h"
+#include "core/mesh/same_file.h"
+#include "core/mesh/skin_file.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool replacesAFile(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return !path.empty() && path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+/// One place of an output, by the name that the user gave it.
+struct Place {
+    std::string file, output;
+};
+
+std::vector<Place> singlePlaces(const RunOutputs& outputs) {
+    const bool animation = isAnimation(outputs.frames);
+    std::vector<Place> places;
+    for (const std::string& path :
+         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.material.phi,
+          outputs.material.stiffness, outputs.material.direction,
+          animation ? outputs.frames : collectionName(outputs.frames)})
+        if (replacesAFile(path))
+            for (const std::string& file : writtenAlong(path)) places.push_back({file, path});
+    return places;
+}
+
+std::string replaced(const Place& place, const std::vector<OwnInput>& inputs) {
+    for (const OwnInput& input : inputs)
+        if (sameFile(input.path, place.file))
+            return place.output + ": would replace " + input.path + ", which is read here";
+    return {};
+}
+
+/// Frames that are there already, maybe as links, and those that other outputs will be.
+std::string clashOfFrames(const std::vector<OwnInput>& inputs, const std::vector<Place>& places,
+                          const RunOutputs& outputs) {
+    for (const Place& place : places) {
+        const auto number = frameNumber(canonicalName(outputs.frames), canonicalName(place.file));
+        if (number && *number < outputs.count)
+            return place.output + ": would be replaced by frame " + std::to_string(*number) + " of " +
+                   outputs.frames;
+    }
+    std::error_code error;
+    for (int k = 0; k < outputs.count; ++k)
+        for (const std::string& file : writtenAlong(frameName(outputs.frames, k)))
+            if (fs::exists(file, error))
+                if (const std::string clash = replaced({file, file}, inputs); !clash.empty()) return clash;
+    return {};
+}
+
+}  // namespace
+
+std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, const std::string& path,
+                               const std::string& folder) {
+    std::vector<OwnInput> inputs;
+    const auto add = [&](OwnFile kind, const std::string& file) {
+        if (file.empty()) return;
+        for (const std::string& one : writtenAlong(pathIn(folder, file))) inputs.push_back({kind, one});
+    };
+    if (!path.empty()) inputs.push_back({OwnFile::Project, path == "-" ? "/dev/stdin" : path});
+    add(domain.kind == DomainKind::Image ? OwnFile::Picture : OwnFile::Mesh, domain.path);
+    add(OwnFile::Picture, domain.texture);
+    add(OwnFile::Sizes, domain.sizesFile);
+    add(OwnFile::Detail, domain.detail);
+    if (domain.kind != DomainKind::Image)
+        for (const std::string& surface : {domain.path, domain.detail})
+            if (!surface.empty())
+                for (const std::string& file : lookFilesOf(pathIn(folder, surface)))
+                    inputs.push_back({OwnFile::Look, file});
+    std::visit(
+        [&](const auto& own) {
+            add(OwnFile::Material, own.material.cellsFile);
+            for (const auto& region : own.material.regions)
+                for (const std::string& file :
+                     {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
+                    add(OwnFile::Material, file);
+        },
+        design);
+    return inputs;
+}
+
+std::string overwriting(const std::vector<OwnInput>& inputs, const RunOutputs& outputs) {
+    const std::vector<Place> places = singlePlaces(outputs);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (const std::string clash = replaced(places[k], inputs); !clash.empty()) return clash;
+        for (std::size_t i = 0; i < k; ++i)
+            if (sameFile(places[i].file, places[k].file))
+                return places[k].output + ": would replace another output, " + places[i].output;
+    }
+    const bool numbered = outputs.frames.find('#') != std::string::npos;
+    return numbered ? clashOfFrames(inputs, places, outputs) : std::string();
+}
+
+}  // namespace wend

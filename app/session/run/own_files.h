@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "app/document/edits/document.h"
+#include "app/session/run/overwriting.h"
+
+namespace wend {
+
+/// Whether a file that is written to `path` would take the place of one of the document's own, also by
+/// another name of it; with #### in the path, one of the first `count` frames.
+std::optional<OwnFile> ownFileAt(const Document& document, const QString& path, int count = 0);
+
+/// How many of these frames exist.
+int existingFrames(const QString& pattern, int count);
+
+}  // namespace wend

@@ -1,0 +1,94 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/document/file/json_text.h"
+#include "app/document/options/options.h"
+#include "app/session/run/report.h"
+#include "app/session/run/run.h"
+#include "core/energy/distortion.h"
+
+namespace wend {
+
+using Json = nlohmann::ordered_json;
+
+std::string reportJson(const RunFigures& figures) {
+    const Distortion& distortion = figures.distortion;
+    const Statistics& counts = figures.statistics;
+    Json json{{"vertices", figures.vertices}, {"cells", figures.cells},     {"dimension", figures.dimension},
+              {"time", figures.time},         {"backend", figures.backEnd}, {"device", figures.device}};
+    json["errors"] = {{"angle", distortion.totalAngle},
+                      {"volume", distortion.totalVolume},
+                      {"metric", distortion.totalMetric}};
+    json["flips"] = distortion.flips;
+    json["minDet"] = distortion.minDet;
+    json["constraintError"] = counts.constraintError;
+    json["steps"] = counts.steps;
+    json["rejected"] = counts.rejected;
+    json["evaluations"] = counts.evaluations;
+    json["factorizations"] = counts.factorizations;
+    json["solverIterations"] = counts.solverIterations;
+    json["restEnergy"] = figures.restEnergy;
+    json["restForce"] = figures.restForce;
+    json["seconds"] = {{"analyze", counts.analyze},     {"assemble", counts.assemble},
+                       {"factor", counts.factor},       {"solve", counts.solve},
+                       {"integrate", counts.integrate}, {"total", figures.total}};
+    json["energy"] = counts.energy;
+    json["errorEstimate"] = counts.errorEstimate > 0 ? Json(counts.errorEstimate) : Json();
+    json.update(Json::parse(figures.faults));
+    if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
+    if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
+    return prettyJson(json);
+}
+
+std::string verdictJson(const MeshVerdict& verdict) {
+    const Json json{{"asked", verdict.asked},
+                    {"got", std::isfinite(verdict.got) ? Json(verdict.got) : Json()},
+                    {"worstCell", verdict.worstCell},
+                    {"cellsAbove", verdict.cellsAbove},
+                    {"facets", verdict.facets}};
+    return json.dump();
+}
+
+std::string cageJson(const CageFacts& cage) {
+    Json json{{"edge", cage.edge}, {"bodies", cage.bodies}, {"parts", cage.parts}, {"apart", cage.apart}};
+    for (const ClosedGap& gap : cage.gaps)
+        json["gaps"].push_back(
+            {{"place", {gap.place.x(), gap.place.y(), gap.place.z()}}, {"width", gap.width}});
+    if (!cage.why.empty()) json["why"] = cage.why;
+    return json.dump();
+}
+
+template <int Dim>
+std::string faultsJson(const PoseFaults<Dim>& faults) {
+    const auto at = [](const Vec<Dim>& p) { return std::vector<double>(p.begin(), p.end()); };
+    Json first, worst;
+    if (!faults.crossings.empty()) first = at(faults.crossings.front().at);
+    if (!faults.blown.empty()) {
+        const PosePlace<Dim>& place = faults.blown.front();
+        worst = {{"cell", place.worstCell}, {"ratio", place.ratio}, {"at", at(place.at)}};
+    }
+    const Json json{
+        {"selfCrossings", {{"places", faults.crossings.size()}, {"pairs", faults.pairs()}, {"first", first}}},
+        {"blownUp",
+         {{"factor", kBlownUp},
+          {"cells", faults.cells()},
+          {"places", faults.blown.size()},
+          {"worst", worst}}}};
+    return json.dump();
+}
+template std::string faultsJson<2>(const PoseFaults<2>&);
+template std::string faultsJson<3>(const PoseFaults<3>&);
+
+std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration) {
+    const std::string steps = std::to_string(statistics.steps) + (statistics.steps == 1 ? " step" : " steps");
+    if (integration.steps > 0 || statistics.errorEstimate == 0) return steps;
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), statistics.errorEstimate,
+                                   std::chars_format::scientific, 0);
+    return steps + "; their errors add up to about " + std::string(digits.data(), end.ptr) +
+           " of the size (the tolerance of " + shortNumber(integration.tolerance) + " is for one step)";
+}
+
+}  // namespace wend

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/session/run/run.h"
+#include "app/session/shape/cage_facts.h"
+#include "app/session/shape/mesh_verdict.h"
+#include "app/session/shape/pose_faults.h"
+#include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
+
+namespace wend {
+
+/// What a report tells (contract of the command line).
+struct RunFigures {
+    int vertices = 0, cells = 0, dimension = 0;
+    double time = 0, total = 0;  // reached; seconds
+    std::string backEnd, device;
+    Distortion distortion;
+    Statistics statistics;
+    double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
+    std::string faults;                       // faultsJson()
+    std::optional<MeshVerdict> verdict = {};  // on cells that were made
+    std::optional<CageFacts> cage = {};       // if one carries the surface
+};
+std::string reportJson(const RunFigures& figures);
+/// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
+std::string verdictJson(const MeshVerdict& verdict);
+/// {"selfCrossings": {"places", "pairs", "first"}, "blownUp": {"factor", "cells", "places", "worst"}} as
+/// text.
+template <int Dim>
+std::string faultsJson(const PoseFaults<Dim>& faults);
+/// "20 steps; …": how near the end is to the truth.
+std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
+
+}  // namespace wend

@@ -1,0 +1,374 @@
+#include "app/session/run/run.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include "app/document/domain.h"
+#include "app/document/file/named_files.h"
+#include "app/document/file/text_file.h"
+#include "app/document/options/options.h"
+#include "app/session/run/output_set.h"
+#include "app/session/run/pose_file.h"
+#include "app/session/run/report.h"
+#include "app/session/run/run_options.h"
+#include "app/session/run/shape_file.h"
+#include "app/session/shape/depth.h"
+#include "app/session/shape/held_border.h"
+#include "app/session/shape/material_picture.h"
+#include "app/session/shape/pose_faults.h"
+#include "app/session/shape/shape_builder.h"
+#include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "kernels/back_end_choice.h"
+#include "warp/film.h"
+#include "warp/warp.h"
+#include "warp/warped_picture.h"
+
+namespace wend {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
+
+/// One run: the shape, its deformer, and the files that are being made. Frames are written as they come, so
+/// that a long sequence needs no more memory than a short one.
+template <int Dim>
+class Run {
+  public:
+    Run(const Project& project, Shape<Dim> shape, const RunOptions& options, const RunWatch& watch,
+        Clock::time_point start)
+        : m_project(project),
+          m_shape(std::move(shape)),
+          m_options(options),
+          m_watch(watch),
+          m_start(start),
+          m_deformer(m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape),
+                     integrationOf(project),
+                     backEndFactory<Dim>(options.backEnd, {}, watch.notice, m_device)) {}
+
+    AdvanceResult run() {
+        AdvanceResult result = integrate();
+        if (result.outcome == Outcome::Cancelled) throw Cancelled();
+        if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
+            result = m_deformer.failure();
+        m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
+        if (result.outcome == Outcome::Done || m_options.partial) {
+            warnOfFaults();
+            writeShapes();
+        } else {
+            m_files.discard();
+        }
+        writeReport();
+        m_files.commit();
+        if (m_watch.summary && result.outcome == Outcome::Done)
+            m_watch.summary(summaryText(m_deformer.statistics(), integrationOf(m_project)));
+        tellOfFaults();
+        return result;
+    }
+
+  private:
+    double end() const { return m_options.at.value_or(endOf(m_project)); }
+
+    void tell(const std::string& work, double fraction) const {
+        if (m_watch.stop.stop_requested()) throw Cancelled();
+        if (m_watch.progress) m_watch.progress(work, fraction);
+    }
+
+    AdvanceResult integrate() {
+        typename Deformer<Dim>::Watch watch;
+        watch.stop = m_watch.stop;
+        watch.progress = [this](double time) {
+            if (m_watch.progress) m_watch.progress("deforming", end() > 0 ? time / end() : 1);
+        };
+        if (!m_options.outputs.frames.empty()) {
+            const int count = m_options.outputs.count;
+            for (int k = 0; k < count; ++k)
+                watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
+            watch.onFrame = [this](const State<Dim>& state) { takeFrame(state); };
+        }
+        return m_deformer.advance(end(), watch);
+    }
+
+    void writeShapes() {
+        const RunOutputs& outputs = m_options.outputs;
+        const Points<Dim> pose = m_deformer.state().points;
+        if (!outputs.velocity.empty()) writeVelocity(pose);
+        if (!outputs.mesh.empty()) writeMesh(pose);
+        if constexpr (Dim == 2) {
+            writePictures(pose);
+            writeMaterial();
+            writeWaitingFrames();
+            writeFilm();
+        } else {
+            writeAnimation();
+        }
+        writeCollection();
+    }
+
+    bool wantsVelocity() const {
+        return !m_options.outputs.velocity.empty() || (m_options.fields && !m_options.outputs.mesh.empty());
+    }
+
+    bool solveVelocity() {
+        m_velocity = m_deformer.velocity();
+        return m_velocity.cols() > 0;
+    }
+
+    /// No cell folds over, but one may be next to nothing, and a body may pass through another.
+    void warnOfFaults() const {
+        if (!m_watch.notice) return;
+        const double minimum = distortion<Dim>(*m_shape.rest, m_deformer.state().points).minDet;
+        if (minimum < kCrushed)
+            m_watch.notice("a cell has shrunk to " + shortNumber(minimum) + " of its size");
+        if (Dim == 3 && !m_faults.crossings.empty()) m_watch.notice(crossingText(m_faults));
+    }
+
+    /// What may be so: parts of a picture lie over each other, in the order of their depth.
+    void tellOfFaults() const {
+        if (!m_watch.summary) return;
+        if (Dim == 2 && !m_faults.crossings.empty()) m_watch.summary(crossingText(m_faults));
+        if (!m_faults.blown.empty()) m_watch.summary(blownText(m_faults));
+    }
+
+    /// The numbers that are written are those that were checked, but for the one format that rounds them.
+    void warnOfRounding(const std::string& path, const Points<Dim>& pose) const {
+        const bool rounds = Dim == 2 && lowerExtension(path) == ".stl" &&
+                            m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
+        if (!rounds || !m_watch.notice) return;
+        const Points<Dim> rounded = pose.template cast<float>().template cast<double>();
+        if (const int flips = distortion<Dim>(*m_shape.rest, rounded).flips; flips > 0)
+            m_watch.notice(
+                path + ": " + std::to_string(flips) +
+                " triangles are turned over by the single precision of binary STL; --encoding text "
+                "keeps all digits");
+    }
+
+    void writeMesh(const Points<Dim>& pose) {
+        warnOfRounding(m_options.outputs.mesh, pose);
+        std::vector<MeshField> fields;
+        if (m_options.fields) fields = shapeFields(m_shape, pose, m_velocity);
+        m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
+            writeShape(file, m_shape, pose, fields, m_options.meshes);
+        });
+    }
+
+    void writeVelocity(const Points<Dim>& pose) {
+        if (m_velocity.cols() == 0) return;
+        const std::string& path = m_options.outputs.velocity;
+        const bool table = path == "-" || lowerExtension(path) == ".csv";
+        m_files.add(path, ".csv", [&](const std::string& file) {
+            if (table)
+                return writeTextFile(
+                    file, velocityTable<Dim>(writtenPart(m_shape, pose), writtenPart(m_shape, m_velocity)));
+            const auto fields = shapeFields(m_shape, pose, m_velocity);
+            writeShape(file, m_shape, pose, {fields.back()}, m_options.meshes);
+        });
+    }
+
+    const std::vector<float>& depths() { return *m_depths.of(depthOf(m_project), m_shape.rest); }
+
+    /// The picture in the pixels of `view`.
+    WarpedPicture warped(const Points<2>& pixels, const View& view,
+                         const std::function<void(double)>& progress) {
+        if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
+        WarpOptions options = warpOptionsOf(m_project, m_options);
+        options.depth = depths();
+        options.makePainter = m_painters;
+        options.stop = m_watch.stop;
+        options.progress = progress;
+        return {*m_shape.picture, restInPixels(m_shape), pixels, view, options};
+    }
+
+    /// Throws Cancelled.
+    void writePicture(const std::string& file, const WarpedPicture& picture) const {
+        writeWarped(file, picture, m_options.depth, m_options.lossy);
+    }
+
+    /// Tells what is between the fractions `from` and `to` of the warping.
+    std::function<void(double)> warping(double from, double to) const {
+        if (!m_watch.progress) return {};
+        return [this, from, to](double done) { m_watch.progress("warping", from + (to - from) * done); };
+    }
+
+    Extent<2> extent(const Points<2>& pixels) const {
+        return extentOf<2>(pixels, restInPixels(m_shape).cells);
+    }
+
+    void writePictures(const Points<2>& pose) {
+        const RunOutputs& outputs = m_options.outputs;
+        if (outputs.image.empty() && outputs.stMap.empty()) return;
+        const Points<2> pixels = inPixels(m_shape, pose);
+        const View view = canvasView(*m_shape.picture, extent(pixels), m_options.canvas);
+        if (!outputs.image.empty())
+            m_files.add(outputs.image, ".png", [&](const std::string& file) {
+                writePicture(file, warped(pixels, view, warping(0, 1)));
+            });
+        if (!outputs.stMap.empty())
+            m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
+                writeImage(file, stMap(restInPixels(m_shape), pixels, view, m_shape.picture->width,
+                                       m_shape.picture->height, depths()));
+            });
+    }
+
+    void writeMaterial() {
+        const Image none;
+        const bool isPicture = domainOf(m_project).kind == DomainKind::Image;
+        const Image& picture = isPicture ? *m_shape.picture : none;
+        for (const MaterialPart part : kMaterialParts)
+            if (const std::string& path = m_options.outputs.material.*fileOf(part); !path.empty())
+                m_files.add(path, ".png", [&](const std::string& file) {
+                    const PictureFrame frame = pictureFrame(picture.width, picture.height, *m_shape.rest);
+                    writeImage(file, materialPicture(part, frame, *m_shape.rest, *m_shape.material));
+                });
+    }
+
+    void takeFrame(const State<Dim>& state) {
+        const std::string& pattern = m_options.outputs.frames;
+        const int number = m_frames++;
+        if constexpr (Dim == 2)
+            if (canWriteImage(pattern)) return takePictureFrame(number, inPixels(m_shape, state.points));
+        if constexpr (Dim == 3)
+            if (isAnimation(pattern)) return m_animation.push_back(state.points);
+        takeMeshFrame(number, state);
+    }
+
+    void takeMeshFrame(int number, const State<Dim>& state) {
+        std::vector<MeshField> fields;
+        if (m_options.fields) fields = shapeFields(m_shape, state.points);
+        const std::string name = frameName(m_options.outputs.frames, number);
+        warnOfRounding(name, state.points);
+        m_files.add(name, "", [&](const std::string& file) {
+            writeShape(file, m_shape, state.points, fields, m_options.meshes);
+        });
+        m_names.push_back(std::filesystem::path(name).filename().string());
+        m_times.push_back(state.time);
+    }
+
+    void writeCollection() {
+        const std::string collection = collectionName(m_options.outputs.frames);
+        if (collection.empty()) return;
+        m_files.add(collection, "",
+                    [&](const std::string& file) { writeTextFile(file, collectionText(m_names, m_times)); });
+    }
+
+    /// One file holds all its poses.
+    void writeAnimation() {
+        const std::string& path = m_options.outputs.frames;
+        if (!isAnimation(path)) return;
+        m_files.add(path, ".glb", [&](const std::string& file) {
+            wend::writeAnimation(file, m_shape, m_animation, m_options.outputs.framesPerSecond);
+        });
+    }
+
+    /// A canvas that fits is known only when all frames are.
+    void takePictureFrame(int number, const Points<2>& pixels) {
+        const Extent<2> shape = extent(pixels);
+        if (m_options.canvas.kind != Canvas::Fit)
+            return writePictureFrame(number, pixels, canvasView(*m_shape.picture, shape, m_options.canvas),
+                                     {});
+        if (!m_waiting) {
+            m_waiting.emplace(m_options.outputs.frames);
+            m_allFrames = shape;
+        }
+        m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
+        m_allFrames.high = m_allFrames.high.cwiseMax(shape.high);
+        m_waiting->add(pixels);
+    }
+
+    void writeWaitingFrames() {
+        if (!m_waiting) return;
+        const View view = canvasView(*m_shape.picture, m_allFrames, m_options.canvas);
+        const double count = m_waiting->count();
+        for (int k = 0; k < m_waiting->count(); ++k) {
+            tell("warping", k / count);
+            writePictureFrame(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
+        }
+    }
+
+    void writePictureFrame(int number, const Points<2>& pixels, const View& view,
+                           const std::function<void(double)>& progress) {
+        const std::string& pattern = m_options.outputs.frames;
+        const WarpedPicture picture = warped(pixels, view, progress);
+        if (!isAnimation(pattern))
+            return m_files.add(frameName(pattern, number), "",
+                               [&](const std::string& file) { writePicture(file, picture); });
+        if (!m_film) m_film.emplace(pattern, m_options.outputs.framesPerSecond, m_options.lossy);
+        m_film->add(picture);
+    }
+
+    void writeFilm() {
+        if (m_film)
+            m_files.add(m_options.outputs.frames, ".webp",
+                        [&](const std::string& file) { m_film->write(file); });
+    }
+
+    void writeReport() {
+        const std::string& path = m_options.outputs.report;
+        if (path.empty()) return;
+        const Points<Dim>& pose = m_deformer.state().points;
+        const std::chrono::duration<double> total = Clock::now() - m_start;
+        const RunFigures figures{
+            static_cast<int>(writtenPart(m_shape, pose).cols()),
+            m_shape.rest->cellCount(),
+            Dim,
+            m_deformer.state().time,
+            total.count(),
+            m_deformer.backEndName(),
+            m_deformer.deviceName(),
+            distortionOf<Dim>(m_options.backEnd, *m_shape.rest, {}, m_watch.notice, m_device)(pose),
+            m_deformer.statistics(),
+            m_deformer.restEnergy(),
+            m_deformer.restForce(),
+            faultsJson(m_faults),
+            m_shape.verdict,
+            m_shape.cage};
+        m_files.add(path, ".json",
+                    [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
+    }
+
+    const Project& m_project;
+    const Shape<Dim> m_shape;
+    const RunOptions& m_options;
+    const RunWatch& m_watch;
+    Clock::time_point m_start;
+    SharedDevice m_device;
+    Deformer<Dim> m_deformer;
+    CellDepths m_depths;                // of pictures
+    MakeCellPainter m_painters;         // made with the first picture
+    int m_frames = 0;                   // passed
+    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
+    Extent<2> m_allFrames;              // around those that wait
+    std::optional<Film> m_film;         // of pictures
+    std::vector<Points<Dim>> m_animation;
+    std::vector<std::string> m_names;  // of the mesh frames …
+    std::vector<double> m_times;       // … and their times
+    Points<Dim> m_velocity;
+    PoseFaults<Dim> m_faults;  // of the pose at the end
+    OutputSet m_files;
+};
+
+}  // namespace
+
+AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
+                         const RunWatch& watch) try {
+    const Clock::time_point start = Clock::now();
+    requirePossible(project, options.outputs);
+    for (const std::string& picture : {options.outputs.image, options.outputs.frames})
+        requireDepth(picture, options);
+    if (watch.progress) watch.progress("reading", 0);
+    AnyShape shape = loadShape(project, folderOf(path), watch.stop);
+    return std::visit(
+        [&]<int Dim>(Shape<Dim>& one) {
+            for (const std::string& notice : one.notices)
+                if (watch.notice) watch.notice(notice);
+            return Run<Dim>(project, std::move(one), options, watch, start).run();
+        },
+        shape);
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+}  // namespace wend

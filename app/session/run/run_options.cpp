@@ -1,0 +1,80 @@
+#include "app/session/run/run_options.h"
+
+#include "app/document/file/rgb_text.h"
+#include "app/session/shape/flat_shape.h"
+
+#include "core/integration/integration_options.h"
+#include "core/mesh/error.h"
+#include "warp/image_formats.h"
+#include "warp/warp.h"
+
+namespace wend {
+namespace {
+
+std::optional<PixelType> depthOf(const std::string& name) {
+    static const std::map<std::string, PixelType> depths{{"8", PixelType::UInt8},
+                                                         {"16", PixelType::UInt16},
+                                                         {"half", PixelType::Half},
+                                                         {"float", PixelType::Float}};
+    const auto found = depths.find(name);
+    return found == depths.end() ? std::nullopt : std::optional(found->second);
+}
+
+void takeOutside(const std::string& name, RunOptions& options) {
+    static const std::map<std::string, Outside> kinds{
+        {"transparent", Outside::Transparent}, {"clamp", Outside::Clamp}, {"original", Outside::Original}};
+    const auto kind = kinds.find(name);
+    options.outside = kind == kinds.end() ? Outside::Colour : kind->second;
+    const unsigned rgb = rgbOf(name).value_or(name == "white" ? 0xffffff : 0);
+    const auto channel = [rgb](int shift) { return static_cast<float>(rgb >> shift & 0xff) / 255; };
+    options.colour = {channel(16), channel(8), channel(0), 1};
+}
+
+CanvasChoice canvasOf(const std::string& text) {
+    CanvasChoice canvas = text == "fit" ? Canvas::Fit : Canvas::Picture;
+    if (const auto part = pixelRectOf(text)) canvas.kind = Canvas::Part, canvas.part = *part;
+    return canvas;
+}
+
+}  // namespace
+
+MeshWriteOptions meshOptionsFrom(const OptionValues& values) {
+    MeshWriteOptions options;
+    options.encoding = values.choice<MeshWriteOptions::Encoding>("--encoding");
+    options.boundary = values.has("--border");
+    options.gmshVersion = values.text("--msh") == "2.2" ? 2 : 4;
+    return options;
+}
+
+RunOptions runOptionsFrom(const OptionValues& values) {
+    RunOptions options;
+    options.outputs.count = values.integer("--count");
+    options.outputs.framesPerSecond = values.number("--fps");
+    options.filter = values.choice<Filter>("--filter");
+    options.canvas = canvasOf(values.text("--canvas"));
+    options.depth = depthOf(values.text("--depth"));
+    options.lossy = values.text("--webp") == "lossy";
+    takeOutside(values.text("--outside"), options);
+    options.partial = values.has("--partial");
+    options.fields = values.text("--fields") == "all";
+    options.meshes = meshOptionsFrom(values);
+    return options;
+}
+
+WarpOptions warpOptionsOf(const Project& project, const RunOptions& options) {
+    WarpOptions warp;
+    warp.filter = options.filter;
+    warp.outside = options.outside;
+    warp.colour = options.colour;
+    warp.restMargin = restMarginOf(domainOf(project));
+    warp.threads = integrationOf(project).threads;
+    return warp;
+}
+
+void requireDepth(const std::string& path, const RunOptions& options) {
+    if (!options.depth || path.empty() || path == "-" || !canWriteImage(path)) return;
+    if (!holdsType(path, *options.depth))
+        throw InputError(path, "the format does not hold pictures of this depth (--depth)");
+}
+
+}  // namespace wend

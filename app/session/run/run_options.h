@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/document/options/option_values.h"
+#include "app/session/run/run.h"
+
+namespace wend {
+
+struct WarpOptions;
+
+/// How outputs are made, of the command line or of a dialog: everything but which ones, and up to what time.
+RunOptions runOptionsFrom(const OptionValues& values);
+MeshWriteOptions meshOptionsFrom(const OptionValues& values);
+
+/// Of a picture of that project.
+WarpOptions warpOptionsOf(const Project& project, const RunOptions& options);
+
+/// Throws InputError for a depth that the format of this picture does not hold.
+void requireDepth(const std::string& path, const RunOptions& options);
+
+}  // namespace wend

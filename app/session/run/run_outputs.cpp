@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/document/domain.h"
+#include "app/document/options/options.h"
+#include "app/session/run/output_set.h"
+#include "app/session/run/run.h"
+#include "app/session/run/shape_file.h"
+#include "app/session/shape/material_picture.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/number_text.h"
+
+namespace wend {
+namespace {
+
+void requirePicture(const Project& project, const std::string& path) {
+    const Domain& domain = domainOf(project);
+    if (dimensionOf(project) == 3)
+        throw InputError(path,
+                         "a picture of a solid is written by the window only; here its mesh can be, with "
+                         "--mesh or --frames");
+    if (domain.kind == DomainKind::Mesh && domain.texture.empty())
+        throw InputError(path, "there is no picture to warp: the project's domain has none");
+}
+
+void requireMaterialPicture(const Project& project, const std::string& path) {
+    if (path.empty()) return;
+    if (dimensionOf(project) == 3)
+        throw InputError(path, "a solid's material goes with its mesh, as values of cells: --mesh FILE.vtu");
+    if (path != "-" && !canWriteImage(path))
+        throw InputError(path, "is in no picture format that can be written");
+}
+
+bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
+    return std::ranges::any_of(words, [&](const char* one) { return word == one; });
+}
+
+void requireFrames(const Project& project, const std::string& path) {
+    const bool pictures = canWriteImage(path);
+    if (!isAnimation(path) && path.find('#') == std::string::npos)
+        throw InputError(path, "the name of a sequence needs #### in the place of the number");
+    if (pictures) return requirePicture(project, path);
+    requireShapeFormat(path, lowerExtension(path), dimensionOf(project));
+}
+
+}  // namespace
+
+bool isAnimation(const std::string& frames) {
+    return isOneOf(lowerExtension(frames), {".glb", ".webp"}) && frames.find('#') == std::string::npos;
+}
+
+std::string collectionName(const std::string& pattern) {
+    if (lowerExtension(pattern) != ".vtu") return {};
+    std::string stem = std::filesystem::path(pattern).stem().string();
+    const auto last = stem.find_last_of('#');
+    auto first = last;
+    while (first > 0 && stem[first - 1] == '#') --first;
+    stem.erase(first, last - first + 1);
+    while (!stem.empty() && std::string_view("_-. ").find(stem.back()) != std::string_view::npos)
+        stem.pop_back();
+    const std::string name = (stem.empty() ? "frames" : stem) + ".pvd";
+    return (std::filesystem::path(pattern).parent_path() / name).string();
+}
+
+void requirePossible(const Project& project, const RunOutputs& outputs) {
+    const auto extensionOf = [](const std::string& path, const char* standard) {
+        return path == "-" ? std::string(standard) : lowerExtension(path);
+    };
+    if (!outputs.image.empty()) {
+        requirePicture(project, outputs.image);
+        if (outputs.image != "-" && !canWriteImage(outputs.image))
+            throw InputError(outputs.image, "is in no picture format that can be written");
+    }
+    if (!outputs.mesh.empty())
+        requireShapeFormat(outputs.mesh, extensionOf(outputs.mesh, ".vtu"), dimensionOf(project));
+    if (!outputs.velocity.empty() && !isOneOf(extensionOf(outputs.velocity, ".csv"), {".csv", ".vtu"}))
+        throw InputError(outputs.velocity, "a velocity field is written as .csv or .vtu");
+    if (!outputs.stMap.empty()) {
+        requirePicture(project, outputs.stMap);
+        if (!isOneOf(extensionOf(outputs.stMap, ".exr"), {".exr", ".tif", ".tiff"}))
+            throw InputError(outputs.stMap,
+                             "an ST map needs a format with floating-point pixels: .exr or .tif");
+    }
+    for (const MaterialPart part : kMaterialParts)
+        requireMaterialPicture(project, outputs.material.*fileOf(part));
+    if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
+    const bool animation = isAnimation(outputs.frames);
+    requirePlaces({outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
+                   outputs.material.phi, outputs.material.stiffness, outputs.material.direction,
+                   animation ? outputs.frames : collectionName(outputs.frames)});
+    if (!outputs.frames.empty() && !animation) requirePlaces({outputs.frames});
+}
+
+View canvasView(const Image& picture, const Extent<2>& shape, const CanvasChoice& canvas) {
+    View view{picture.width, picture.height, Vec<2>::Zero(), 1};
+    if (canvas.kind == Canvas::Picture) return view;
+    const bool fits = canvas.kind == Canvas::Fit;
+    const PixelRect& part = canvas.part;
+    view.origin = fits ? Vec<2>(shape.low.array().floor()) : Vec<2>(part.x, part.y);
+    const Vec<2> size = fits ? Vec<2>((shape.high.array().ceil().matrix() - view.origin).cwiseMax(1))
+                             : Vec<2>(part.width, part.height);
+    if (!(size.maxCoeff() <= 1e6 && size.prod() <= 1e6 * kMaxMegapixels)) {
+        const auto rounded = [](double x) { return shortNumber(std::min(x, 1e15)); };
+        throw InputError((fits ? "the shape spans " : "the canvas has ") + rounded(size.x()) + " x " +
+                         rounded(size.y()) + " pixels, more than " + shortNumber(kMaxMegapixels) +
+                         " million");
+    }
+    view.width = static_cast<int>(size.x());
+    view.height = static_cast<int>(size.y());
+    return view;
+}
+
+template <int Dim>
+std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity) {
+    std::string text = Dim == 2 ? "x,y,vx,vy\n" : "x,y,z,vx,vy,vz\n";
+    for (Eigen::Index i = 0; i < pose.cols(); ++i) {
+        for (int a = 0; a < Dim; ++a) {
+            appendNumber(text, pose(a, i));
+            text += ',';
+        }
+        for (int a = 0; a < Dim; ++a) {
+            appendNumber(text, velocity(a, i));
+            text += a + 1 < Dim ? ',' : '\n';
+        }
+    }
+    return text;
+}
+
+template std::string velocityTable<2>(const Points<2>&, const Points<2>&);
+template std::string velocityTable<3>(const Points<3>&, const Points<3>&);
+
+}  // namespace wend

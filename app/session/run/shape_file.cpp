@@ -1,0 +1,206 @@
+#include "app/session/run/shape_file.h"
+
+#include <algorithm>
+
+#include "app/session/run/output_set.h"
+#include "core/energy/distortion.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/gltf.h"
+#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_formats.h"
+#include "core/mesh/number_text.h"
+#include "core/mesh/skin_file.h"
+#include "core/mesh/used_vertices.h"
+
+namespace wend {
+namespace {
+
+template <int Dim>
+MeshField directionsField(const std::vector<Mat<Dim>>& anisotropy) {
+    MeshField field{"B", true, Dim * Dim, {}};
+    for (const Mat<Dim>& B : anisotropy)
+        for (int i = 0; i < Dim; ++i)
+            for (int j = 0; j < Dim; ++j) field.values.push_back(B(i, j));
+    return field;
+}
+
+/// Three components in the plane too: that is what a vector is to other programs.
+template <int Dim>
+MeshField velocityField(const Points<Dim>& velocity) {
+    MeshField field{"velocity", false, 3, {}};
+    for (Eigen::Index i = 0; i < velocity.cols(); ++i)
+        for (int a = 0; a < 3; ++a) field.values.push_back(a < Dim ? velocity(a, i) : 0);
+    return field;
+}
+
+/// Values of cells at the vertices: means over the cells around, weighted with their rest volumes.
+std::vector<double> atVertices(const SimplicialMesh<3>& rest, const MeshField& field) {
+    std::vector<double> values(static_cast<std::size_t>(rest.vertexCount()) * field.components, 0.0);
+    std::vector<double> weights(static_cast<std::size_t>(rest.vertexCount()), 0.0);
+    for (int c = 0; c < rest.cellCount(); ++c) {
+        const double weight = std::abs(cellMeasure<3>(rest.points, rest.cells[c]));
+        for (int v : rest.cells[c]) {
+            weights[v] += weight;
+            for (int k = 0; k < field.components; ++k)
+                values[v * field.components + k] += weight * field.values[c * field.components + k];
+        }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (const double weight = weights[i / field.components]; weight > 0) values[i] /= weight;
+    return values;
+}
+
+/// A field of the solid, at the vertices of the skin embedded in it.
+MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
+    const std::vector<double> values = field.perCell ? atVertices(*shape.rest, field) : field.values;
+    MeshField carried{field.name, false, field.components, {}};
+    carried.values.resize(static_cast<std::size_t>(shape.skin->vertexCount()) * field.components);
+    Points<3> one = Points<3>::Zero(3, shape.rest->vertexCount());
+    for (int k = 0; k < field.components; ++k) {
+        for (int v = 0; v < shape.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
+        const Points<3> there = shape.embedding->interpolate(*shape.rest, one);
+        for (int v = 0; v < shape.skin->vertexCount(); ++v)
+            carried.values[v * field.components + k] = there(0, v);
+    }
+    return carried;
+}
+
+void addUv(const Shape<2>& shape, MeshFile& file) {
+    const auto& pixels = restInPixels(shape).points;
+    file.uv.resize(2, pixels.cols());
+    file.uv.row(0) = pixels.row(0) / shape.picture->width;
+    file.uv.row(1) = 1 - pixels.row(1).array() / shape.picture->height;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
+                                   const Points<Dim>& velocity) {
+    const Distortion error = distortion(*shape.rest, pose);
+    std::vector<MeshField> fields{{"error_angle", true, 1, error.angle},
+                                  {"error_volume", true, 1, error.volume},
+                                  {"error_metric", true, 1, error.metric},
+                                  {"ratio", true, 1, error.ratio},
+                                  {"phi", true, 1, shape.material->phi}};
+    if (!shape.material->anisotropy.empty())
+        fields.push_back(directionsField<Dim>(shape.material->anisotropy));
+    if (velocity.cols() > 0) fields.push_back(velocityField<Dim>(velocity));
+    return fields;
+}
+
+template <int Dim>
+MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose, const std::vector<MeshField>& fields) {
+    MeshFile file = shape.source ? *shape.source : toMeshFile<Dim>(*shape.rest);
+    if (file.points.cols() != pose.cols())
+        throw InputError("the mesh has " + std::to_string(file.points.cols()) + " vertices, its pose " +
+                         std::to_string(pose.cols()));
+    file.points.template topRows<Dim>() = pose;
+    if constexpr (Dim == 2)
+        if (!shape.source && shape.picture) addUv(shape, file);
+    for (const MeshField& field : fields) {
+        std::erase_if(file.fields, [&](const MeshField& old) {
+            return old.name == field.name && old.perCell == field.perCell;
+        });
+        file.fields.push_back(field);
+    }
+    return file;
+}
+
+template <int Dim>
+Points<Dim> writtenPart(const Shape<Dim>& shape, const Points<Dim>& columns) {
+    if (!shape.source || !shape.source->made) return columns;
+    const std::vector<bool> used = usedVertices<Dim>(columns.cols(), shape.rest->cells);
+    std::vector<int> kept;
+    for (int v = 0; v < columns.cols(); ++v)
+        if (used[v]) kept.push_back(v);
+    return columns(Eigen::all, kept);
+}
+
+template <int Dim>
+void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
+                const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
+    if constexpr (Dim == 3)
+        if (isSkinFile(path)) {
+            std::vector<MeshField> carried;
+            if (holdsFields(path))
+                for (const MeshField& field : fields) carried.push_back(onSkin(shape, field));
+            return writeSkin(path, *shape.skin, shape.embedding->carry(*shape.rest, pose), carried, options);
+        }
+    writeMeshFile(path, poseFile(shape, pose, fields), options);
+}
+
+void requireShapeFormat(const std::string& path, const std::string& extension, int dimension) {
+    std::vector<std::string> known = meshFileExtensions();
+    if (dimension == 3) known.push_back(".glb");
+    if (std::ranges::find(known, extension) != known.end()) return;
+    std::string list;
+    for (const std::string& one : known) list += " " + one;
+    throw InputError(path, "is in no known mesh format; known are" + list);
+}
+
+/// Of those that get the skin, one.
+bool holdsFields(const std::string& path) {
+    return !isSkinFile(path) || lowerExtension(path) == ".ply";
+}
+
+namespace {
+
+/// True if the format of the path is such a one.
+bool isOneWith(bool MeshFormatFacts::*fact, const std::string& path) {
+    return std::ranges::any_of(meshFormatFacts(), [&](const MeshFormatFacts& format) {
+        return format.*fact && std::ranges::count(format.extensions, lowerExtension(path)) > 0;
+    });
+}
+
+}  // namespace
+
+bool carriesValues(const std::string& path) {
+    return isOneWith(&MeshFormatFacts::holdsFields, path);
+}
+
+bool knowsEncodings(const std::string& path) {
+    return isOneWith(&MeshFormatFacts::knowsBinary, path);
+}
+
+bool isSkinFile(const std::string& path) {
+    return std::ranges::count(skinFileExtensions(), lowerExtension(path)) > 0;
+}
+
+void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
+                    double framesPerSecond) {
+    std::vector<Points<3>> carried;
+    std::vector<double> times;
+    for (const Points<3>& pose : poses) {
+        times.push_back(static_cast<double>(times.size()) / framesPerSecond);
+        carried.push_back(shape.embedding->carry(*shape.rest, pose));
+    }
+    writeGltf(path, gltfScene(*shape.skin, carried, times));
+}
+
+std::string collectionText(const std::vector<std::string>& files, const std::vector<double>& times) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        text += "<DataSet timestep=\"";
+        appendNumber(text, times[i]);
+        text += "\" part=\"0\" file=\"";
+        for (char c : files[i])
+            text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+        text += "\"/>\n";
+    }
+    return text + "</Collection>\n</VTKFile>\n";
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                              \
+    template std::vector<MeshField> shapeFields<Dim>(const Shape<Dim>&, const Points<Dim>&,                \
+                                                     const Points<Dim>&);                                  \
+    template MeshFile poseFile<Dim>(const Shape<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
+    template Points<Dim> writtenPart<Dim>(const Shape<Dim>&, const Points<Dim>&);                          \
+    template void writeShape<Dim>(const std::string&, const Shape<Dim>&, const Points<Dim>&,               \
+                                  const std::vector<MeshField>&, const MeshWriteOptions&);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+
+}  // namespace wend

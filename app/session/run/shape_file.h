@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/shape/shape.h"
+#include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_write_options.h"
+
+namespace wend {
+
+struct MeshFile;
+
+/// The values that go along with a deformed mesh: per cell "error_angle", "error_volume", "error_metric",
+/// "ratio" (of its volume or area), "phi", and "B" (row-major) if the material has directions; per vertex
+/// "velocity", if it has columns. `pose` may be the rest.
+template <int Dim>
+std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
+                                   const Points<Dim>& velocity = {});
+
+/// The mesh of a pose with what the domain's file said beside it: uv, fields, labels, order and count. Of a
+/// picture, uv come from the rest mesh. `fields` win over those of the same name. Throws InputError for a
+/// pose of another mesh.
+template <int Dim>
+MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose,
+                  const std::vector<MeshField>& fields = {});
+
+/// The columns of the vertices that meshes are written with: see MeshFile::made.
+template <int Dim>
+Points<Dim> writtenPart(const Shape<Dim>& shape, const Points<Dim>& columns);
+
+/// Writes a pose. In space, formats of surfaces get the skin, with the fields at its vertices; others the
+/// tetrahedra. Throws InputError.
+template <int Dim>
+void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
+                const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
+
+/// Throws InputError that lists the formats that a shape of this dimension can be written in if `extension`,
+/// lower case with its dot, is of none. `path` is what the user named.
+void requireShapeFormat(const std::string& path, const std::string& extension, int dimension);
+
+/// True for formats of solids that keep shapeFields().
+bool holdsFields(const std::string& path);
+
+/// True for formats in which shapeFields() are to be found again by other programs.
+bool carriesValues(const std::string& path);
+/// True for formats whose numbers can be text or binary.
+bool knowsEncodings(const std::string& path);
+
+/// True for formats that get the skin of a solid.
+bool isSkinFile(const std::string& path);
+
+/// Poses one after another as one file: morph targets of a .glb, `framesPerSecond` of them a second.
+void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
+                    double framesPerSecond);
+
+/// A ParaView collection (.pvd) of files that lie beside it.
+std::string collectionText(const std::vector<std::string>& files, const std::vector<double>& times);
+
+}  // namespace wend

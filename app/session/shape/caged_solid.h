@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/session/shape/solid.h"
+
+namespace wend {
+
+/// A cage of even cells that a surface is embedded in; `why` says why it was chosen by itself, and is empty
+/// if it was asked for. Throws InputError, Cancelled.
+Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
+                    std::stop_token stop, Advice advice);
+
+/// Why the exact surface is not even tried: it has more than eight times the vertices that are aimed at.
+/// Empty otherwise, and where handles name its vertices by number.
+std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin);
+
+/// What lies in a plane is meant as a mesh of the plane: only who asks for it gets a slab.
+bool liesInAPlane(const Skin& skin);
+
+/// Whether there is anything that a cage could be made around.
+bool canBeCaged(const Skin& skin);
+
+}  // namespace wend

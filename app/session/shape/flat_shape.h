@@ -1,0 +1,35 @@
+#pragma once
+
+#include <stop_token>
+
+#include "app/document/project_fwd.h"
+#include "app/session/shape/shape.h"
+#include "core/meshing/outline.h"
+
+namespace wend {
+
+/// The picture of the domain, or null if it has none.
+std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder);
+
+/// What of a picture is bent.
+Outline domainOutline(const Domain& domain, const Image& picture);
+
+/// The mesh of an outline; points of handles that are there from the start become vertices.
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
+                                                     const Outline& outline, std::stop_token stop = {});
+
+/// Tells of a mesh that has far more vertices than were aimed at.
+void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<std::string>& notices);
+
+/// The shape of a file's mesh in the plane, without material. Throws InputError that names the file.
+Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder);
+
+/// WarpOptions::restMargin for the domain's outline: what growing it reaches, if it follows alpha.
+int restMarginOf(const Domain& domain);
+
+/// Where the rest mesh lies in the picture: with uv (one per vertex, origin at the bottom left) by them, and
+/// poses through the affine map that fits them best; without uv, coordinates are pixels.
+Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>> rest,
+                  const Eigen::Matrix2Xd& uv);
+
+}  // namespace wend

@@ -1,0 +1,206 @@
+#include "app/session/shape/material_raster.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <ranges>
+
+#include "app/document/edits/material_edits.h"
+#include "app/document/file/named_files.h"
+#include "app/session/shape/material_picture.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+template <int Dim>
+Vec<Dim> centroid(const SimplicialMesh<Dim>& mesh, int cell) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int vertex : mesh.cells[cell]) sum += mesh.points.col(vertex);
+    return sum / (Dim + 1);
+}
+
+void requireCount(const char* key, std::size_t count, int cells) {
+    if (count == 0 || count == static_cast<std::size_t>(cells)) return;
+    throw InputError(std::string("material.cells.") + key + ": has " + std::to_string(count) +
+                     " entries, but the mesh has " + std::to_string(cells) + " cells");
+}
+
+/// The values per cell, from the spec or the file that it names.
+template <int Dim>
+MaterialSpec<Dim> withCells(MaterialSpec<Dim> spec, const std::string& folder, int cells) {
+    const bool fromFile = !spec.cellsFile.empty() && spec.cellPhi.empty() && spec.cellB.empty();
+    const std::string path = fromFile ? pathIn(folder, spec.cellsFile) : std::string();
+    if (fromFile) readCells<Dim>(path, spec);
+    try {
+        requireCount("phi", spec.cellPhi.size(), cells);
+        requireCount("B", spec.cellB.size(), cells);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    return spec;
+}
+
+/// Where the cells' values are taken. Neighbours in the list are mostly neighbours in the shape, so that a
+/// box around each few spares asking all of them about a ball.
+template <int Dim>
+class Centres {
+  public:
+    explicit Centres(const SimplicialMesh<Dim>& rest) : m_at(Dim, rest.cellCount()) {
+        for (int c = 0; c < rest.cellCount(); ++c) m_at.col(c) = centroid(rest, c);
+        for (int first = 0; first < rest.cellCount(); first += kBlock) {
+            const auto block = m_at.middleCols(first, std::min<Eigen::Index>(kBlock, m_at.cols() - first));
+            m_boxes.push_back({block.rowwise().minCoeff(), block.rowwise().maxCoeff()});
+        }
+    }
+    /// The cells that a region reaches with its soft edge, with how far they belong to it.
+    template <class Take>
+    void forCellsIn(const MaterialRegion<Dim>& region, const Take& take) const {
+        for (std::size_t b = 0; b < m_boxes.size(); ++b) {
+            if (endsBefore(region, m_boxes[b])) continue;
+            const int first = static_cast<int>(b) * kBlock;
+            for (int c = first; c < std::min<int>(first + kBlock, static_cast<int>(m_at.cols())); ++c) {
+                const double m = membership<Dim>(region.shape, m_at.col(c), region.feather);
+                if (m > 0) take(c, m);
+            }
+        }
+    }
+
+  private:
+    static constexpr int kBlock = 16;
+
+    static bool endsBefore(const MaterialRegion<Dim>& region, const Box<Dim>& box) {
+        const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
+        if (!ball) return false;
+        const double reach = (1 + 1e-9) * (ball->radius + region.feather / 2);  // membership() rounds
+        return (ball->centre - ball->centre.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm() >
+               reach * reach;
+    }
+
+    Points<Dim> m_at;
+    std::vector<Box<Dim>> m_boxes;
+};
+
+/// Lays layers upon a material, each a run of regions of one name.
+template <int Dim>
+class Layers {
+  public:
+    Layers(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
+        : m_rest(rest), m_folder(folder), m_centres(rest), m_material(material) {}
+
+    void lay(std::span<const MaterialRegion<Dim>> regions) {
+        while (!regions.empty()) {
+            const std::size_t count = layerEnd<Dim>(regions);
+            const auto layer = regions.first(count);
+            layLayer(layer, std::ranges::any_of(layer, &MaterialRegion<Dim>::erases));
+            regions = regions.subspan(count);
+        }
+    }
+    void layLayer(std::span<const MaterialRegion<Dim>> layer, bool covers) {
+        m_cover.clear();
+        if (covers) m_below = m_material, m_cover.assign(m_rest.cells.size(), 0);
+        for (const auto& region : layer) {
+            if (region.hidden) continue;
+            region.erases() ? erase(region) : layRegion(region);
+        }
+    }
+    /// How much the layer that was laid last covers the cells, if that was asked for.
+    const std::vector<double>& cover() const { return m_cover; }
+
+  private:
+    void layRegion(const MaterialRegion<Dim>& region) {
+        if (!m_cover.empty())
+            m_centres.forCellsIn(region, [&](int c, double m) { m_cover[c] += m * (1 - m_cover[c]); });
+        if constexpr (Dim == 2)
+            if (region.pictures.any()) return layPictures(region, m_rest, m_folder, m_material);
+        if (region.phi)
+            m_centres.forCellsIn(
+                region, [&](int c, double m) { m_material.phi[c] += m * (*region.phi - m_material.phi[c]); });
+        if (!region.stiffness) return;
+        const Mat<Dim> B = anisotropyOf<Dim>(*region.stiffness);
+        if (m_material.anisotropy.empty())
+            m_material.anisotropy.assign(m_rest.cells.size(), Mat<Dim>::Identity());
+        m_centres.forCellsIn(region, [&](int c, double m) {
+            m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * B;
+        });
+    }
+    /// The layer's cover falls to what is left, and with it how far the material is from that below.
+    void erase(const MaterialRegion<Dim>& region) {
+        m_centres.forCellsIn(region, [&](int c, double m) {
+            const double before = m_cover[c];
+            m_cover[c] = (1 - m) * before + m * std::min(before, region.leaves);
+            if (m_cover[c] == before) return;
+            const double kept = m_cover[c] / before;
+            m_material.phi[c] = kept * m_material.phi[c] + (1 - kept) * m_below.phi[c];
+            if (m_material.anisotropy.empty()) return;
+            const Mat<Dim> B =
+                m_below.anisotropy.empty() ? Mat<Dim>::Identity().eval() : m_below.anisotropy[c];
+            m_material.anisotropy[c] = kept * m_material.anisotropy[c] + (1 - kept) * B;
+        });
+    }
+
+    const SimplicialMesh<Dim>& m_rest;
+    const std::string& m_folder;
+    Centres<Dim> m_centres;
+    Material<Dim>& m_material;
+    Material<Dim> m_below;
+    std::vector<double> m_cover;
+};
+
+}  // namespace
+
+/// B₀ = I + (s − 1) a aᵀ (docs/method.md, (6)).
+template <int Dim>
+Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
+    const Vec<Dim> a = stiffness.axis.stableNormalized();
+    return Mat<Dim>::Identity() + (stiffness.ratio - 1) * a * a.transpose();
+}
+
+template <int Dim>
+Stiffness<Dim> stiffnessOf(const Mat<Dim>& B) {
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> axes(B);
+    return {axes.eigenvectors().col(Dim - 1), axes.eigenvalues()[Dim - 1] / axes.eigenvalues()[0]};
+}
+
+template <int Dim>
+void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
+                const std::string& folder, Material<Dim>& material) {
+    Layers<Dim>(rest, folder, material).lay(regions);
+}
+
+template <int Dim>
+std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
+                            const std::string& folder) {
+    auto material = Material<Dim>::uniform(rest.cellCount(), phi::kMetr);
+    Layers<Dim> layers(rest, folder, material);
+    layers.layLayer(layer, true);
+    return layers.cover();
+}
+
+template <int Dim>
+std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& given,
+                                                       const SimplicialMesh<Dim>& rest,
+                                                       const std::string& folder) {
+    const MaterialSpec<Dim> spec = withCells(given, folder, rest.cellCount());
+    auto material =
+        std::make_shared<Material<Dim>>(Material<Dim>::uniform(rest.cellCount(), spec.phi, spec.smoothing));
+    material->memory = spec.memory;
+    if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
+    material->anisotropy = spec.cellB;
+    layRegions<Dim>(spec.regions, rest, folder, *material);
+    return material;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                       \
+    template Mat<Dim> anisotropyOf<Dim>(const Stiffness<Dim>&);                                     \
+    template Stiffness<Dim> stiffnessOf<Dim>(const Mat<Dim>&);                                      \
+    template void layRegions<Dim>(std::span<const MaterialRegion<Dim>>, const SimplicialMesh<Dim>&, \
+                                  const std::string&, Material<Dim>&);                              \
+    template std::vector<double> coverOf<Dim>(std::span<const MaterialRegion<Dim>>,                 \
+                                              const SimplicialMesh<Dim>&, const std::string&);      \
+    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                           \
+        const MaterialSpec<Dim>&, const SimplicialMesh<Dim>&, const std::string&)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

@@ -1,0 +1,162 @@
+#include "app/session/shape/shape_builder.h"
+
+#include <algorithm>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/file/named_files.h"
+#include "app/document/options/settings.h"
+#include "app/session/shape/flat_shape.h"
+#include "app/session/shape/material_raster.h"
+#include "app/session/shape/mesh_rest.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+namespace {
+
+constexpr std::size_t kKept = 2;
+
+template <int Dim>
+const Design<Dim>& designOf(const ShapeInputs& inputs) {
+    return wend::designOf<Dim>(*inputs.project);
+}
+
+bool sameOutline(const Project& a, const Project& b) {
+    const Domain &p = domainOf(a), &q = domainOf(b);
+    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Outline) &&
+           p.polygons.loops == q.polygons.loops;
+}
+
+/// The points that become vertices of the mesh: those of handles that are there from the start.
+std::vector<Vec<2>> startPoints(const ShapeInputs& inputs) {
+    std::vector<Vec<2>> points;
+    for (const Handle<2>& handle : designOf<2>(inputs).handles)
+        if (const auto* own = std::get_if<std::vector<Vec<2>>>(&handle.at); own && handle.activeFrom <= 0)
+            points.insert(points.end(), own->begin(), own->end());
+    return points;
+}
+
+template <int Dim>
+bool sameStiffness(const std::optional<Stiffness<Dim>>& a, const std::optional<Stiffness<Dim>>& b) {
+    return a.has_value() == b.has_value() && (!a || (a->axis == b->axis && a->ratio == b->ratio));
+}
+
+template <int Dim>
+bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
+    const bool erases = std::ranges::any_of(a.regions, &MaterialRegion<Dim>::erases);  // within names
+    const auto same = [erases](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
+        return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
+               p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden &&
+               p.leaves == q.leaves && (!erases || p.name == q.name);
+    };
+    return a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
+           std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
+}
+
+}  // namespace
+
+bool sameSolid(const Project& a, const Project& b) {
+    const Domain &p = domainOf(a), &q = domainOf(b);
+    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) && p.fixes == q.fixes &&
+           p.sizesFile == q.sizesFile && p.sizes == q.sizes && p.detail == q.detail;
+}
+
+int ShapeInputs::dimension() const {
+    return dimensionOf(*project);
+}
+
+template <int Dim>
+bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
+    const Project &a = *made.inputs.project, &b = *inputs.project;
+    if constexpr (Dim == 3) return sameSolid(a, b);
+    const Domain &p = domainOf(a), &q = domainOf(b);
+    return sameOutline(a, b) && sameSettings(a, b, Makes::Mesh) && p.texture == q.texture &&
+           p.flatSizes == q.flatSizes &&
+           (q.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
+}
+
+template <int Dim>
+bool ShapeBuilder<Dim>::hasMaterial(const Made& made, const ShapeInputs& inputs) {
+    return sameSettings(*made.inputs.project, *inputs.project, Makes::Material) &&
+           sameRegionsAndCells(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
+}
+
+/// The outline is kept: most changes leave it as it is.
+template <int Dim>
+std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const ShapeInputs& inputs,
+                                                                        const Image& picture,
+                                                                        std::stop_token stop) try {
+    const Domain& domain = domainOf(*inputs.project);
+    if (!m_outline || m_outlineFrom.generation != inputs.generation ||
+        !sameOutline(*m_outlineFrom.project, *inputs.project)) {
+        m_outline.reset();
+        m_outline = std::make_shared<const Outline>(domainOutline(domain, picture));
+        m_outlineFrom = inputs;
+    }
+    return meshPicture(domain, designOf<2>(inputs), *m_outline, stop);
+} catch (const InputError& error) {
+    if (m_advice == Advice::None) throw;
+    // Polygons stand in the project, whose file the caller names.
+    if (domainOf(*inputs.project).outline == OutlineKind::Polygons)
+        throw InputError("domain.outline.polygons: " + error.reason());
+    throw error.named(pathIn(inputs.folder, domainOf(*inputs.project).path));
+}
+
+template <>
+Shape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+    Shape<3> shape = loadSolid(domainOf(*inputs.project), designOf<3>(inputs), inputs.folder, stop, m_advice);
+    shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
+    return shape;
+}
+
+template <>
+Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+    const Domain& domain = domainOf(*inputs.project);
+    Shape<2> shape;
+    if (domain.kind == DomainKind::Image) {
+        shape.picture = inputs.picture ? inputs.picture : loadPicture(domain, inputs.folder);
+        shape.rest = meshOutline(inputs, *shape.picture, stop);
+        tellOfAim(domain, *shape.rest, shape.notices);
+    } else {
+        shape = loadFlatMesh(domain, inputs.folder);
+    }
+    tellOfHanging<2>(*shape.rest, shape.notices);
+    return shape;
+}
+
+template <int Dim>
+Shape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) try {
+    std::erase_if(m_made, [&](const Made& made) { return made.inputs.generation != inputs.generation; });
+    const auto known = std::ranges::find_if(m_made, [&](const Made& made) { return hasMesh(made, inputs); });
+    const bool isKnown = known != m_made.end();
+    Made now{inputs, isKnown ? known->shape : makeMesh(inputs, stop)};
+    if (stop.stop_requested() || !now.shape.rest) return {};
+    if (!isKnown || !hasMaterial(*known, inputs))
+        now.shape.material =
+            rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *now.shape.rest, inputs.folder);
+    if (isKnown) m_made.erase(known);
+    m_made.insert(m_made.begin(), now);
+    m_made.resize(std::min(m_made.size(), kKept));
+    return now.shape;
+} catch (const Cancelled&) {
+    return {};
+}
+
+AnyShape loadShape(const Project& project, const std::string& folder, std::stop_token stop) {
+    const auto load = [&]<int Dim>(ShapeBuilder<Dim> builder) -> AnyShape {
+        ShapeInputs inputs;
+        inputs.project = copyOf(project);
+        inputs.folder = folder;
+        Shape<Dim> shape = builder.build(inputs, stop);
+        if (!shape.rest) throw Cancelled();
+        return shape;
+    };
+    return dimensionOf(project) == 3 ? load(ShapeBuilder<3>(Advice::Keys))
+                                     : load(ShapeBuilder<2>(Advice::Keys));
+}
+
+template class ShapeBuilder<2>;
+template class ShapeBuilder<3>;
+
+}  // namespace wend

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <stop_token>
+
+#include "app/session/shape/shape.h"
+#include "app/session/shape/solid.h"
+#include "core/meshing/outline.h"
+
+namespace wend {
+
+/// What a shape depends on: immutable values of the document.
+struct ShapeInputs {
+    int generation = 0;  // of the opened file
+    int revision = 0;    // of the request
+    std::shared_ptr<const Project> project;
+    std::shared_ptr<const Image> picture;  // of the domain; null: it is read
+    std::string folder;
+
+    int dimension() const;
+};
+
+/// True if both make the same solid.
+bool sameSolid(const Project& a, const Project& b);
+
+/// Outline, mesh and material of a project, made again only where the inputs are neither those of the last
+/// time nor those of the time before, to which one goes back by undo or by cancelling. The project's
+/// dimension must be Dim.
+template <int Dim>
+class ShapeBuilder {
+  public:
+    explicit ShapeBuilder(Advice advice = Advice::None) : m_advice(advice) {}
+
+    /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped; what was
+    /// made before is kept then.
+    Shape<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
+
+  private:
+    Shape<Dim> makeMesh(const ShapeInputs& inputs, std::stop_token stop);
+    std::shared_ptr<const SimplicialMesh<2>> meshOutline(const ShapeInputs& inputs, const Image& picture,
+                                                         std::stop_token stop);
+    struct Made {
+        ShapeInputs inputs;
+        Shape<Dim> shape;
+    };
+    static bool hasMesh(const Made& made, const ShapeInputs& inputs);
+    static bool hasMaterial(const Made& made, const ShapeInputs& inputs);
+
+    Advice m_advice;
+    std::vector<Made> m_made;  // the newest first, of one file
+    ShapeInputs m_outlineFrom;
+    std::shared_ptr<const Outline> m_outline;  // 2D only
+};
+
+/// From nothing, with words of the command line in what is told. Throws InputError, and Cancelled when
+/// stopped.
+AnyShape loadShape(const Project& project, const std::string& folder, std::stop_token stop = {});
+
+}  // namespace wend

@@ -1,0 +1,238 @@
+#include "app/session/shape/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/file/named_files.h"
+#include "app/session/shape/caged_solid.h"
+#include "app/session/shape/mesh_rest.h"
+#include "core/mesh/error.h"
+#include "core/mesh/mesh_of_file.h"
+#include "core/mesh/point_locator.h"
+#include "core/mesh/skin_file.h"
+#include "core/mesh/used_vertices.h"
+#include "core/meshing/volume_mesher.h"
+
+namespace wend {
+namespace {
+
+/// 1, times the painted factors, and then the regions one after another.
+SizeGrid sizesOf(const Domain& domain, const std::string& folder, const Surface& surface) {
+    if (domain.sizes.empty() && domain.sizesFile.empty()) return {};
+    std::vector<double> painted;
+    if (!domain.sizesFile.empty())
+        painted = readSizes(pathIn(folder, domain.sizesFile), surface.vertexCount());
+    const std::vector<Cell<3>> noCells;
+    const PointLocator<3> locator(surface.points, noCells);
+    return sampleSizes(surface, [&](const Vec<3>& p) {
+        double factor = painted.empty() ? 1 : painted[locator.nearestVertex(p)];
+        for (const SizeRegion& region : domain.sizes)
+            factor += membership<3>(region.shape, p, region.feather) * (region.factor - factor);
+        return factor;
+    });
+}
+
+VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, const Surface& surface,
+                              std::stop_token stop) {
+    VolumeMeshOptions options;
+    options.quality = domain.quality;
+    options.maxVolume = domain.maxVolume;
+    options.vertices = domain.maxVolume > 0 ? 0 : domain.vertices;
+    options.keepSurface = !domain.refineSurface;
+    options.sizes = sizesOf(domain, folder, surface);
+    options.stop = stop;
+    return options;
+}
+
+/// What a repair did, and what it left that another limit would not.
+struct Repairing {
+    std::string done, undone;
+};
+
+/// What a higher limit would do.
+std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
+    if (report.largerHoles.empty()) return {};
+    const int largest = report.largerHoles.back();
+    const std::size_t count = report.largerHoles.size();
+    return (count == 1 ? "1 hole of " : std::to_string(count) + " holes of up to ") +
+           std::to_string(largest) + " edges stayed open, larger than the limit of " + std::to_string(limit) +
+           (advice == Advice::Keys ? ": `largestHole` or --largest-hole " + std::to_string(largest) +
+                                         (count == 1 ? " fills it" : " fills them")
+                                   : "");
+}
+
+/// Single faults first, then as many as the simple repairs do.
+Surface repaired(const Surface& surface, const Domain& domain, Shape<3>& solid, Repairing& repairing,
+                 Advice advice) {
+    RepairReport report;
+    Surface better = fixSurface(surface, domain.fixes).surface;
+    if (domain.repair) better = repairSurface(better, domain.largestHole, report);
+    report.steps = static_cast<int>(domain.fixes.size());
+    repairing.done = report.summary();
+    repairing.undone = largerHoles(report, domain.largestHole, advice);
+    if (!repairing.done.empty()) solid.notices.push_back("the surface was repaired: " + repairing.done);
+    return better;
+}
+
+bool repairHelps(const Surface& surface, int largestHole) {
+    RepairReport report;
+    return checkSurface(repairSurface(surface, largestHole, report)).boundsVolume();
+}
+
+std::string help(const Surface& surface, const Domain& domain, const Repairing& repairing, Advice advice) {
+    const std::string after = repairing.done.empty() ? "" : " (after the repair: " + repairing.done + ")";
+    if (!domain.repair) {
+        if (advice == Advice::None) return {};
+        return after + "; `wend info` lists them" +
+               (repairHelps(surface, domain.largestHole) ? ", `repair` may help" : "");
+    }
+    return (after.empty() ? "; the repair found nothing that it could repair" : after) +
+           (repairing.undone.empty() ? "" : "; " + repairing.undone);
+}
+
+VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, const Domain& domain,
+                  const Repairing& repairing, Advice advice) {
+    try {
+        return meshVolume(surface, options);
+    } catch (const SurfaceError& error) {
+        throw SurfaceError(error.reason() + help(surface, domain, repairing, advice), error.problems);
+    }
+}
+
+/// Far coarser triangles than cells: the mesher cannot split them, and crowds its vertices in places.
+bool surfaceIsTooCoarse(const Surface& surface, const SimplicialMesh<3>& mesh) {
+    double volume = 0, length = 0;
+    for (const auto& cell : mesh.cells) volume += cellMeasure<3>(mesh.points, cell);
+    for (const auto& t : surface.triangles)
+        for (int k = 0; k < 3; ++k)
+            length += (surface.points.col(t[k]) - surface.points.col(t[(k + 1) % 3])).norm();
+    const double ofTriangles = length / (3.0 * surface.triangleCount());
+    const double ofCells = std::cbrt(6 * std::sqrt(2.0) * volume / mesh.cellCount());  // regular ones
+    return ofTriangles > 2 * ofCells;
+}
+
+/// What the mesh could not be, and the key that helps.
+void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& volume, Advice advice,
+                Shape<3>& solid) {
+    const bool keys = advice == Advice::Keys;
+    if (!volume.aimMet) {
+        std::string why = "the quality asked for needs them";
+        if (!domain.refineSurface)
+            why = std::string("the surface is kept as it is") + (keys ? " (see `refineSurface`)" : "");
+        solid.notices.push_back("the mesh has " + std::to_string(volume.usedCount()) + " vertices, where " +
+                                std::to_string(domain.vertices) + " were aimed at: " + why);
+    }
+    const bool coarse = !domain.refineSurface && surfaceIsTooCoarse(surface, volume.mesh);
+    if (coarse)
+        solid.notices.push_back(
+            std::string("the surface's triangles are far larger than the cells inside and are kept as they "
+                        "are, which makes uneven cells") +
+            (keys ? ": `refineSurface` splits them" : ""));
+    if (const std::string text = solid.verdict->text(); !text.empty()) solid.notices.push_back(text);
+    solid.refineHelps = coarse || (!volume.aimMet && !domain.refineSurface && domain.vertices > 0 &&
+                                   volume.usedCount() < domain.vertices);
+}
+
+void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
+    const int spare = volume.mesh.vertexCount() - volume.usedCount();
+    if (spare == 1)
+        solid.notices.push_back(
+            "1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, "
+            "and so with other numbers behind it");
+    if (spare > 1)
+        solid.notices.push_back(std::to_string(spare) +
+                                " vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
+                                "written without them, and so with other numbers behind them");
+}
+
+Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
+                    const VolumeMeshOptions& options, Advice advice) {
+    Shape<3> solid;
+    Surface surface = surfaceOf(*skin);
+    Repairing repairing;
+    if (domain.repair || !domain.fixes.empty()) surface = repaired(surface, domain, solid, repairing, advice);
+    const VolumeMesh volume = meshed(surface, options, domain, repairing, advice);
+    solid.verdict =
+        verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && repairing.done.empty());
+    tellOfMesh(domain, surface, volume, advice, solid);
+    tellOfSpares(volume, solid);
+    solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
+    solid.source =
+        madeMeshFile(volume.mesh, volume.boundary,
+                     skin->labels.empty() ? std::vector<int>() : volume.boundaryLabels, skin->labelNames);
+    solid.skin = skin;
+    return solid;
+}
+
+/// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
+Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::string& folder,
+                     std::stop_token stop, Advice advice) {
+    const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
+    // Painted sizes belong to the vertices as the file has them.
+    const VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);
+    if (domain.fit == Fit::Cage) return cagedSolid(domain, skin, "", stop, advice);
+    if (domain.fit == Fit::Exact) return exactSolid(domain, skin, options, advice);
+    if (const std::string why = tooManyVertices(domain, design, *skin); !why.empty())
+        return cagedSolid(domain, skin, why, stop, advice);
+    try {
+        return exactSolid(domain, skin, options, advice);
+    } catch (const MesherLost&) {
+        throw;
+    } catch (const InputError& error) {
+        if (!canBeCaged(*skin)) throw;
+        if (liesInAPlane(*skin))
+            throw InputError(error.reason() + (advice == Advice::Keys ? "; `cage` makes a slab of it" : ""));
+        return cagedSolid(domain, skin, "it cannot be meshed as it is: " + error.reason(), stop, advice);
+    }
+}
+
+Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
+    const std::string path = pathIn(folder, domain.path);
+    const auto file = sharedMeshFile(path);
+    if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
+    Shape<3> solid;
+    solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices);
+    solid.source = file;
+    solid.skin = std::make_shared<const Skin>(boundaryOf(*solid.rest));
+    return solid;
+}
+
+void tellOfOutside(const Domain& domain, Shape<3>& solid) {
+    const int outside = solid.embedding->outside(), all = solid.skin->vertexCount();
+    if (!domain.detail.empty() && 2 * outside > all)
+        solid.notices.push_back(domain.detail + ": " + std::to_string(outside) + " of " +
+                                std::to_string(all) + " vertices lie outside the solid that carries them");
+}
+
+}  // namespace
+
+Surface surfaceOf(const Skin& skin) {
+    return {skin.points, skin.triangles, skin.labels};
+}
+
+Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::string& folder,
+                   std::stop_token stop, Advice advice) {
+    const std::string path = pathIn(folder, domain.path);
+    Shape<3> solid;
+    try {
+        solid = domain.kind == DomainKind::Surface ? fromSurface(domain, design, folder, stop, advice)
+                                                   : fromMesh(domain, folder);
+    } catch (const SurfaceError& error) {
+        throw SurfaceError(error, path);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    if (!domain.detail.empty())
+        solid.skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.detail)));
+    if (stop.stop_requested()) throw Cancelled();
+    for (const std::string& warning : solid.skin->warnings)
+        solid.notices.push_back(solid.skin->path + ": " + warning);
+    solid.embedding = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
+    tellOfOutside(domain, solid);
+    tellOfHanging<3>(*solid.rest, solid.notices);
+    return solid;
+}
+
+}  // namespace wend

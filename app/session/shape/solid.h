@@ -1,0 +1,24 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "app/document/project_fwd.h"
+#include "app/session/shape/shape.h"
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+/// Whether messages name the project's keys and the commands that help: the window has words of its own.
+enum class Advice { Keys, None };
+
+/// The shape of a project in space, without material (paths relative to `folder`). A surface that bounds no
+/// volume throws SurfaceError (also where the repairs did not help), everything else InputError, with the
+/// file's name; Cancelled when stopped.
+Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::string& folder,
+                   std::stop_token stop = {}, Advice advice = Advice::Keys);
+
+/// The surface of a skin, with its labels.
+Surface surfaceOf(const Skin& skin);
+
+}  // namespace wend

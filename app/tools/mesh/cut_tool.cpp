@@ -1,0 +1,87 @@
+#include "app/tools/mesh/cut_tool.h"
+
+#include <Eigen/Geometry>
+#include <QCoreApplication>
+#include <utility>
+
+namespace wend {
+
+void CutTool::setPlane(const CutPlane& plane) {
+    m_plane = plane;
+    if (!m_dragging) place();
+}
+
+void CutTool::place() {
+    Mat<3> axes;
+    axes.col(2) = m_plane.normal.normalized();
+    axes.col(0) = axes.col(2).unitOrthogonal();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+    m_manipulator.setMode(Manipulator::Mode::Tilt);
+    m_manipulator.place(m_plane.point, axes);
+}
+
+QString CutTool::hint() const {
+    return QCoreApplication::translate(
+        "CutTool", "Drag the arrow to move the cut, the rings to tilt it; Esc puts it back");
+}
+
+QCursor CutTool::cursor() const {
+    return m_dragging ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
+}
+
+bool CutTool::wants(const QPointF& at) const {
+    return isShown() && (m_dragging || m_manipulator.partAt(surface(), at));
+}
+
+void CutTool::press(const QMouseEvent& event) {
+    const auto part = m_manipulator.partAt(surface(), event.position());
+    if (!part) return;
+    m_part = part;
+    m_start = m_plane;
+    m_dragging = true;
+    m_manipulator.begin(*part, surface(), event.position());
+}
+
+void CutTool::move(const QMouseEvent& event) {
+    if (!m_dragging) {
+        m_part = isShown() ? m_manipulator.partAt(surface(), event.position()) : std::nullopt;
+        surface().redraw();
+        return;
+    }
+    const Amount amount = m_manipulator.drag(surface(), event.position());
+    const Grip grip = m_manipulator.grip(surface());
+    m_plane.point = carried<3>(grip, amount, m_start.point);
+    m_plane.normal = carried<3>(grip, amount, Vec<3>(m_start.point + m_start.normal)) - m_plane.point;
+    m_changed(m_plane);
+}
+
+void CutTool::release(const QMouseEvent&) {
+    m_dragging = false;
+    place();
+}
+
+bool CutTool::key(const QKeyEvent& event) {
+    if (!m_dragging || event.key() != Qt::Key_Escape) return false;
+    cancel();
+    return true;
+}
+
+void CutTool::cancel() {
+    if (!std::exchange(m_dragging, false)) return;
+    m_plane = m_start;
+    m_changed(m_plane);
+    place();
+}
+
+void CutTool::paint(QPainter& painter) const {
+    if (!isShown()) return;
+    Manipulator shown = m_manipulator;
+    if (m_dragging) {
+        CutTool copy(surface(), {}, {});
+        copy.setPlane(m_plane);
+        shown = copy.m_manipulator;
+    }
+    shown.paint(painter, surface(), m_part);
+}
+
+}  // namespace wend

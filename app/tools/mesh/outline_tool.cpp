@@ -1,0 +1,385 @@
+#include "app/tools/mesh/outline_tool.h"
+
+#include <Eigen/Geometry>
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "app/document/domain.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/edits/outline_edits.h"
+#include "app/document/project.h"
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+#include "app/session/shape/flat_shape.h"
+#include "app/tools/drawn_outline.h"
+#include "app/tools/in_steps.h"
+#include "core/mesh/error.h"
+#include "core/meshing/outline_combination.h"
+#include "core/meshing/outline_simplify.h"
+#include "warp/colour_outline.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kCut = 2;       // pixels of the screen: a cut while it is drawn
+constexpr double kSlit = 0.002;  // pixels of the picture: it parts what touches, and nothing is missing
+constexpr double kClose = 8;     // pixels of the screen
+constexpr double kDetail = 0.5;  // pixels of the screen that what is drawn may deviate
+constexpr double kSmallest = 9;  // pixels² of the picture: parts and holes below it are noise
+constexpr QRgb kAway = 0xB3261E;
+constexpr double kThin = 3;               // pixels of the screen: narrower than this, what is drawn is a line
+const QColor kLeftOut(90, 92, 100, 150);  // a veil
+
+QString said(const char* text) {
+    return QCoreApplication::translate("OutlineTool", text);
+}
+
+}  // namespace
+
+OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
+    : ShapeTool<2>(view), m_shape(shape), m_pen(pen) {
+    QObject::connect(&m_pen, &OutlinePen::changed, &m_listener, [this] { takeAgain(); });
+}
+
+/// All of the picture bends until then.
+bool OutlineTool::isFirst() const {
+    const Document& document = session().document();
+    return document.picture() && document.domain().outline == OutlineKind::Frame && !m_pen.now().takesAway;
+}
+
+QString OutlineTool::hint() const {
+    if (isLive())
+        return said(QT_TRANSLATE_NOOP("OutlineTool",
+                                      "The tolerance, also [ and ], changes what was taken; click on another "
+                                      "colour, Ctrl takes it away"));
+    switch (m_shape) {
+        case Shape::Lasso:
+            return isFirst()
+                       ? said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Draw around what shall bend; with Ctrl it is taken away. Esc gives up"))
+                       : said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Draw around what shall bend too; with Ctrl it is taken away. Esc gives up"));
+        case Shape::Polygon:
+            return said(QT_TRANSLATE_NOOP(
+                "OutlineTool",
+                "Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, "
+                "Backspace takes back a corner, Esc gives up"));
+        case Shape::Brush:
+            return isFirst()
+                       ? said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Brush over what shall bend, [ and ] change the size; Ctrl takes away"))
+                       : said(QT_TRANSLATE_NOOP(
+                             "OutlineTool",
+                             "Brush over what shall bend too, [ and ] change the size; Ctrl takes away"));
+        case Shape::Wand:
+            return isFirst()
+                       ? said(QT_TRANSLATE_NOOP("OutlineTool",
+                                                "Click on a colour that shall bend; Ctrl takes it away, [ "
+                                                "and ] take fewer or more colours"))
+                       : said(QT_TRANSLATE_NOOP("OutlineTool",
+                                                "Click on a colour that shall bend too; Ctrl takes it away, "
+                                                "[ and ] take fewer or more colours"));
+        case Shape::Cut:
+            break;
+    }
+    return said(
+        QT_TRANSLATE_NOOP("OutlineTool", "Draw a line along which the shape is parted; Esc gives up"));
+}
+
+/// The outline is drawn on the shape at rest.
+bool OutlineTool::isReady() {
+    const Document& document = session().document();
+    if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
+        return false;
+    Playback& playback = session().playback();
+    if (playback.isPlaying()) playback.setPlaying(false);
+    if (playback.time() > 0) {
+        m_left = Left{document.generation(), playback.time()};
+        playback.setTime(0);
+    }
+    return true;
+}
+
+/// Unless the time was changed since.
+void OutlineTool::dismiss() {
+    m_taken.reset();
+    const auto left = std::exchange(m_left, {});
+    Playback& playback = session().playback();
+    if (left && left->generation == session().document().generation() && playback.time() == 0)
+        playback.setTime(std::min(left->time, playback.end()));
+}
+
+bool OutlineTool::takesAway(Qt::KeyboardModifiers modifiers) const {
+    return m_shape == Shape::Cut || m_pen.now().takesAway != bool(modifiers & Qt::ControlModifier);
+}
+
+/// With Shift the next side of a polygon goes along one of eight ways.
+void OutlineTool::takePointer(const QMouseEvent& event) {
+    m_at = event.position();
+    m_modifiers = event.modifiers();
+    if (m_active && m_shape == Shape::Polygon && m_modifiers & Qt::ShiftModifier)
+        m_at = m_line.last() + inSteps(m_at - m_line.last());
+}
+
+void OutlineTool::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !isReady()) return;
+    takePointer(event);
+    m_over = true;
+    if (m_shape == Shape::Wand) return takeColour(event);
+    const bool closes = m_shape == Shape::Polygon && m_line.size() > 2 &&
+                        QLineF(m_at, m_line.first()).length() < marked(kClose);
+    if (m_shape == Shape::Polygon && m_active && !closes) {
+        m_line << m_at;
+    } else if (closes) {
+        finish(event.modifiers());
+    } else {
+        m_line = {m_at};
+        m_active = true;
+    }
+    surface().redraw();
+}
+
+void OutlineTool::move(const QMouseEvent& event) {
+    m_cross.hide();
+    takePointer(event);
+    m_over = isReady();
+    if (m_active && isDrawn()) m_line << m_at;
+    surface().redraw();
+}
+
+void OutlineTool::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !m_active || !isDrawn()) return;
+    m_at = event.position();
+    m_line << m_at;
+    finish(event.modifiers());
+    surface().redraw();
+}
+
+/// The press before it has set the last corner.
+void OutlineTool::doubleClick(const QMouseEvent& event) {
+    if (m_shape == Shape::Polygon && m_active)
+        finish(event.modifiers());
+    else
+        press(event);
+    surface().redraw();
+}
+
+bool OutlineTool::ownsKey(const QKeyEvent& event) const {
+    const bool edits =
+        event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Backspace;
+    return m_active && m_shape == Shape::Polygon && edits;
+}
+
+bool OutlineTool::key(const QKeyEvent& event) {
+    if (m_shape == Shape::Wand && m_cross.clicks<2>(event, surface(), *this)) return true;
+    const bool smaller = event.text() == QStringLiteral("["), larger = event.text() == QStringLiteral("]");
+    if (event.key() == Qt::Key_Escape && m_active) {
+        cancel();
+    } else if (ownsKey(event) && event.key() == Qt::Key_Backspace) {
+        m_line.removeLast();
+        m_active = !m_line.isEmpty();
+    } else if (ownsKey(event)) {
+        finish(m_modifiers);
+    } else if ((smaller || larger) && (m_shape == Shape::Brush || m_shape == Shape::Wand)) {
+        scale(smaller ? 0.8 : 1.25);
+    } else {
+        return false;
+    }
+    surface().redraw();
+    return true;
+}
+
+/// The brush, or how many colours the wand takes.
+void OutlineTool::scale(double factor) {
+    OutlineSettings next = m_pen.now();
+    if (m_shape == Shape::Brush)
+        next.radius *= factor;
+    else
+        next.tolerance = std::max(0.01, next.tolerance * factor);
+    m_pen.set(next);
+}
+
+void OutlineTool::cancel() {
+    m_active = false;
+    m_line.clear();
+}
+
+/// On the screen.
+QPainterPath OutlineTool::area() const {
+    if (m_line.isEmpty()) return {};
+    if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) return insideOf(m_line);
+    return brushedAlong(m_line, m_shape == Shape::Cut ? kCut / 2 : m_pen.now().radius);
+}
+
+Outline OutlineTool::inPicture(const QPainterPath& area) const {
+    Outline outline;
+    for (const QPolygonF& polygon : area.simplified().toSubpathPolygons()) {
+        auto& loop = outline.loops.emplace_back();
+        for (const QPointF& p : polygon) loop.push_back(surface().toShape(p));
+        if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+    }
+    std::erase_if(outline.loops, [](const auto& loop) { return loop.size() < 3; });
+    return outline;
+}
+
+/// What is drawn as a band of the width kSlit. A corner's normal is the mean of those of its sides.
+Outline OutlineTool::slit(double tolerance) const {
+    std::vector<Vec<2>> way;
+    for (const QPointF& p : m_line) way.push_back(surface().toShape(p));
+    way = wend::simplified<2>(way, tolerance);
+    if (way.size() < 2) return {};
+    const auto side = [&](std::size_t i) { return Vec<2>((way[i + 1] - way[i]).unitOrthogonal()); };
+    std::vector<Vec<2>> loop(2 * way.size());
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const Vec<2> before = side(i > 0 ? i - 1 : 0), after = side(std::min(i, way.size() - 2));
+        const Vec<2> sum = before + after, normal = sum.norm() > 0.1 ? sum.normalized() : before;
+        loop[i] = way[i] + kSlit / 2 * normal;
+        loop[loop.size() - 1 - i] = way[i] - kSlit / 2 * normal;
+    }
+    return combined({{loop}}, {}, OutlineOperation::Add);
+}
+
+Outline OutlineTool::piece() const {
+    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
+    if (m_shape == Shape::Cut) return slit(kDetail * pixel);
+    const Outline clean = combined(inPicture(area()), {}, OutlineOperation::Add);
+    return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
+}
+
+/// By its mean width: twice the area by the length of the border.
+bool OutlineTool::isThin(const Outline& drawn) const {
+    if (m_shape != Shape::Lasso && m_shape != Shape::Polygon) return false;
+    double length = 0;
+    for (const auto& loop : drawn.loops)
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
+    return 2 * areaOf(drawn) < kThin * pixel * length;
+}
+
+/// Computed again only where it must be.
+const Outline& OutlineTool::outlineOf(const Domain& domain) const {
+    const Document& document = session().document();
+    if (domain.outline == OutlineKind::Polygons) return domain.polygons;
+    if (!m_known || m_known->picture != document.picture() || m_known->kind != domain.outline ||
+        m_known->alpha != domain.alpha) {
+        m_known = Known{document.picture(), domain.outline, domain.alpha, {}};
+        try {
+            m_known->outline = domainOutline(domain, *document.picture());
+        } catch (const InputError&) {  // nothing is opaque: the outline begins with what is drawn
+        }
+    }
+    return m_known->outline;
+}
+
+void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
+    const Outline drawn = piece();
+    const bool isLine = isThin(drawn);
+    cancel();
+    if (isLine)
+        return emit session().notice(
+            said(QT_TRANSLATE_NOOP("OutlineTool", "That was a line. Draw around a part of the picture.")));
+    if (!drawn.loops.empty()) apply(*session().document().project(), drawn, takesAway(modifiers));
+}
+
+void OutlineTool::takeColour(const QMouseEvent& event) {
+    Document& document = session().document();
+    m_taken = Taken{surface().toShape(event.position()), takesAway(event.modifiers()),
+                    QStringLiteral("wand %1").arg(document.undoStack()->index()), document.project(),
+                    document.project()};
+    takeAgain();
+}
+
+/// True as long as nothing has changed since the last click of the wand.
+bool OutlineTool::isLive() const {
+    return m_taken && m_taken->after == session().document().project();
+}
+
+/// What the last click takes by the tolerance as it is now, in the step that the click has made.
+void OutlineTool::takeAgain() {
+    if (!isLive()) return;
+    const Outline found =
+        outlineOfColour(*session().document().picture(), m_taken->at, m_pen.now().tolerance);
+    if (!found.loops.empty()) apply(*m_taken->before, found, m_taken->takesAway, m_taken->key);
+    m_taken->after = session().document().project();
+    surface().redraw();
+}
+
+void OutlineTool::apply(const Project& project, const Outline& piece, bool takesAway, const QString& key) {
+    Document& document = session().document();
+    const Image& picture = *document.picture();
+    const Outline& before = outlineOf(project.domain);
+    const bool replaces = !takesAway && project.domain.outline == OutlineKind::Frame;
+    const Outline inside =
+        combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
+    const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
+    const double smallest = m_shape == Shape::Cut ? 0 : kSmallest;
+    Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, smallest)
+                            : combined(before, inside, operation, smallest);
+    if (next.loops.empty()) {
+        emit session().notice(said(QT_TRANSLATE_NOOP("OutlineTool", "Nothing would be left of the shape.")));
+        return;
+    }
+    Project changed = project;
+    const int pinsGone = setOutline(changed, std::move(next));
+    if (pinsGone > 0) {
+        session().selection().clear();
+        emit session().notice(QCoreApplication::translate(
+            "OutlineTool", "%n pins lay beside the new outline and were removed.", nullptr, pinsGone));
+    }
+    const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
+                             : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
+                                         : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
+    if (pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
+        emit session().notice(
+            said(QT_TRANSLATE_NOOP("OutlineTool",
+                                   "The outline is as you draw it from now on, and has no margin to change. "
+                                   "“Cut-out” as outline brings the found one back.")));
+    document.change(said(name), std::move(changed), key);
+}
+
+void OutlineTool::paintOutline(QPainter& painter) const {
+    QPainterPath path;
+    for (const auto& loop : outlineOf(session().document().project()->domain).loops) {
+        QPolygonF polygon;
+        for (const Vec<2>& p : loop) polygon << surface().toWidget(p);
+        path.addPolygon(polygon);
+        path.closeSubpath();
+    }
+    const Image& picture = *session().document().picture();
+    QPainterPath all;
+    all.addRect(
+        QRectF(surface().toWidget({0, 0}), surface().toWidget(Vec<2>(picture.width, picture.height))));
+    all.addPath(path);  // by even and odd: what is left out
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kLeftOut);
+    painter.drawPath(all);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 216), marked(3.5)));
+    painter.drawPath(path);
+    painter.setPen(QPen(QColor(kAccent), marked(1.5)));
+    painter.drawPath(path);
+}
+
+/// The outline as the document has it, also before it is meshed, and what is being drawn.
+void OutlineTool::paint(QPainter& painter) const {
+    if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
+    paintOutline(painter);
+    m_cross.paint(painter);
+    QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
+    painter.setPen(QPen(colour, marked(1.5)));
+    if (m_shape == Shape::Brush && m_over) painter.drawEllipse(m_at, m_pen.now().radius, m_pen.now().radius);
+    if (!m_active) return;
+    QPainterPath drawn = area();
+    if (m_shape == Shape::Polygon) drawn.lineTo(m_at);
+    colour.setAlpha(50);
+    painter.setBrush(colour);
+    painter.drawPath(drawn);
+    if (m_shape == Shape::Polygon) painter.drawPolyline(QPolygonF(m_line) << m_at);
+}
+
+}  // namespace wend

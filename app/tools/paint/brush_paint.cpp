@@ -1,0 +1,163 @@
+#include "app/tools/paint/brush_paint.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <array>
+#include <cmath>
+
+#include "app/document/edits/free_name.h"
+#include "app/session/accent.h"
+#include "app/session/energy_stops.h"
+#include "app/session/shape/material_raster.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kSame = 1e-9;
+constexpr double kNear = 0.25;  // of the shape's extent
+
+QString said(const char* text) {
+    return QCoreApplication::translate("PaintTool", text);
+}
+
+QString stopName(double phi, int dimension) {
+    constexpr std::array<const char*, kEnergyStops> kNames = {
+        QT_TRANSLATE_NOOP("PaintTool", "Area"), QT_TRANSLATE_NOOP("PaintTool", "Length"),
+        QT_TRANSLATE_NOOP("PaintTool", "Rigid"), QT_TRANSLATE_NOOP("PaintTool", "Angle")};
+    const double stop = stopOfPhi(phi, dimension);
+    const int nearest = static_cast<int>(std::lround(stop));
+    if (std::abs(stop - nearest) > 0.02) return said(QT_TRANSLATE_NOOP("PaintTool", "Keep"));
+    return nearest == 0 && dimension == 3 ? said(QT_TRANSLATE_NOOP("PaintTool", "Volume"))
+                                          : said(kNames[nearest]);
+}
+
+}  // namespace
+
+template <int Dim>
+MaterialPaint<Dim> paintOf(const BrushSettings& brush, const Vec<Dim>& along) {
+    MaterialPaint<Dim> paint;
+    if (brush.target == BrushTarget::Keep) {
+        paint.phi = brush.phi;
+        return paint;
+    }
+    Vec<Dim> axis = brush.axis.template head<Dim>();
+    if (brush.along != StiffAlong::Axis && !along.isZero()) axis = along;
+    if (axis.isZero()) axis = Vec<Dim>::UnitX();
+    paint.stiffness = Stiffness<Dim>{axis.normalized(), brush.ratio};
+    return paint;
+}
+
+template <int Dim>
+void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush) {
+    BrushSettings next = brush.now();
+    next.phi = frame.material->phi[cell];
+    next.ratio = 1;
+    if (!frame.material->anisotropy.empty()) {
+        const Stiffness<Dim> stiffness = stiffnessOf<Dim>(frame.material->anisotropy[cell]);
+        next.ratio = std::max(1.0, stiffness.ratio);
+        next.axis.setZero();
+        next.axis.template head<Dim>() = stiffness.axis;
+    }
+    brush.set(next);
+}
+
+QString brushKind(const BrushSettings& brush, int dimension) {
+    if (brush.target == BrushTarget::Keep) return stopName(brush.phi, dimension);
+    return brush.target == BrushTarget::Stiffness ? said(QT_TRANSLATE_NOOP("PaintTool", "Stiff"))
+                                                  : said(QT_TRANSLATE_NOOP("PaintTool", "Combed"));
+}
+
+QRgb brushColour(const BrushSettings& brush, int dimension) {
+    return brush.target == BrushTarget::Keep ? energyColour(stopOfPhi(brush.phi, dimension)) : kStiffColour;
+}
+
+std::string brushAim(const BrushSettings& brush) {
+    if (brush.target == BrushTarget::Keep) return "keep " + std::to_string(brush.phi);
+    return (brush.target == BrushTarget::Stiffness ? "stiff " : "comb ") + std::to_string(brush.ratio);
+}
+
+namespace {
+
+template <int Dim>
+bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
+    if (region.pictures.any() || std::holds_alternative<Blend<Dim>>(region.shape)) return false;
+    if (brush.target == BrushTarget::Keep)
+        return region.phi && !region.stiffness && std::abs(*region.phi - brush.phi) < kSame;
+    return region.stiffness && !region.phi && std::abs(region.stiffness->ratio / brush.ratio - 1) < kSame;
+}
+
+/// What is hidden takes nothing: nobody would see it.
+template <int Dim>
+bool takes(const Design<Dim>& design, const std::string& layer, const BrushSettings& brush,
+           const ChosenLayer& chosen, const std::string& aim) {
+    if (layer.empty() || isGroupHidden(design, layer)) return false;
+    if (layer == chosen.name && !chosen.aim.empty()) return chosen.aim == aim;
+    bool any = false, all = aim == brushAim(brush);
+    for (const auto& region : design.material.regions) {
+        if (region.name != layer || region.erases()) continue;
+        any = true;
+        all = all && hasPaintOf(region, brush);
+    }
+    return any && all;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, const ChosenLayer& chosen,
+                     const std::string& aim, const std::string& kind) {
+    const auto& regions = design.material.regions;
+    const auto isFit = [&](const std::string& layer) {
+        return layerBegin(design, layer) < regions.size() && takes<Dim>(design, layer, brush, chosen, aim);
+    };
+    if (isFit(chosen.name)) return chosen.name;
+    if (!regions.empty() && isFit(regions.back().name)) return regions.back().name;
+    return freeName(namesOf(regions), kind);
+}
+
+template <int Dim>
+QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer) {
+    static const QRegularExpression numbered(QStringLiteral(" \\d+$"));
+    const QString own = QString::fromStdString(layer);
+    if (!own.isEmpty() && !own.contains(numbered)) return own;
+    const auto frame = session.frame<Dim>();
+    if (!frame) return {};
+    const auto& handles = session.document().template design<Dim>().handles;
+    QString nearest;
+    double reach = kNear * boundingBoxDiagonal<Dim>(frame->rest->points);
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        const auto starts = session.pathStarts<Dim>(static_cast<int>(i));
+        if (starts.empty()) continue;
+        const double far = (meanOf<Dim>(starts) - place).norm();
+        if (far < reach) reach = far, nearest = QString::fromStdString(handles[i].name);
+    }
+    return nearest;
+}
+
+bool paintsNothing(const BrushSettings& brush) {
+    return brush.target != BrushTarget::Keep && brush.ratio == 1;
+}
+
+QString nothingToPaint() {
+    return said(QT_TRANSLATE_NOOP("PaintTool",
+                                  "Stiffness ×1 is as everywhere and changes nothing here: choose on the "
+                                  "right how many times stiffer it is to be"));
+}
+
+template MaterialPaint<2> paintOf<2>(const BrushSettings&, const Vec<2>&);
+template MaterialPaint<3> paintOf<3>(const BrushSettings&, const Vec<3>&);
+template void pickMaterial<2>(const PosedFrame<2>&, int, Brush&);
+template void pickMaterial<3>(const PosedFrame<3>&, int, Brush&);
+template std::string layerFor<2>(const Design<2>&, const BrushSettings&, const ChosenLayer&,
+                                 const std::string&, const std::string&);
+template std::string layerFor<3>(const Design<3>&, const BrushSettings&, const ChosenLayer&,
+                                 const std::string&, const std::string&);
+template QString placeName<2>(const ShapeSession&, const Vec<2>&, const std::string&);
+template QString placeName<3>(const ShapeSession&, const Vec<3>&, const std::string&);
+
+std::optional<Measure> paintedMap(const Workbench& on, int) {
+    return on.brush->now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;
+}
+
+}  // namespace wend

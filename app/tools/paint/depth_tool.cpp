@@ -1,0 +1,63 @@
+#include "app/tools/paint/depth_tool.h"
+
+#include <QCoreApplication>
+
+#include "app/document/depth_region.h"
+#include "app/document/edits/depth_edits.h"
+#include "app/session/accent.h"
+#include "app/tools/paint/depth_marks.h"
+
+namespace wend {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("DepthTool", text);
+}
+
+}  // namespace
+
+QString DepthTool::strokeHint() const {
+    return said(
+        QT_TRANSLATE_NOOP("DepthTool",
+                          "Brush over what lies in front or behind; Ctrl takes it back, Shift turns it "
+                          "round, [ and ] change the size"));
+}
+
+double DepthTool::order() const {
+    if (modifiers() & Qt::ControlModifier) return 0;
+    const double chosen = brush().order().now();
+    return modifiers() & Qt::ShiftModifier ? -chosen : chosen;
+}
+
+QColor DepthTool::colour() const {
+    return order() > 0 ? QColor(kAccent) : order() < 0 ? QColor(kBehind) : QColor(kPlain);
+}
+
+void DepthTool::take(const std::vector<Dab>& dabs) {
+    std::vector<Ball<2>> balls;
+    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
+    Document& document = session().document();
+    document.changeDepth(order() > 0   ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint in front"))
+                         : order() < 0 ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint behind"))
+                                       : said(QT_TRANSLATE_NOOP("DepthTool", "Take back depth")),
+                         withDepthStroke(document.depth(), balls, order()));
+}
+
+void DepthTool::paint(QPainter& painter) const {
+    const auto frame = session().frame<2>();
+    if (frame) {
+        const auto& orders = m_orders.of(session().document().depth(), frame->rest);
+        paintDepths(painter, *frame, *orders, [this](const Vec<2>& p) { return surface().toWidget(p); });
+    }
+    StrokeTool<2>::paint(painter);
+}
+
+ToolKind depthTool() {
+    return toolKind("depth", "depth", QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
+                    QT_TRANSLATE_NOOP("Tools", "Brush over what lies in front where the shape covers itself"),
+                    "O", Mode::Paint, picturesOnly<DepthTool>(&Workbench::brush),
+                    {ToolOption::Order, ToolOption::BrushSize});
+}
+
+}  // namespace wend

@@ -1,0 +1,112 @@
+#include "app/tools/paint/fill_tool.h"
+
+#include <QCoreApplication>
+
+#include "app/document/design.h"
+#include "app/session/brush.h"
+#include "app/session/pins/mark_size.h"
+#include "app/session/shape/erasing.h"
+#include "app/session/shape/material_raster.h"
+#include "app/session/shape/mesh_parts.h"
+#include "app/tools/paint/brush_paint.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+template <int Dim>
+QString FillTool<Dim>::hint() const {
+    return m_deed == Deed::Pick
+               ? QCoreApplication::translate("FillTool", "Click to take up what is painted there")
+               : QCoreApplication::translate("FillTool",
+                                             "Click to fill what hangs together there; Shift fills all, Ctrl "
+                                             "takes paint off, Alt picks up");
+}
+
+template <int Dim>
+void FillTool<Dim>::press(const QMouseEvent& event) {
+    const auto frame = surface().shownFrame();
+    const auto touch = surface().touch(event.position());
+    if (event.button() != Qt::LeftButton || !frame || !touch) return;
+    if (m_deed == Deed::Pick || event.modifiers() & Qt::AltModifier)
+        pickMaterial<Dim>(*frame, touch->place.cell, m_brush);
+    else
+        fill(touch->place.cell, event.modifiers());
+    surface().redraw();
+}
+
+/// One region, of which every cell's middle lies inside.
+template <int Dim>
+void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
+    const SimplicialMesh<Dim>& rest = *surface().shownFrame()->rest;
+    Document& document = session().document();
+    const std::string folder = document.folder().toStdString();
+    const Region<Dim> shape =
+        modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell));
+    const Design<Dim>& design = document.template design<Dim>();
+    if (modifiers & Qt::ControlModifier) {
+        const Eraser<Dim> eraser{shape};
+        show(withoutErasedLayers<Dim>(withErased<Dim>(design, std::span(&eraser, 1), rest, folder), rest,
+                                      folder),
+             QCoreApplication::translate("PaintTool", "Take paint off"));
+        return;
+    }
+    const BrushSettings& brush = m_brush.now();
+    if (paintsNothing(brush)) {
+        emit session().notice(nothingToPaint());
+        return;
+    }
+    const MaterialPaint<Dim> paint = paintOf<Dim>(brush);
+    const QString what = brushKind(brush, Dim);
+    const std::string aim = brushAim(brush);
+    const std::string layer = layerFor<Dim>(design, brush, m_brush.layer().now(), aim, what.toStdString());
+    show(withStroke<Dim>(design, layer, {{{}, shape, 0, paint.phi, paint.stiffness}}),
+         QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
+    m_brush.layer().set({layer, aim});
+} catch (const InputError& error) {  // a picture of the material is gone
+    emit session().notice(QString::fromStdString(error.what()));
+}
+
+template <int Dim>
+void FillTool<Dim>::show(Design<Dim> next, const QString& step) {
+    Document& document = session().document();
+    surface().showMaterial(
+        rasterizeMaterial<Dim>(next.material, *surface().shownFrame()->rest, document.folder().toStdString()),
+        true);
+    document.changeDesign(step, std::move(next));
+}
+
+template <int Dim>
+void FillTool<Dim>::move(const QMouseEvent& event) {
+    m_cross.hide();
+    m_at = event.position();
+    m_over = true;
+    surface().redraw();
+}
+
+/// Beside the pointer what would be laid.
+template <int Dim>
+void FillTool<Dim>::paint(QPainter& painter) const {
+    m_cross.paint(painter);
+    if (!m_over) return;
+    painter.setPen(QPen(Qt::white, marked(2)));
+    painter.setBrush(QColor(brushColour(m_brush.now(), Dim)));
+    painter.drawEllipse(m_at + marked(16) * QPointF(1, 1), marked(7), marked(7));
+}
+
+template class FillTool<2>;
+template class FillTool<3>;
+
+ToolKind fillTool() {
+    return toolKind("fill", "fill", QT_TRANSLATE_NOOP("Tools", "&Fill"),
+                    QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"), "Shift+G",
+                    Mode::Paint, both<FillTool>(&Workbench::brush, FillDeed::Fill), {ToolOption::Target},
+                    paintedMap);
+}
+
+ToolKind eyedropperTool() {
+    return toolKind("eyedropper", "pick", QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
+                    QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"), "I", Mode::Paint,
+                    both<FillTool>(&Workbench::brush, FillDeed::Pick), {}, paintedMap);
+}
+
+}  // namespace wend

@@ -1,0 +1,241 @@
+#include "app/tools/paint/gradient_tool.h"
+
+#include <QCoreApplication>
+#include <array>
+
+#include "app/document/design.h"
+#include "app/document/edits/free_name.h"
+#include "app/session/accent.h"
+#include "app/session/brush.h"
+#include "app/session/energy_stops.h"
+#include "app/session/pins/mark_size.h"
+#include "app/session/shape/material_raster.h"
+#include "app/tools/in_steps.h"
+#include "app/tools/paint/brush_paint.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kShortest = 4;  // pixels: less is a click
+constexpr double kReach = 9;     // of a handle
+
+/// Where a place at rest is in the pose; beside the shape as far from the nearest vertex.
+template <int Dim>
+Vec<Dim> posedAt(const PosedFrame<Dim>& frame, const PointLocator<Dim>& locator, const Vec<Dim>& rest) {
+    if (const auto place = locator.find(rest)) return positionOf<Dim>(*place, *frame.rest, frame.pose);
+    const int nearest = locator.nearestVertex(rest);
+    return nearest < 0 ? rest : Vec<Dim>(frame.pose.col(nearest) + rest - frame.rest->points.col(nearest));
+}
+
+void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radius) {
+    painter.setPen(QPen(QColor(255, 255, 255, 217), marked(2)));
+    painter.setBrush(colour);
+    painter.drawEllipse(at, marked(radius), marked(radius));
+}
+
+}  // namespace
+
+template <int Dim>
+QString GradientTool<Dim>::hint() const {
+    return QCoreApplication::translate("GradientTool",
+                                       "Drag over the shape: from what is there it changes evenly into what "
+                                       "is chosen on the right; Shift by "
+                                       "45°, Alt picks up, Esc gives up");
+}
+
+template <int Dim>
+std::optional<typename GradientTool<Dim>::End> GradientTool<Dim>::endAt(const QPointF& at) const {
+    const auto touch = surface().touch(at);
+    if (!touch) return {};
+    return End{positionOf<Dim>(touch->place, *m_frame->rest, m_frame->rest->points), touch->point};
+}
+
+template <int Dim>
+std::vector<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handles() const {
+    std::vector<Handle> found;
+    const auto frame = session().template frame<Dim>();
+    if (!frame || session().document().dimension() != Dim) return found;
+    const auto& regions = session().document().template design<Dim>().material.regions;
+    std::optional<PointLocator<Dim>> locator;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const auto* blend = std::get_if<Blend<Dim>>(&regions[i].shape);
+        if (!blend) continue;
+        if (!locator) locator.emplace(frame->rest->points, frame->rest->cells);
+        found.push_back({i, false, posedAt<Dim>(*frame, *locator, blend->from)});
+        found.push_back({i, true, posedAt<Dim>(*frame, *locator, blend->to)});
+    }
+    return found;
+}
+
+/// The topmost.
+template <int Dim>
+std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(const QPointF& at) const {
+    std::optional<Handle> found;
+    for (const Handle& one : handles())
+        if (QLineF(surface().toWidget(one.seen), at).length() <= marked(kReach)) found = one;
+    return found;
+}
+
+/// The design with the end where it was dragged to; nothing where both ends would be one place.
+template <int Dim>
+std::optional<Design<Dim>> GradientTool<Dim>::moved() const {
+    Design<Dim> next = session().document().template design<Dim>();
+    auto& blend = std::get<Blend<Dim>>(next.material.regions[m_handle->region].shape);
+    (m_handle->isTo ? blend.to : blend.from) = m_to->rest;
+    if (blend.from == blend.to) return {};
+    return next;
+}
+
+template <int Dim>
+void GradientTool<Dim>::press(const QMouseEvent& event) {
+    m_cross.hide();
+    if (event.button() != Qt::LeftButton) return;
+    m_byKeys = m_cross.isAtWork();
+    m_frame = surface().shownFrame();
+    if (!m_frame) return;
+    const auto touch = surface().touch(event.position());
+    if (touch && event.modifiers() & Qt::AltModifier) {
+        pickMaterial<Dim>(*m_frame, touch->place.cell, m_brush);
+        m_frame.reset();
+        return;
+    }
+    m_project = session().document().project();
+    m_handle = handleAt(event.position());
+    m_from = m_to = endAt(event.position());
+    const QString kind =
+        QCoreApplication::translate("GradientTool", "To %1").arg(brushKind(m_brush.now(), Dim));
+    m_layer =
+        freeName(namesOf(session().document().template design<Dim>().material.regions), kind.toStdString());
+    if (!m_from) m_frame.reset();
+}
+
+template <int Dim>
+bool GradientTool<Dim>::isCurrent() const {
+    const auto frame = session().template frame<Dim>();
+    return frame && frame->shape == m_frame->shape && session().document().project() == m_project;
+}
+
+/// That stays where it is, on the screen.
+template <int Dim>
+QPointF GradientTool<Dim>::otherEnd() const {
+    if (m_handle)
+        for (const Handle& one : handles())
+            if (one.region == m_handle->region && one.isTo != m_handle->isTo)
+                return surface().toWidget(one.seen);
+    return surface().toWidget(m_from->seen);
+}
+
+/// Beside the shape the last place on it stays. A hand at the mouse gives up what keys have begun.
+template <int Dim>
+void GradientTool<Dim>::move(const QMouseEvent& event) {
+    m_cross.hide();
+    if (!m_frame) return;
+    if (!isCurrent() || m_byKeys != m_cross.isAtWork()) return cancel();
+    const bool steps =
+        event.modifiers() & Qt::ShiftModifier && !m_byKeys;  // arrow keys take longer ones by it
+    const QPointF from = otherEnd(), way = event.position() - from;
+    if (const auto end = endAt(from + (steps ? inSteps(way) : way))) m_to = end;
+    preview(true);
+}
+
+template <int Dim>
+std::optional<MaterialRegion<Dim>> GradientTool<Dim>::region() const {
+    const QPointF from = surface().toWidget(m_from->seen), to = surface().toWidget(m_to->seen);
+    if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
+    const MaterialPaint<Dim> paint = paintOf<Dim>(m_brush.now(), m_to->rest - m_from->rest);
+    return MaterialRegion<Dim>{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
+}
+
+/// With the end that was moved or the gradient that was drawn; nothing for a click.
+template <int Dim>
+std::optional<Design<Dim>> GradientTool<Dim>::next() const {
+    if (m_handle) return moved();
+    const auto drawn = region();
+    if (!drawn) return {};
+    return withStroke<Dim>(session().document().template design<Dim>(), m_layer, {*drawn});
+}
+
+template <int Dim>
+bool GradientTool<Dim>::preview(bool lasts) try {
+    const auto design = next();
+    const std::string folder = session().document().folder().toStdString();
+    surface().showMaterial(
+        design ? rasterizeMaterial<Dim>(design->material, *m_frame->rest, folder) : m_frame->material, lasts);
+    surface().redraw();
+    return design.has_value();
+} catch (const InputError& error) {  // a picture of the material is gone
+    emit session().notice(QString::fromStdString(error.what()));
+    return false;
+}
+
+template <int Dim>
+void GradientTool<Dim>::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !m_frame) return;
+    const bool isBare = !m_handle && region() && paintsNothing(m_brush.now());
+    if (isBare) emit session().notice(nothingToPaint());
+    if (isBare || !isCurrent() || !preview(true)) return cancel();  // or a click, or it began on what is gone
+    auto design = *next();
+    m_frame.reset();
+    const QString what = brushKind(m_brush.now(), Dim);
+    session().document().changeDesign(
+        m_handle ? QCoreApplication::translate("GradientTool", "Move gradient")
+                 : QCoreApplication::translate("GradientTool", "Blend to %1").arg(what),
+        std::move(design));
+    if (!m_handle) m_brush.layer().set({m_layer});
+}
+
+template <int Dim>
+bool GradientTool<Dim>::key(const QKeyEvent& event) {
+    if (event.key() != Qt::Key_Escape)
+        return m_cross.clicks<Dim>(event, surface(), *this,
+                                   m_frame ? KeyCross::Enter::LetsGo : KeyCross::Enter::Presses);
+    const bool has = m_frame != nullptr;
+    cancel();
+    return has;
+}
+
+template <int Dim>
+void GradientTool<Dim>::cancel() {
+    if (!m_frame) return;
+    m_frame.reset();
+    surface().showMaterial(nullptr);
+    surface().redraw();
+}
+
+template <int Dim>
+void GradientTool<Dim>::paint(QPainter& painter) const {
+    m_cross.paint(painter);
+    const auto line = [&](const QPointF& from, const QPointF& to, const QColor& colour) {
+        painter.setPen(QPen(QColor(255, 255, 255, 217), marked(3.5)));
+        painter.drawLine(from, to);
+        painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), marked(1.5)));
+        painter.drawLine(from, to);
+        dot(painter, from, QColor(0x14, 0x16, 0x1e), 5);
+        dot(painter, to, colour, 7);
+    };
+    const auto ends = handles();
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        const auto& region = session().document().template design<Dim>().material.regions[ends[i].region];
+        const QColor colour = region.phi ? energyColour(stopOfPhi(*region.phi, Dim)) : kStiffColour;
+        std::array<QPointF, 2> at = {surface().toWidget(ends[i].seen), surface().toWidget(ends[i + 1].seen)};
+        if (m_frame && m_handle && m_handle->region == ends[i].region)
+            at[m_handle->isTo ? 1 : 0] = surface().toWidget(m_to->seen);
+        line(at[0], at[1], colour);
+    }
+    if (m_frame && !m_handle)
+        line(surface().toWidget(m_from->seen), surface().toWidget(m_to->seen),
+             QColor(brushColour(m_brush.now(), Dim)));
+}
+
+template class GradientTool<2>;
+template class GradientTool<3>;
+
+ToolKind gradientTool() {
+    return toolKind("gradient", "gradient", QT_TRANSLATE_NOOP("Tools", "&Gradient"),
+                    QT_TRANSLATE_NOOP("Tools", "Drag: what is there changes evenly into what is chosen"), "G",
+                    Mode::Paint, both<GradientTool>(&Workbench::brush), {ToolOption::Target}, paintedMap);
+}
+
+}  // namespace wend

@@ -1,0 +1,58 @@
+#include "app/tools/paint/stiffness_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+#include "app/session/pins/solid_places.h"
+#include "app/session/shape/material_raster.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kGrid = 40;              // pixels of the screen
+constexpr double kStiff = 1.05;           // less shows no direction
+constexpr double kShort = 6, kLong = 18;  // pixels, half of the long axis
+constexpr double kLongAt = 100;           // the ratio where it does not grow any more
+
+}  // namespace
+
+double markLength(double ratio) {
+    return marked(kShort + (kLong - kShort) * std::clamp(std::log(ratio) / std::log(kLongAt), 0.0, 1.0));
+}
+
+void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& size) {
+    const auto frame = surface.shownFrame();
+    if (!frame || frame->material->anisotropy.empty()) return;
+    QColor fill(kStiffColour);
+    fill.setAlphaF(0.25F);
+    const double grid = marked(kGrid);
+    for (double y = grid / 2; y < size.height(); y += grid)
+        for (double x = grid / 2; x < size.width(); x += grid) {
+            const auto touch = surface.touch(QPointF(x, y));
+            if (!touch) continue;
+            const int cell = touch->place.cell;
+            const Stiffness<2> stiffness = stiffnessOf<2>(frame->material->anisotropy[cell]);
+            if (stiffness.ratio < kStiff) continue;
+            const Vec<2> along = cellRotation<2>(*frame, cell) * stiffness.axis;
+            // The view may show the domain turned over.
+            const QPointF way = surface.toWidget(touch->point + along) - surface.toWidget(touch->point);
+            const double a = markLength(stiffness.ratio),
+                         b = std::max(marked(2.5), a / std::sqrt(stiffness.ratio));
+            painter.save();
+            painter.translate(x, y);
+            painter.rotate(std::atan2(way.y(), way.x()) * 180 / std::numbers::pi);
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(QColor(255, 255, 255, 217), marked(3.5)));
+            painter.drawEllipse(QPointF(), a, b);
+            painter.setPen(QPen(QColor(kStiffColour), marked(1.5)));
+            painter.setBrush(fill);
+            painter.drawEllipse(QPointF(), a, b);
+            painter.restore();
+        }
+}
+
+}  // namespace wend

@@ -1,0 +1,334 @@
+#include "app/tools/pins/curve_editor.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "app/document/design.h"
+#include "app/document/edits/pin_edits.h"
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kReach = 8;      // pixels, of points
+constexpr double kLineReach = 6;  // pixels, of the curve
+constexpr int kSamples = 48;      // of a piece, to look for the place nearest to the pointer
+const QColor kLine(0xd4, 0x7a, 0x1e);
+
+QString said(const char* text) {
+    return QCoreApplication::translate("CurveEditor", text);
+}
+
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
+}
+
+}  // namespace
+
+QString curveHint(bool onPoint) {
+    return onPoint ? said(QT_TRANSLATE_NOOP(
+                         "CurveEditor",
+                         "Drag the curve's point, with Shift straight, with Ctrl one direction alone; Delete "
+                         "removes it, a right click shows more"))
+                   : said(QT_TRANSLATE_NOOP("CurveEditor", "Double-click to insert a point into the curve"));
+}
+
+template <int Dim>
+int CurveEditor<Dim>::handle() const {
+    const int handle = m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
+    return handle >= 0 && traitsOf(m_session.document().design(), handle).locked ? -1 : handle;
+}
+
+template <int Dim>
+std::optional<CurveMotion<Dim>> CurveEditor<Dim>::curve() const {
+    if (handle() < 0 || !m_session.template frame<Dim>()) return {};
+    const CurveMotion<Dim>* last = lastCurve(m_session.document().template design<Dim>(), handle());
+    return last ? std::optional(*last) : std::nullopt;
+}
+
+template <int Dim>
+typename CurveEditor<Dim>::Chosen CurveEditor<Dim>::identity() const {
+    const auto own = curve();
+    if (!own) return {};
+    return {handle(), static_cast<int>(own->points.size()), own->points.front()};
+}
+
+template <int Dim>
+void CurveEditor<Dim>::forgetOthers() const {
+    if (identity() == m_of) return;
+    m_of = identity();
+    m_chosen = -1;
+    m_free.clear();
+}
+
+template <int Dim>
+int CurveEditor<Dim>::chosen() const {
+    forgetOthers();
+    return m_chosen;
+}
+
+/// From the curve's own place to where the handle really begins to follow it.
+template <int Dim>
+Vec<Dim> CurveEditor<Dim>::shift() const {
+    Handle<Dim> before = m_session.document().template design<Dim>().handles[handle()];
+    const auto curve = std::get<CurveMotion<Dim>>(before.motions.back().kind);
+    before.motions.pop_back();
+    const auto starts = m_session.template pathStarts<Dim>(handle());
+    if (starts.empty()) return Vec<Dim>::Zero();
+    return pinPaths<Dim>(before, {meanOf<Dim>(starts)}).front().points.back() - curve.points.front();
+}
+
+template <int Dim>
+std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) const {
+    if (curve.interpolation != Interpolation::Bezier) return {};
+    forgetOthers();
+    auto kinds = jointKinds<Dim>(curve.points);
+    for (const int joint : m_free)
+        if (joint < static_cast<int>(kinds.size())) kinds[joint] = JointKind::Free;
+    if (m_freely && isDragging()) kinds[jointOf(m_dragged)] = JointKind::Free;
+    return kinds;
+}
+
+/// The control points with what is dragged.
+template <int Dim>
+std::vector<Vec<Dim>> CurveEditor<Dim>::moved(const CurveMotion<Dim>& curve) const {
+    std::vector<Vec<Dim>> points = curve.points;
+    if (!isDragging() || m_dragged >= static_cast<int>(points.size())) return points;
+    if (curve.interpolation == Interpolation::Bezier)
+        return withMovedPoint<Dim>(std::move(points), kinds(curve), m_dragged, m_by);
+    points[m_dragged] += m_by;
+    return points;
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> CurveEditor<Dim>::points() const {
+    const auto own = curve();
+    if (!own) return {};
+    std::vector<Vec<Dim>> points = moved(*own);
+    const Vec<Dim> by = shift();
+    for (Vec<Dim>& p : points) p += by;
+    return points;
+}
+
+template <int Dim>
+int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
+    const auto all = points();
+    int best = -1;
+    double nearest = marked(kReach);
+    for (int i = 1; i < static_cast<int>(all.size()); ++i) {
+        const double d = distance(m_surface.toWidget(all[i]), widget);
+        if (d < nearest) nearest = d, best = i;
+    }
+    return best;
+}
+
+template <int Dim>
+typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget) const {
+    Place best{-1, 0, marked(kLineReach)};
+    const auto own = curve();
+    if (!own) return best;
+    const Vec<Dim> by = shift();
+    const auto pieces = curveOf<Dim>(*own).pieces;
+    for (int k = 0; k < static_cast<int>(pieces.size()); ++k) {
+        QPointF before = m_surface.toWidget(pieces[k].value(0) + by);
+        for (int i = 1; i <= kSamples; ++i) {
+            const QPointF after = m_surface.toWidget(pieces[k].value(double(i) / kSamples) + by);
+            const QPointF along = after - before;
+            const double size = QPointF::dotProduct(along, along);
+            const double t =
+                size > 0 ? std::clamp(QPointF::dotProduct(widget - before, along) / size, 0.0, 1.0) : 0;
+            const double d = distance(widget, before + t * along);
+            if (d < best.distance) best = {k, (i - 1 + t) / kSamples, d};
+            before = after;
+        }
+    }
+    best.v = std::clamp(best.v, 0.02, 0.98);
+    return best;
+}
+
+template <int Dim>
+void CurveEditor<Dim>::choose(int point) {
+    forgetOthers();
+    m_chosen = point;
+    m_place.reset();  // of a menu that was opened for something else
+}
+
+template <int Dim>
+void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
+    choose(point);
+    m_dragged = point;
+    m_draggedOf = m_session.document().project();
+    m_freely = false;
+    m_from = widget;
+    m_by.setZero();
+    m_surface.redraw();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
+    const auto own = curve();
+    if (!own || !isDragging() || m_dragged >= static_cast<int>(own->points.size())) return;
+    m_freely = freely;
+    const Vec<Dim> p = own->points[m_dragged] + shift();
+    m_by = acrossTheScreen(m_surface, p, widget) - acrossTheScreen(m_surface, p, m_from);
+    m_surface.redraw();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::change(const QString& name, CurveMotion<Dim> next) {
+    Design<Dim> design = m_session.document().template design<Dim>();
+    *lastCurve(design, handle()) = std::move(next);
+    m_session.document().changeDesign(name, std::move(design));
+    m_surface.redraw();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::finish() {
+    auto own = curve();
+    if (own && isDragging() && !m_by.isZero()) {
+        own->points = moved(*own);
+        m_dragged = -1;
+        change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
+    }
+    cancel();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::cancel() {
+    m_dragged = -1;
+    m_draggedOf.reset();
+    m_freely = false;
+    m_by.setZero();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::insertOn(const Place& place) {
+    const auto own = curve();
+    if (!own || place.piece < 0 || place.piece >= static_cast<int>(curveOf<Dim>(*own).pieces.size())) return;
+    const bool bezier = own->interpolation == Interpolation::Bezier;
+    change(said(QT_TRANSLATE_NOOP("CurveEditor", "Insert curve point")),
+           withPointOn<Dim>(*own, place.piece, place.v));
+    forgetOthers();
+    m_chosen = bezier ? 3 * place.piece + 3 : place.piece + 1;
+    m_surface.redraw();
+}
+
+template <int Dim>
+bool CurveEditor<Dim>::insertAt(const QPointF& widget) {
+    const Place place = placeAt(widget);
+    if (place.piece < 0) return false;
+    insertOn(place);
+    return true;
+}
+
+template <int Dim>
+bool CurveEditor<Dim>::pointAtForMenu(const QPointF& widget) {
+    m_place.reset();
+    if (const int point = pointAt(widget); point > 0) {
+        forgetOthers();
+        m_chosen = point;
+        m_surface.redraw();
+        return true;
+    }
+    const Place place = placeAt(widget);
+    if (place.piece >= 0) m_place = place;
+    return place.piece >= 0;
+}
+
+template <int Dim>
+std::optional<JointKind> CurveEditor<Dim>::chosenKind() const {
+    const auto own = curve();
+    if (!own || own->interpolation != Interpolation::Bezier || chosen() < 0) return {};
+    const int joint = jointOf(chosen());
+    if (!isInnerJoint<Dim>(own->points, joint)) return {};
+    return kinds(*own)[joint];
+}
+
+template <int Dim>
+bool CurveEditor<Dim>::canRemove() const {
+    const auto own = curve();
+    return own && chosen() > 0 && withoutPoint<Dim>(*own, chosen());
+}
+
+template <int Dim>
+void CurveEditor<Dim>::insertPoint() {
+    const auto own = curve();
+    if (!own) return;
+    const Place behind{pieceBehind<Dim>(*own, chosen()), 0.5, 0};
+    insertOn(std::exchange(m_place, std::nullopt).value_or(behind));
+}
+
+template <int Dim>
+void CurveEditor<Dim>::removePoint() {
+    const auto own = curve();
+    const auto next = own && chosen() > 0 ? withoutPoint<Dim>(*own, chosen()) : std::nullopt;
+    if (next)
+        change(said(QT_TRANSLATE_NOOP("CurveEditor", "Delete curve point")), *next);
+    else if (own && chosen() > 0)
+        emit m_session.notice(said(QT_TRANSLATE_NOOP("CurveEditor", "The ends of a curve must stay.")));
+}
+
+template <int Dim>
+void CurveEditor<Dim>::setKind(JointKind kind) {
+    auto own = curve();
+    if (!own || !chosenKind()) return;
+    const int joint = jointOf(chosen());
+    std::erase(m_free, joint);
+    if (kind == JointKind::Free) {
+        m_free.push_back(joint);  // nothing moves: it is for the next drag
+        m_surface.redraw();
+        return;
+    }
+    auto points = withJointKind<Dim>(own->points, joint, kind);
+    if (points == own->points) return;
+    own->points = std::move(points);
+    change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
+}
+
+/// The curve as it will be, while a point of it is dragged.
+template <int Dim>
+void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
+    auto own = curve();
+    own->points = moved(*own);
+    const Vec<Dim> by = shift();
+    QPolygonF line;
+    for (const auto& piece : curveOf<Dim>(*own).pieces)
+        for (int i = 0; i <= kSamples; ++i)
+            line << m_surface.toWidget(piece.value(double(i) / kSamples) + by);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kLine, marked(1.75)));
+    painter.drawPolyline(line);
+}
+
+template <int Dim>
+void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
+    const auto all = points();
+    if (all.empty()) return;
+    if (isDragging()) paintMoved(painter);
+    QPolygonF screen;
+    for (const Vec<Dim>& p : all) screen << m_surface.toWidget(p);
+    const bool bezier = curve()->interpolation == Interpolation::Bezier;
+    painter.setPen(QPen(kLine, marked(1.25)));
+    for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions
+        painter.drawLine(screen[i], screen[i + 1]);
+        painter.drawLine(screen[i + 2], screen[i + 3]);
+    }
+    for (int i = 1; i < screen.size(); ++i) {
+        const double r = marked(distance(screen[i], pointer) < marked(kReach) ? 5.5 : 4.5);
+        painter.setPen(
+            QPen(i == chosen() ? QColor(kAccent) : QColor(Qt::white), marked(i == chosen() ? 2.25 : 1.25)));
+        painter.setBrush(i == chosen() ? QColor(Qt::white) : kLine);
+        if (bezier && i % 3 == 0)
+            painter.drawRect(QRectF(screen[i].x() - r, screen[i].y() - r, 2 * r, 2 * r));
+        else
+            painter.drawEllipse(screen[i], r, r);
+    }
+}
+
+template class CurveEditor<2>;
+template class CurveEditor<3>;
+
+}  // namespace wend

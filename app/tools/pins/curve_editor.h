@@ -1,0 +1,88 @@
+#pragma once
+
+#include <QPainter>
+
+#include "app/document/edits/curve_edits.h"
+#include "app/tools/pins/curve_editing.h"
+#include "app/tools/shape_tool.h"
+
+namespace wend {
+
+/// What the pointer does on a point of a curve, or on the curve: a line for the status bar.
+QString curveHint(bool onPoint);
+
+/// The points of the curve that the one selected handle follows last: shown, chosen, dragged, added and
+/// removed. One undo step per gesture.
+template <int Dim>
+class CurveEditor : public CurveEditing {
+  public:
+    explicit CurveEditor(SurfaceOf<Dim>& surface) : m_surface(surface), m_session(surface.session()) {}
+
+    /// The point within reach, or −1. The first one is where the handle is when the motion begins: fixed.
+    int pointAt(const QPointF& widget) const;
+    /// True if the curve itself is within reach.
+    bool isOnCurve(const QPointF& widget) const { return placeAt(widget).piece >= 0; }
+    bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_session.document().project(); }
+    /// Chooses the point and drags it.
+    void begin(int point, const QPointF& widget);
+    /// `freely`: the other direction of the joint stays as it is.
+    void drag(const QPointF& widget, bool freely = false);
+    /// Puts the points into the document.
+    void finish();
+    void cancel();
+    /// A point where the curve is pointed at; false beside it.
+    bool insertAt(const QPointF& widget);
+    void choose(int point);
+    int chosen() const;
+    /// What the menu is about: the point under the pointer, or the place on the curve. False beside both.
+    bool pointAtForMenu(const QPointF& widget);
+
+    bool hasCurve() const override { return !points().empty(); }
+    std::optional<JointKind> chosenKind() const override;
+    bool canRemove() const override;
+    void insertPoint() override;
+    void removePoint() override;
+    void setKind(JointKind kind) override;
+
+    void paint(QPainter& painter, const QPointF& pointer) const;
+
+  private:
+    struct Place {
+        int piece = -1;
+        double v = 0;
+        double distance = 0;
+    };
+    int handle() const;
+    std::optional<CurveMotion<Dim>> curve() const;
+    /// As they are drawn; empty without a curve.
+    std::vector<Vec<Dim>> points() const;
+    Vec<Dim> shift() const;
+    Place placeAt(const QPointF& widget) const;
+    std::vector<JointKind> kinds(const CurveMotion<Dim>& curve) const;
+    std::vector<Vec<Dim>> moved(const CurveMotion<Dim>& curve) const;
+    void change(const QString& name, CurveMotion<Dim> next);
+    void insertOn(const Place& place);
+    void paintMoved(QPainter& painter) const;
+
+    SurfaceOf<Dim>& m_surface;
+    ShapeSession& m_session;
+    int m_dragged = -1;
+    bool m_freely = false;
+    QPointF m_from;
+    Vec<Dim> m_by = Vec<Dim>::Zero();
+    std::shared_ptr<const Project> m_draggedOf;  // whose point is dragged: any change ends that
+    // of one handle's curve, as long as it has that many points and begins there
+    struct Chosen {
+        int handle = -1, count = 0;
+        Vec<Dim> start = Vec<Dim>::Zero();
+        bool operator==(const Chosen&) const = default;
+    };
+    Chosen identity() const;
+    mutable Chosen m_of;
+    mutable int m_chosen = -1;
+    mutable std::vector<int> m_free;  // joints that stay free although their directions are opposite
+    void forgetOthers() const;
+    std::optional<Place> m_place;  // that the menu is about
+};
+
+}  // namespace wend

@@ -1,0 +1,253 @@
+#include "app/tools/pins/pen_tool.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+#include "app/tools/in_steps.h"
+#include "app/tools/pins/pin_picking.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kReach = 9;  // pixels of the screen, of pins
+constexpr double kSame = 4;   // of the last point
+constexpr double kDrag = 3;
+constexpr int kSamples = 32;  // of a piece that is painted
+const QColor kLine(0xd4, 0x7a, 0x1e);
+
+QString said(const char* text) {
+    return QCoreApplication::translate("PenTool", text);
+}
+
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
+}
+
+bool takesBack(const QKeyEvent& event) {
+    return event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Delete ||
+           event.matches(QKeySequence::Undo);
+}
+
+bool ends(const QKeyEvent& event) {
+    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+}
+
+}  // namespace
+
+template <int Dim>
+QString PenTool<Dim>::hint() const {
+    if (isDrawing() && m_pressed)
+        return said(QT_TRANSLATE_NOOP(
+            "PenTool", "Drag for a smooth point: Shift in steps of 45°, Alt on this side alone"));
+    if (isDrawing())
+        return said(QT_TRANSLATE_NOOP("PenTool",
+                                      "Click for a corner, drag for a smooth point, Shift in steps of 45°; "
+                                      "Enter ends, Backspace takes a point back, Esc gives up"));
+    if (session().selection().isEmpty())
+        return said(QT_TRANSLATE_NOOP("PenTool", "Click on the pin whose path you want to draw"));
+    return said(QT_TRANSLATE_NOOP(
+        "PenTool", "Click where the selected pin shall go, point after point; drag for a smooth point"));
+}
+
+template <int Dim>
+bool PenTool<Dim>::isDrawing() const {
+    return !m_joints.empty() && m_of == session().document().project() &&
+           m_time == session().playback().time();
+}
+
+template <int Dim>
+int PenTool<Dim>::pinAt(const QPointF& widget) const {
+    PinPick pick;
+    for (const PinView<Dim>& pin : session().template pins<Dim>())
+        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= marked(kReach))
+            pick.offer(pin.handle, d, false);
+    return pick.handle();
+}
+
+/// In space on the plane through the last point that faces the viewer.
+template <int Dim>
+Vec<Dim> PenTool<Dim>::placeAt(const QPointF& widget) const {
+    return acrossTheScreen(surface(), m_joints.back().at, widget);
+}
+
+template <int Dim>
+Vec<Dim> PenTool<Dim>::nextPlace() const {
+    return placeAt(m_steps ? last() + inSteps(m_at - last()) : m_at);
+}
+
+template <int Dim>
+bool PenTool<Dim>::isOnLast(const QPointF& widget) const {
+    return distance(last(), widget) <= marked(kSame);
+}
+
+/// True if a path begins: at the pin that is pointed at, or at those that are selected.
+template <int Dim>
+bool PenTool<Dim>::begin(const QPointF& at) {
+    m_joints.clear();
+    if (const int pin = pinAt(at); pin >= 0) {
+        session().selection().set({pin});
+        if (!beginAt({pin})) return false;
+        emit session().notice({});  // of a click beside all pins
+        return true;
+    }
+    if (beginAt(session().selection().handles())) return true;
+    if (session().selection().isEmpty()) emit session().notice(hint());
+    return false;
+}
+
+/// In the middle of the handles that hold the shape now.
+template <int Dim>
+bool PenTool<Dim>::beginAt(const std::vector<int>& handles) {
+    session().playback().setPlaying(false);
+    std::vector<Vec<Dim>> centres;
+    for (const PinView<Dim>& pin : session().template pins<Dim>(true))
+        if (std::count(handles.begin(), handles.end(), pin.handle)) centres.push_back(pin.centre);
+    const bool may = std::ranges::all_of(handles, [this](int h) { return session().mayChange(h); });
+    if (centres.empty() || !may) return false;
+    m_joints = {{meanOf<Dim>(centres)}};
+    m_of = session().document().project();
+    m_time = session().playback().time();
+    return true;
+}
+
+template <int Dim>
+void PenTool<Dim>::takePointer(const QMouseEvent& event) {
+    m_at = event.position();
+    m_steps = event.modifiers() & Qt::ShiftModifier;
+    m_over = true;
+}
+
+/// As far as it was dragged: where Shift put the point the pointer may be beside it.
+template <int Dim>
+void PenTool<Dim>::pullDirections(bool oneOnly) {
+    const QPointF way = m_at - m_from;
+    DrawnJoint<Dim>& joint = m_joints.back();
+    joint.out = placeAt(last() + (m_steps ? inSteps(way) : way)) - joint.at;
+    if (!oneOnly) joint.in = -joint.out;
+}
+
+template <int Dim>
+void PenTool<Dim>::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || m_pressed) return;
+    takePointer(event);
+    m_from = m_at;
+    const bool goesOn = isDrawing();
+    if (goesOn && isOnLast(m_at)) {
+        finish();
+    } else if (goesOn || begin(m_at)) {
+        if (!isOnLast(m_at)) m_joints.push_back({nextPlace()});
+        m_pressed = true;
+    }
+    surface().redraw();
+}
+
+template <int Dim>
+void PenTool<Dim>::move(const QMouseEvent& event) {
+    takePointer(event);
+    if (m_pressed && isDrawing() && distance(m_at, m_from) >= kDrag)
+        pullDirections(event.modifiers() & Qt::AltModifier);
+    surface().redraw();
+}
+
+template <int Dim>
+void PenTool<Dim>::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return;
+    m_pressed = false;
+    surface().redraw();
+}
+
+template <int Dim>
+void PenTool<Dim>::finish() {
+    const auto joints = std::exchange(m_joints, {});
+    m_pressed = false;
+    if (joints.size() > 1) session().template followCurve<Dim>(bezierThrough<Dim>(joints));
+}
+
+template <int Dim>
+void PenTool<Dim>::removeLast() {
+    m_joints.pop_back();
+    m_pressed = false;
+    if (m_joints.size() < 2) m_joints.clear();
+}
+
+template <int Dim>
+bool PenTool<Dim>::ownsKey(const QKeyEvent& event) const {
+    return isDrawing() && (ends(event) || takesBack(event));
+}
+
+template <int Dim>
+bool PenTool<Dim>::key(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Escape)
+        isDrawing() ? cancel() : session().selection().clear();
+    else if (ownsKey(event))
+        ends(event) ? finish() : removeLast();
+    else
+        return false;
+    surface().redraw();
+    return true;
+}
+
+template <int Dim>
+MenuPlace PenTool<Dim>::menuAt(const QPointF& at) {
+    return isDrawing() ? MenuPlace::None : menuOfPin(session().selection(), pinAt(at));
+}
+
+template <int Dim>
+void PenTool<Dim>::cancel() {
+    m_joints.clear();
+    m_pressed = false;
+}
+
+/// With what a click would add.
+template <int Dim>
+void PenTool<Dim>::paint(QPainter& painter) const {
+    if (!isDrawing()) return;
+    auto joints = m_joints;
+    if (!m_pressed && m_over && !isOnLast(m_at)) joints.push_back({nextPlace()});
+    QPolygonF line;
+    if (joints.size() > 1)
+        for (const auto& piece : bezierCurve<Dim>(bezierThrough<Dim>(joints)).pieces)
+            for (int i = 0; i <= kSamples; ++i) line << surface().toWidget(piece.value(double(i) / kSamples));
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(QColor(255, 255, 255, 216), marked(3.75)), QPen(kLine, marked(1.75))}) {
+        painter.setPen(pen);
+        painter.drawPolyline(line);
+    }
+    paintJoints(painter);
+}
+
+/// Squares, and the directions of the last one.
+template <int Dim>
+void PenTool<Dim>::paintJoints(QPainter& painter) const {
+    const DrawnJoint<Dim>& last = m_joints.back();
+    painter.setPen(QPen(kLine, marked(1.25)));
+    painter.setBrush(kLine);
+    for (const Vec<Dim>& way : {last.in, last.out}) {
+        if (way.isZero()) continue;
+        const QPointF end = surface().toWidget(last.at + way);
+        painter.drawLine(surface().toWidget(last.at), end);
+        painter.drawEllipse(end, marked(4), marked(4));
+    }
+    for (const auto& joint : m_joints) {
+        const QPointF at = surface().toWidget(joint.at);
+        const bool isLast = &joint == &last;
+        painter.setPen(QPen(isLast ? QColor(kAccent) : QColor(Qt::white), marked(isLast ? 2.25 : 1.25)));
+        painter.setBrush(isLast ? QColor(Qt::white) : kLine);
+        const double r = marked(4.5);
+        painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
+    }
+}
+
+template class PenTool<2>;
+template class PenTool<3>;
+
+ToolKind penTool() {
+    return toolKind("pen", "pen", QT_TRANSLATE_NOOP("Tools", "Pe&n"),
+                    QT_TRANSLATE_NOOP("Tools", "Draw the path of a pin, point by point"), "P", Mode::Animate,
+                    both<PenTool>());
+}
+
+}  // namespace wend

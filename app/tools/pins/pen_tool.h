@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+
+#include "app/document/edits/bezier_edits.h"
+#include "app/tools/tool_kind.h"
+
+namespace wend {
+
+/// Draws the path of the selected pins, or of the pin that is clicked, from where it is: a click sets a
+/// corner, a drag a smooth point; Shift keeps both to steps of 45°, with Alt a drag leaves the direction
+/// behind the point as it is. In space every point lies as deep as the one before. One step when it ends;
+/// before, any other change gives it up.
+template <int Dim>
+class PenTool : public ShapeTool<Dim> {
+  public:
+    explicit PenTool(SurfaceOf<Dim>& view) : ShapeTool<Dim>(view) {}
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    bool ownsKey(const QKeyEvent& event) const override;
+    MenuPlace menuAt(const QPointF& at) override;
+    void cancel() override;
+    void leave() override { m_over = false; }
+    void paint(QPainter& painter) const override;
+
+    bool isDrawing() const;
+
+  private:
+    using ShapeTool<Dim>::surface;
+    using ShapeTool<Dim>::session;
+    int pinAt(const QPointF& widget) const;
+    bool begin(const QPointF& at);
+    bool beginAt(const std::vector<int>& handles);
+    Vec<Dim> placeAt(const QPointF& widget) const;
+    Vec<Dim> nextPlace() const;
+    QPointF last() const { return surface().toWidget(m_joints.back().at); }
+    void takePointer(const QMouseEvent& event);
+    void pullDirections(bool oneOnly);
+    bool isOnLast(const QPointF& widget) const;
+    void finish();
+    void removeLast();
+    void paintJoints(QPainter& painter) const;
+
+    std::vector<DrawnJoint<Dim>> m_joints;  // the first one is where the pins are
+    std::shared_ptr<const Project> m_of;    // whose pins they are …
+    double m_time = 0;                      // … at that time
+    bool m_pressed = false;                 // the last joint's direction follows the pointer
+    bool m_over = false;
+    bool m_steps = false;  // of 45° that a way keeps to
+    QPointF m_from, m_at;
+};
+
+extern template class PenTool<2>;
+extern template class PenTool<3>;
+
+ToolKind penTool();
+
+}  // namespace wend

@@ -1,0 +1,126 @@
+#include "app/tools/pins/pin_ring.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kRadius = 44, kDot = 5, kSquare = 4;  // pixels
+constexpr double kReach = 9, kRingReach = 5;
+constexpr double kMinFactor = 0.05;
+constexpr double kMiddle =
+    16;  // pixels; nearer to the middle a direction means little, and a factor too much
+
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
+}
+
+}  // namespace
+
+std::optional<PinRing::Part> PinRing::anywhere() const {
+    return m_kind == Grip::Kind::Move ? std::nullopt : std::optional(Part{m_kind});
+}
+
+/// The dot is at the upper right at rest, the square at the lower right.
+QPointF PinRing::spot(Grip::Kind kind, const QPointF& centre) const {
+    const double angle = kind == Grip::Kind::Turn ? m_turned - std::numbers::pi / 4 : std::numbers::pi / 4;
+    return centre + marked(kRadius) * QPointF(std::cos(angle), std::sin(angle));
+}
+
+std::optional<PinRing::Part> PinRing::partAt(const ToolSurface& surface, const QPointF& widget) const {
+    const QPointF centre = surface.toWidget(m_centre);
+    for (const auto kind : {Grip::Kind::Turn, Grip::Kind::Grow})
+        if (m_canTurn && distance(spot(kind, centre), widget) <= marked(kReach)) return Part{kind};
+    return {};
+}
+
+bool PinRing::isRefusedAt(const ToolSurface& surface, const QPointF& widget) const {
+    const double radius = distance(surface.toWidget(m_centre), widget);
+    return !m_canTurn && std::abs(radius - marked(kRadius)) <= marked(kRingReach);
+}
+
+QString PinRing::hint() {
+    return QCoreApplication::translate(
+        "PinTool", "Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number");
+}
+
+void PinRing::begin(const Part& part, const ToolSurface& surface, const QPointF& widget) {
+    m_part = part;
+    m_startPoint = surface.toShape(widget);
+    m_angle = m_turned = 0;
+    m_lastAngle = angleAt(surface, widget);
+    const double radius = distance(surface.toWidget(m_centre), widget);
+    m_startDistance = std::max(radius, kMiddle);
+    m_lead = m_startDistance - radius;
+}
+
+/// Of the pointer around the middle; nothing where it is too near.
+std::optional<double> PinRing::angleAt(const ToolSurface& surface, const QPointF& widget) const {
+    if (distance(surface.toWidget(m_centre), widget) < kMiddle) return {};
+    const Vec<2> arm = surface.toShape(widget) - m_centre;
+    return std::atan2(arm.y(), arm.x());
+}
+
+Grip PinRing::grip(const ToolSurface&) const {
+    Grip grip;
+    grip.kind = m_part.kind;
+    if (grip.kind != Grip::Kind::Move) grip.centre.head<2>() = m_centre;
+    return grip;
+}
+
+Amount PinRing::drag(const ToolSurface& surface, const QPointF& widget, bool snaps) {
+    if (m_part.kind == Grip::Kind::Move) {
+        m_way = surface.toShape(widget) - m_startPoint;
+        if (isAlongAxis()) m_way = Vec<2>(m_way[m_part.axis] * Vec<2>::Unit(m_part.axis));
+        return amountOf<2>(m_way);
+    }
+    if (m_part.kind == Grip::Kind::Grow) {
+        const double radius = distance(surface.toWidget(m_centre), widget);
+        return {std::max((radius + m_lead) / m_startDistance, kMinFactor) - 1, 0, 0};
+    }
+    if (const auto angle = angleAt(surface, widget)) {
+        m_angle += std::remainder(*angle - m_lastAngle.value_or(*angle), 2 * std::numbers::pi);
+        m_lastAngle = angle;
+    }
+    m_turned = snaps ? kAngleStep * std::round(m_angle / kAngleStep) : m_angle;
+    return {m_turned, 0, 0};
+}
+
+Amount PinRing::typed(double number, const ToolSurface&) const {
+    if (m_part.kind != Grip::Kind::Move) return turnedOrScaled(number);
+    return amountOf<2>(number * (isAlongAxis() ? Vec<2>(Vec<2>::Unit(m_part.axis)) : m_way.normalized()));
+}
+
+void PinRing::paintDragged(QPainter& painter, const ToolSurface& surface, const Amount&) const {
+    if (m_part.kind != Grip::Kind::Move) paint(painter, surface, m_part);
+}
+
+void PinRing::paint(QPainter& painter, const ToolSurface& surface, const std::optional<Part>& lit) const {
+    const QColor accent(kAccent);
+    const QPointF centre = surface.toWidget(m_centre);
+    const double radius = marked(kRadius);
+    QPen pen(accent, marked(2), m_canTurn ? Qt::SolidLine : Qt::CustomDashLine, Qt::RoundCap);
+    if (!m_canTurn) pen.setDashPattern({0.1, 3});
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, m_canTurn ? 200 : 130), marked(4)));
+    if (m_canTurn) painter.drawEllipse(centre, radius, radius);
+    painter.setPen(pen);
+    painter.drawEllipse(centre, radius, radius);
+    if (!m_canTurn) return;
+    const auto size = [&lit](Grip::Kind kind, double usual) {
+        return marked(usual + (lit == Part{kind} ? 1.5 : 0));
+    };
+    painter.setPen(QPen(Qt::white, marked(1.5)));
+    painter.setBrush(accent);
+    const double dot = size(Grip::Kind::Turn, kDot), side = size(Grip::Kind::Grow, kSquare);
+    painter.drawEllipse(spot(Grip::Kind::Turn, centre), dot, dot);
+    painter.drawRect(
+        QRectF(spot(Grip::Kind::Grow, centre) - QPointF(side, side), QSizeF(2 * side, 2 * side)));
+}
+
+}  // namespace wend

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "app/tools/in_steps.h"
+#include "app/tools/key_cross.h"
+#include "app/tools/pins/curve_editor.h"
+#include "app/tools/pins/gizmo.h"
+#include "app/tools/pins/pin_picking.h"
+#include "app/tools/pins/typed_number.h"
+#include "app/tools/tool_kind.h"
+
+namespace wend {
+
+/// Selects pins and drags, rotates, scales and widens them, with a ring around them in the plane, with a
+/// manipulator in space. With `adds` a click on the free shape makes a new one, a drag from there one that
+/// goes along.
+template <int Dim>
+class PinTool : public ShapeTool<Dim> {
+  public:
+    /// What is drawn beside pins to select all in it.
+    using Outline = DrawnOutline::Kind;
+    PinTool(SurfaceOf<Dim>& view, PinChoice& choice, bool adds);
+
+    QString hint() const override;
+    QCursor cursor() const override;
+    bool wants(const QPointF& at) const override;
+    int hovered() const override { return m_hovered; }
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    void cancel() override;
+    void doubleClick(const QMouseEvent& event) override;
+    void leave() override {
+        m_over = false;
+        m_hovered = -1;
+        if (m_gesture == Gesture::None) m_part.reset();
+    }
+    void lookAgain() override {
+        if (m_over && m_gesture == Gesture::None) hover();
+    }
+    bool ownsKey(const QKeyEvent& event) const override;
+    MenuPlace menuAt(const QPointF& at) override;
+    CurveEditing* curve() override { return &m_curve; }
+    void paint(QPainter& painter) const override;
+    bool hasManipulator() const override { return placeGizmo(); }
+
+    /// The handle within reach of a point of the widget, or around it, or −1.
+    int handleAt(const QPointF& widget) const;
+
+  private:
+    using Part = GizmoPart;
+    using ShapeTool<Dim>::surface;
+    using ShapeTool<Dim>::session;
+    enum class Gesture { None, Pressed, Drag, Widen, Marquee, Curve, OnCurve };
+
+    bool takesHidden() const { return m_choice.now().through; }
+    int pinAt(const QPointF& widget) const { return markUnder<Dim>(surface(), widget, takesHidden()); }
+    int curvePointAt(const QPointF& at) const;
+    std::optional<Part> partAt(const QPointF& at) const;
+    std::optional<Part> litPart() const;
+    bool isSelected(int handle) const { return handle >= 0 && session().selection().contains(handle); }
+    bool placeGizmo() const;
+    void takePointer(const QMouseEvent& event);
+    void takeChoice();
+    void hover();
+    void select(int handle, bool extend) {
+        if (extend) return session().selection().toggle(handle);
+        if (!isSelected(handle)) session().selection().set({handle});
+    }
+    void begin();
+    bool setPin();
+    bool refuse(const Part& part);
+    void beginDrag(const Part& part);
+    /// Where the pointer is; by `steps` where it would be on one of eight ways from where it was pressed.
+    QPointF reached(bool steps) const { return steps ? m_from + inSteps(m_at - m_from) : m_at; }
+    void drag(bool snaps = false);
+    void lock(int axis);
+    void finishDrag();
+    void clickAt(const QPointF& at, bool extend);
+    int addPin(const QPointF& at);
+    double widenedTo(const QPointF& at) const;
+    bool isTaken(const PinView<Dim>& pin) const;
+    void selectInside(Qt::KeyboardModifiers modifiers);
+    bool nudge(const QKeyEvent& event);
+    bool keyInDrag(const QKeyEvent& event);
+    QString besideHint() const;
+    QString gripHint() const;
+    static QString refusal(Grip::Kind kind);
+    void paintWidened(QPainter& painter) const;
+
+    mutable Gizmo<Dim> m_gizmo;  // where the selection was last seen
+    CurveEditor<Dim> m_curve;
+    KeyCross m_cross;
+    DrawnOutline m_outline;
+    PinChoice& m_choice;
+    bool m_adds;
+    Gesture m_gesture = Gesture::None;
+    QPointF m_from, m_at;
+    bool m_over = false;           // the pointer is over the view
+    Qt::KeyboardModifiers m_with;  // was held when it was pressed
+    double m_seconds = 0;          // of the pointer's last event
+    int m_pressed = -1, m_hovered = -1;
+    std::optional<Part> m_part;  // pressed, or under the pointer
+    bool m_leaves = false;       // what is selected does no more, once it was clicked and not dragged
+    bool m_sets = false;         // the pin that is dragged is new
+    Amount m_amount = Amount::Zero();
+    TypedNumber m_typed;
+    QObject m_listener;  // to the choice
+};
+
+extern template class PinTool<2>;
+extern template class PinTool<3>;
+
+ToolKind pinTool();
+ToolKind selectTool();
+
+}  // namespace wend

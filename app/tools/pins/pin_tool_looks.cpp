@@ -1,0 +1,160 @@
+// What the pin tool says and draws, which pointer it shows, and how the window offers it.
+#include <QCoreApplication>
+
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+#include "app/tools/drag_label.h"
+#include "app/tools/pins/pin_tool.h"
+
+namespace wend {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("PinTool", text);
+}
+
+}  // namespace
+
+template <int Dim>
+QString PinTool<Dim>::hint() const {
+    const bool waits = m_gesture == Gesture::None, isOver = waits && m_over;
+    if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
+    if (isRecording(session())) return recordingHint();
+    if (m_gesture == Gesture::Widen)
+        return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin shall hold; Esc gives it up"));
+    const bool moves = m_gesture == Gesture::Drag && m_gizmo.part().kind == Grip::Kind::Move;
+    if (Dim == 3 && m_gesture == Gesture::Drag)
+        return said(QT_TRANSLATE_NOOP("PinTool",
+                                      "Shift keeps it straight; X, Y, Z lock an axis, numbers set the "
+                                      "amount, Esc puts the shape back"));
+    if (moves)
+        return said(QT_TRANSLATE_NOOP(
+            "PinTool",
+            "Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back"));
+    if (m_part) return m_gizmo.hint();
+    const bool isPlaced = waits && placeGizmo();
+    if (isPlaced && m_gizmo.anywhere()) return gripHint();
+    if (m_hovered >= 0)
+        return said(QT_TRANSLATE_NOOP("PinTool",
+                                      "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
+                                      "Shift-click to select more"));
+    if (isOver && m_curve.isOnCurve(m_at)) return curveHint(false);
+    return isPlaced && m_over && m_gizmo.isRefusedAt(surface(), m_at) ? refusal(Grip::Kind::Turn)
+                                                                      : besideHint();
+}
+
+/// Of a drag that turns or scales.
+template <int Dim>
+QString PinTool<Dim>::gripHint() const {
+    const Grip::Kind kind = m_gizmo.anywhere()->kind;
+    if (!m_gizmo.canTurn()) return refusal(kind);
+    return kind == Grip::Kind::Turn
+               ? said(
+                     QT_TRANSLATE_NOOP("PinTool",
+                                       "Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records "
+                                       "it; digits set the number"))
+               : said(
+                     QT_TRANSLATE_NOOP("PinTool",
+                                       "Drag anywhere to scale what is selected, Ctrl records it; digits set "
+                                       "the number"));
+}
+
+/// What a single point cannot do.
+template <int Dim>
+QString PinTool<Dim>::refusal(Grip::Kind kind) {
+    return kind == Grip::Kind::Grow
+               ? said(QT_TRANSLATE_NOOP("PinTool", "A point cannot scale – Alt-drag to widen it"))
+               : said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
+}
+
+/// What a press beside all pins would begin.
+template <int Dim>
+QString PinTool<Dim>::besideHint() const {
+    if (m_outline.kind() == Outline::Lasso)
+        return m_adds ? said(QT_TRANSLATE_NOOP("PinTool",
+                                               "Click on the shape to set a pin, drag to bend it at once; "
+                                               "beside it, draw around pins to select them"))
+                      : said(QT_TRANSLATE_NOOP(
+                            "PinTool", "Draw around pins to select them; Shift adds, Ctrl takes away"));
+    if (m_outline.kind() == Outline::Brush)
+        return m_adds ? said(QT_TRANSLATE_NOOP("PinTool",
+                                               "Click on the shape to set a pin, drag to bend it at once; "
+                                               "beside it, brush over pins, [ and ] change the size"))
+                      : said(QT_TRANSLATE_NOOP("PinTool",
+                                               "Brush over pins to select them, [ and ] change the size; "
+                                               "Shift adds, Ctrl takes away"));
+    return m_adds ? said(QT_TRANSLATE_NOOP(
+                        "PinTool", "Click on the shape to set a pin, or press and drag to bend it at once"))
+                  : said(QT_TRANSLATE_NOOP("PinTool",
+                                           "Click, or draw beside pins, to select; Shift adds, Ctrl takes "
+                                           "away; drag or arrow keys move"));
+}
+
+template <int Dim>
+QCursor PinTool<Dim>::cursor() const {
+    if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
+    if (m_gesture == Gesture::Widen) return Qt::SizeAllCursor;
+    if (m_hovered >= 0 || m_part) return Qt::OpenHandCursor;
+    return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+template <int Dim>
+void PinTool<Dim>::paint(QPainter& painter) const {
+    m_curve.paint(painter, m_at);
+    paintRecording(painter, session(), m_at + QPointF(16, -34));
+    if (session().selection().isEmpty()) m_cross.paint(painter);
+    if (m_gesture == Gesture::Marquee) return m_outline.paint(painter);
+    if (m_gesture == Gesture::Widen) return paintWidened(painter);
+    const bool waits = m_gesture == Gesture::None || m_gesture == Gesture::Pressed;
+    const bool isBeside = waits && m_over && m_hovered < 0 && !m_part;
+    if (isBeside && m_outline.kind() == Outline::Brush) m_outline.paintBrush(painter, m_at);
+    if (waits && placeGizmo()) m_gizmo.paint(painter, surface(), litPart());
+    if (m_gesture != Gesture::Drag) return;
+    m_gizmo.paintDragged(painter, surface(), m_amount);
+    const bool isPlain = Dim == 2 && m_part == Part{} && m_typed.isEmpty();
+    if (!isPlain) paintLabel(painter, m_at + QPointF(16, 16), m_gizmo.text(m_amount));
+}
+
+template <int Dim>
+void PinTool<Dim>::paintWidened(QPainter& painter) const {
+    for (const auto& pin : session().template pins<Dim>()) {
+        if (pin.handle != m_pressed) continue;
+        const QPointF centre = surface().toWidget(pin.centre);
+        painter.setPen(QPen(QColor(kAccent), marked(2)));
+        painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
+        const double radius = QLineF(centre, m_at).length();
+        painter.drawEllipse(centre, radius, radius);
+    }
+}
+
+#define WEND_INSTANTIATE(Dim)                           \
+    template QString PinTool<Dim>::hint() const;        \
+    template QString PinTool<Dim>::gripHint() const;    \
+    template QString PinTool<Dim>::besideHint() const;  \
+    template QString PinTool<Dim>::refusal(Grip::Kind); \
+    template QCursor PinTool<Dim>::cursor() const;      \
+    template void PinTool<Dim>::paint(QPainter&) const; \
+    template void PinTool<Dim>::paintWidened(QPainter&) const
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+ToolKind pinTool() {
+    return toolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
+                    QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins,
+                    both<PinTool>(&Workbench::pins, true),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
+                     ToolOption::Snap},
+                    {}, Mode::Pins);
+}
+
+ToolKind selectTool() {
+    return toolKind("select", "select", QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+                    QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"), "V",
+                    Modes::all(), both<PinTool>(&Workbench::pins, false),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through});
+}
+
+}  // namespace wend

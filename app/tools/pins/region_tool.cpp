@@ -1,0 +1,124 @@
+#include "app/tools/pins/region_tool.h"
+
+#include <QCoreApplication>
+
+#include "app/session/accent.h"
+#include "app/session/pins/mark_size.h"
+#include "app/session/pins/solid_places.h"
+#include "app/tools/pins/held_part.h"
+#include "app/tools/region_outline.h"
+
+namespace wend {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("RegionTool", text);
+}
+
+}  // namespace
+
+QString RegionTool::hint() const {
+    if (m_shape == Shape::Ball)
+        return said(
+            QT_TRANSLATE_NOOP("RegionTool",
+                              "Drag from a point of the surface to hold a ball; Shift adds what is in it "
+                              "to the selected handle, Ctrl takes it away"));
+    if (m_shape == Shape::Side)
+        return said(QT_TRANSLATE_NOOP(
+            "RegionTool", "Drag from a point of the surface towards what to hold: all beyond the point"));
+    return said(QT_TRANSLATE_NOOP(
+        "RegionTool",
+        "Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, "
+        "Ctrl takes it away"));
+}
+
+void RegionTool::press(const QMouseEvent& event) {
+    m_from = m_at = event.position();
+    const SolidHit hit = surface().pick(m_at);
+    const auto frame = session().frame<3>();
+    m_active = hit.cell >= 0 && frame;
+    if (!m_active) return;
+    m_centre = hit.point;
+    m_restCentre =
+        positionOf<3>(locationIn<3>(*frame, hit.cell, hit.point), *frame->rest, frame->rest->points);
+    m_turn = cellRotation(*frame, hit.cell);
+}
+
+void RegionTool::move(const QMouseEvent& event) {
+    m_at = event.position();
+    surface().redraw();
+}
+
+/// Around the place in the rest shape, as large as it was drawn in the pose.
+Region<3> RegionTool::region() const {
+    const Vec<3> way = m_turn.transpose() * (acrossTheScreen(surface(), m_centre, m_at) -
+                                             acrossTheScreen(surface(), m_centre, m_from));
+    const double radius = way.norm();
+    if (m_shape == Shape::Ball) return Ball<3>{m_restCentre, radius};
+    if (m_shape == Shape::Side) return HalfSpace<3>{m_restCentre, way.normalized()};
+    return Box<3>{m_restCentre.array() - radius, m_restCentre.array() + radius};
+}
+
+void RegionTool::release(const QMouseEvent& event) {
+    m_at = event.position();
+    if (std::exchange(m_active, false) && session().frame<3>() && !isClick()) take(event.modifiers());
+    surface().redraw();
+}
+
+void RegionTool::take(Qt::KeyboardModifiers with) {
+    const auto vertices = verticesIn(region(), *session().frame<3>()->rest);
+    if (vertices.empty())
+        return emit session().notice(
+            said(QT_TRANSLATE_NOOP("RegionTool", "There is no vertex in this region.")));
+    if (changePart<3>(surface(), vertices, with)) return;
+    session().addHandle<3>(region(), said(QT_TRANSLATE_NOOP("RegionTool", "Region")).toStdString());
+    m_done();
+}
+
+bool RegionTool::key(const QKeyEvent& event) {
+    if (event.key() != Qt::Key_Escape) return false;
+    if (!std::exchange(m_active, false)) session().selection().clear();
+    surface().redraw();
+    return true;
+}
+
+/// The region where the solid now is, with the vertices in it.
+void RegionTool::paint(QPainter& painter) const {
+    const auto frame = session().frame<3>();
+    if (!m_active || isClick() || !frame) return;
+    const Region<3> drawn = region();
+    const auto& rest = frame->rest->points;
+    painter.setPen(QPen(QColor(kAccent), marked(1.25)));
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& line : regionOutline(drawn, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
+        QPolygonF screen;
+        for (const Vec<3>& p : line) screen << surface().toWidget(m_centre + m_turn * (p - m_restCentre));
+        painter.drawPolyline(screen);
+    }
+    paintCaught(painter, surface(), verticesIn(drawn, *frame->rest), m_at);
+}
+
+ToolKind grabBallTool() {
+    return toolKind(
+        "ball", "area-ball", QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point of the surface"),
+        "Shift+K", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Ball, &Workbench::toSelect));
+}
+
+ToolKind grabBlockTool() {
+    return toolKind(
+        "block", "area-box", QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point of the surface"),
+        "Shift+X", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Block, &Workbench::toSelect));
+}
+
+ToolKind grabSideTool() {
+    return toolKind("side", "area-half", QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
+                    QT_TRANSLATE_NOOP(
+                        "Tools", "Take hold of all that lies beyond a plane through a point of the surface"),
+                    "Shift+P", Mode::Pins,
+                    solidsOnly<RegionTool>(RegionTool::Shape::Side, &Workbench::toSelect));
+}
+
+}  // namespace wend

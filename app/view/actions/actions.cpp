@@ -1,0 +1,253 @@
+#include "app/view/actions/actions.h"
+
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QUndoStack>
+
+#include "app/view/actions/backdrop_choice.h"
+#include "app/view/actions/language_choice.h"
+#include "app/view/actions/menu_letters.h"
+#include "app/view/actions/toolbox.h"
+
+namespace wend {
+
+Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
+    : ActionMaker(parent),
+      selectTool(tools.action(QStringLiteral("select"))),
+      pinTool(tools.action(QStringLiteral("pin"))),
+      recent(std::make_unique<QMenu>()),
+      samples(std::make_unique<QMenu>()),
+      exports(std::make_unique<QMenu>()),
+      backdrop(new BackdropChoice(this)),
+      languages(new LanguageChoice(this)),
+      speed(std::make_unique<QMenu>()),
+      markSizes(std::make_unique<QMenu>()),
+      m_tools(tools) {
+    makeFile();
+    makeEdit(undoStack);
+    makeView();
+    makeMotion();
+    makeHelp();
+    setHasFile(false, false, false);
+    setHasSelection(false);
+    setHasMotion(false);
+}
+
+void Actions::makeFile() {
+    open =
+        add({tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")}, QKeySequence::Open, "open");
+    save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
+    saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
+    exportPicture = add({tr("&Picture…"), tr("Write the picture as it is bent now, at its full size")},
+                        QKeySequence(tr("Ctrl+E")), "export");
+    exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
+                       QKeySequence(tr("Ctrl+Shift+E")), "frames");
+    exportStMap =
+        add({tr("Warp &Map (ST)…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+    exportMesh = add({tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
+    exportView = add({tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
+    exports->setTitle(tr("&Export"));
+    exports->addActions({exportPicture, exportFrames, exportStMap, exportMesh, exportView});
+    closeFile = add({tr("&Close"), tr("Close the file and go back to the start page")}, QKeySequence::Close);
+    quit = add({tr("&Quit"), tr("Leave Wend")}, QKeySequence::Quit);
+    quit->setMenuRole(QAction::QuitRole);
+    recent->setTitle(tr("Open &Recent"));
+    samples->setTitle(tr("Open Sa&mple"));
+}
+
+void Actions::makeEdit(QUndoStack& stack) {
+    undo = stack.createUndoAction(this, tr("&Undo"));
+    redo = stack.createRedoAction(this, tr("&Redo"));
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    undo->setProperty("iconName", "undo");
+    redo->setProperty("iconName", "redo");
+    undo->setStatusTip(tr("Take back the last step"));
+    redo->setStatusTip(tr("Do again what was taken back"));
+    history =
+        add({tr("&Steps…"), tr("See what was done, and go back to any of it")}, QKeySequence(tr("Ctrl+H")));
+    selectAll = add({tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
+    selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
+    remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
+                 QKeySequence::Delete, "remove");
+}
+
+void Actions::makeView() {
+    showMesh = addToggle({tr("M&esh"), tr("Show the triangles that carry the picture")},
+                         QKeySequence(tr("M")), "mesh");
+    showMap =
+        addToggle({tr("&Map"), tr("Colour the shape by what changed")}, QKeySequence(tr("D")), "distortion");
+    showMarks = addToggle({tr("&Stiffness Marks"), tr("Show where it is stiff, and along which direction")},
+                          QKeySequence(tr("Shift+S")), "marks");
+    showArrows = addToggle({tr("&Velocity Arrows"), tr("Show where the shape moves at this time")},
+                           QKeySequence(tr("Shift+V")));
+    hideOverlays =
+        addToggle({tr("&Hide Pins and Maps"), tr("Show the bare picture; hold H to do so for a moment")},
+                  QKeySequence(tr("Shift+H")), "hide");
+    showRest = addToggle(
+        {tr("&Before"), tr("Show the shape as it was before it was bent; hold \\ to do so for a moment")}, {},
+        "compare");
+    compare =
+        addToggle({tr("&Compare Energies"),
+                   tr("Show another energy on the same pins beside; or drag a tile of Keep onto the shape")},
+                  QKeySequence(tr("Y")));
+    fit = add({tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
+    actualSize = add({tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
+                     QKeySequence(tr("1")), "zoom-100");
+    zoomIn = add({tr("Zoom &In"), tr("Look closer")}, QKeySequence::ZoomIn);
+    zoomOut = add({tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
+    fullScreen = addToggle({tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
+    showProperties = addToggle(
+        {tr("&Properties"), tr("Show the properties at the right, or leave their room to the shape")},
+        QKeySequence(Qt::Key_F4));
+    showProperties->setChecked(true);
+    auto* looks = new QActionGroup(this);
+    systemLook = addToggle({tr("As the &Desktop"), tr("Light or dark as the desktop is")}, {});
+    lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
+    darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
+    lessMotion =
+        addToggle({tr("Less &Motion"), tr("Nothing moves in the window but what shows something")}, {});
+    fillFactors(*markSizes, {100, 150, 200, 300});
+    markSizes->setTitle(tr("Size of M&arks"));
+    markSizes->menuAction()->setStatusTip(
+        tr("How large pins, rings and curves are over the shape, for the eye and for the hand"));
+    for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
+    systemLook->setChecked(true);
+}
+
+void Actions::makeMotion() {
+    play = add({tr("&Play"), tr("Play the motion, or pause it; so does a tap of the space bar")},
+               QKeySequence(tr("K")), "play");
+    loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("Shift+L")), "loop");
+    toStart =
+        add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
+    toEnd =
+        add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
+    record = addToggle(
+        {tr("&Record"), tr("Every drag is kept as it goes, in real time; Ctrl does so for one drag")},
+        QKeySequence(tr("Ctrl+R")), "record");
+    onionSkin =
+        addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
+                  QKeySequence(tr("Shift+N")), "onion");
+    fillFactors(*speed, {25, 50, 100, 200});
+    speed->menuAction()->setStatusTip(tr("How fast it plays, and by which clock drags are recorded"));
+    speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
+    setSpeed(1);
+    settle = add(
+        {tr("Rela&x"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
+        {});
+}
+
+/// One of them holds, at first the usual one.
+void Actions::fillFactors(QMenu& menu, const QList<int>& percents) {
+    auto* group = new QActionGroup(&menu);
+    for (const int percent : percents) {
+        QAction* one = menu.addAction(tr("%1 %").arg(percent));
+        one->setData(percent / 100.0);
+        one->setCheckable(true);
+        one->setChecked(percent == 100);
+        group->addAction(one);
+    }
+}
+
+void Actions::setSpeed(double factor) {
+    speed->setTitle(tr("Speed: %1 %").arg(qRound(100 * factor)));
+}
+
+void Actions::makeHelp() {
+    manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
+                 "help");
+    tutorial = add({tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
+    tips = add({tr("T&ips"), tr("Say beside the shape what to do first")}, {});
+    tips->setCheckable(true);
+    shortcuts = add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence(tr("?")));
+    about = add({tr("&About Wend"), tr("Version and licence")}, {});
+    about->setMenuRole(QAction::AboutRole);
+}
+
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& edits) {
+    QMenu* file = window.menuBar()->addMenu(tr("&File"));
+    file->addAction(open);
+    file->addMenu(recent.get());
+    file->addMenu(samples.get());
+    file->addSeparator();
+    file->addActions({save, saveAs});
+    file->addSeparator();
+    file->addMenu(exports.get());
+    file->addSeparator();
+    file->addActions({closeFile, quit});
+    QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
+    edit->addActions({undo, redo, history});
+    edit->addSeparator();
+    edit->addActions({selectAll, selectNone, remove});
+    for (QMenu* menu : edits) edit->addMenu(menu);
+    QMenu* view = window.menuBar()->addMenu(tr("&View"));
+    view->addActions({showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare});
+    view->addSeparator();
+    view->addActions({fit, actualSize, zoomIn, zoomOut});
+    view->addSeparator();
+    view->addMenu(backdrop->menu());
+    QMenu* appearance = view->addMenu(tr("A&ppearance"));
+    appearance->addActions({systemLook, lightLook, darkLook});
+    appearance->addSeparator();
+    appearance->addMenu(markSizes.get());
+    appearance->addAction(lessMotion);
+    view->addMenu(languages->menu());
+    view->addActions({showProperties, fullScreen});
+    fillTools(*window.menuBar()->addMenu(tr("&Tools")));
+    window.menuBar()->addMenu(more);
+    QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
+    motion->addActions({play, loop, toStart, toEnd});
+    motion->addMenu(speed.get());
+    motion->addSeparator();
+    motion->addActions({record, onionSkin, settle});
+    motion->addMenu(curve);
+    window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, tips, manual, shortcuts, about});
+    for (const QAction* one : window.menuBar()->actions()) makeLettersUnique(*one->menu());
+}
+
+/// The steps, and under the name of each what belongs to it first.
+void Actions::fillTools(QMenu& menu) const {
+    for (const Mode mode : kModes) menu.addAction(m_tools.modeAction(mode));
+    for (const Mode mode : kModes)
+        if (const QList<QAction*> tools = m_tools.toolsFirstIn(mode); !tools.isEmpty()) {
+            menu.addSection(m_tools.modeAction(mode)->text());
+            menu.addActions(tools);
+        }
+}
+
+void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
+    const QString why = tr("Open a picture first.");
+    for (QAction* action :
+         {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap, showMarks,
+          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, showProperties, record})
+        enable(action, has, why);
+    enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
+    const QString noPicture = tr("This project has no picture.");
+    enable(exportPicture, has && hasPicture && !isSolid,
+           isSolid ? tr("A solid has no pixels: export the view.") : (has ? noPicture : why));
+    enable(exportView, has && isSolid, has ? tr("Of a picture, export the picture itself.") : why);
+    enable(exportFrames, has, why);
+    enable(exportStMap, has && hasPicture, has ? noPicture : why);
+    const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // what one sees
+    setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);
+    setKeysOf(exportView, isSolid ? key : QList<QKeySequence>());
+}
+
+void Actions::resetView() {
+    for (QAction* action :
+         {showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare, record, onionSkin})
+        action->setChecked(false);
+}
+
+void Actions::setHasSelection(bool has) {
+    enable(remove, has, tr("Select a pin first."));
+}
+
+void Actions::setHasMotion(bool has) {
+    for (QAction* action : {play, loop, toStart, toEnd, onionSkin})
+        enable(action, has, tr("Nothing moves yet: drag a pin."));
+    if (!has) enable(exportFrames, false, tr("Nothing moves yet: drag a pin."));
+}
+
+}  // namespace wend

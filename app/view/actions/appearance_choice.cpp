@@ -1,0 +1,68 @@
+#include "app/view/actions/appearance_choice.h"
+
+#include <QApplication>
+#include <QSettings>
+
+#include "app/panels/look/liveliness.h"
+#include "app/session/pins/mark_size.h"
+#include "app/tools/shape_surface.h"
+#include "app/view/actions/actions.h"
+#include "app/view/volume/solid_canvas.h"
+
+namespace wend {
+
+AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
+    : QObject(&window), m_actions(actions), m_window(window), m_system(QApplication::palette()) {
+    for (const auto& [action, appearance] : {std::pair{actions.systemLook, Appearance::System},
+                                             {actions.lightLook, Appearance::Light},
+                                             {actions.darkLook, Appearance::Dark}})
+        connect(action, &QAction::triggered, this, [this, look = appearance] { apply(look); });
+    connect(actions.markSizes.get(), &QMenu::triggered, this,
+            [this](const QAction* chosen) { enlargeMarks(chosen->data().toDouble()); });
+    connect(actions.lessMotion, &QAction::toggled, this, [](bool less) {
+        QSettings().setValue("lessMotion", less);
+        setLively(!less);
+    });
+}
+
+void AppearanceChoice::restore() {
+    apply(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+    restoreMarks();
+    const bool less = QSettings().value("lessMotion", false).toBool();
+    m_actions.lessMotion->setChecked(less);
+    setLively(!less);
+}
+
+void AppearanceChoice::restoreMarks() {
+    const double kept = QSettings().value("markSize", 1).toDouble();
+    const QAction* chosen = nullptr;
+    for (QAction* one : m_actions.markSizes->actions())
+        if (one->data().toDouble() == kept) one->setChecked(true), chosen = one;
+    setMarkSize(chosen ? kept : 1);
+}
+
+/// In all views, at once.
+void AppearanceChoice::enlargeMarks(double factor) {
+    QSettings().setValue("markSize", factor);
+    setMarkSize(factor);
+    for (QWidget* one : m_window.findChildren<QWidget*>()) {
+        if (auto* picture = dynamic_cast<ShapeSurface<2>*>(one)) picture->redraw();
+        if (auto* solid = dynamic_cast<SolidCanvas*>(one)) solid->showLooks();
+    }
+}
+
+void AppearanceChoice::apply(Appearance appearance) {
+    QSettings().setValue("appearance", static_cast<int>(appearance));
+    const QPalette look = wendPalette(appearance, m_system);
+    QApplication::setPalette(look);
+    const QString sheet = wendStyleSheet(look);
+    if (sheet != qApp->styleSheet()) qApp->setStyleSheet(sheet);  // every widget is looked at for it
+    m_window.setPalette(look);
+    (appearance == Appearance::System  ? m_actions.systemLook
+     : appearance == Appearance::Light ? m_actions.lightLook
+                                       : m_actions.darkLook)
+        ->setChecked(true);
+    emit changed();
+}
+
+}  // namespace wend

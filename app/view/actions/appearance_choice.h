@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QObject>
+#include <QPalette>
+
+#include "app/panels/look/theme.h"
+
+class QWidget;
+
+namespace wend {
+
+class Actions;
+
+/// Light, dark, or as the desktop is, how large marks are, and how lively; remembered for other days.
+class AppearanceChoice : public QObject {
+    Q_OBJECT
+
+  public:
+    AppearanceChoice(Actions& actions, QWidget& window);
+    /// As it was last.
+    void restore();
+
+  signals:
+    /// The window has another palette: what was drawn in its colours is to be drawn anew.
+    void changed();
+
+  private:
+    void apply(Appearance appearance);
+    void restoreMarks();
+    void enlargeMarks(double factor);
+
+    Actions& m_actions;
+    QWidget& m_window;
+    QPalette m_system;
+};
+
+}  // namespace wend

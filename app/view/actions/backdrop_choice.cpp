@@ -1,0 +1,41 @@
+#include "app/view/actions/backdrop_choice.h"
+
+#include <QActionGroup>
+#include <QSettings>
+
+namespace wend {
+
+namespace {
+
+const QString kSetting = QStringLiteral("backdrop");
+
+}  // namespace
+
+BackdropChoice::BackdropChoice(QObject* parent)
+    : ActionMaker(parent), m_menu(new QMenu), m_group(new QActionGroup(this)) {
+    m_menu->setTitle(tr("Bac&kdrop"));
+    const std::pair<Words, QColor> choices[] = {
+        {{tr("&Checks"), tr("Checks behind a picture, the workspace behind a solid")}, QColor()},
+        {{tr("&White"), tr("White behind the shape: dark edges are seen on it")}, QColor(Qt::white)},
+        {{tr("&Grey"), tr("Grey behind the shape")}, QColor(128, 128, 128)},
+        {{tr("&Black"), tr("Black behind the shape: light edges are seen on it")}, QColor(Qt::black)}};
+    const int remembered = QSettings().value(kSetting, 0).toInt();
+    for (const auto& [words, colour] : choices) {
+        QAction* one = addToggle(words, {});
+        one->setData(colour);
+        m_menu->addAction(m_group->addAction(one));
+    }
+    m_group->actions().at(std::clamp(remembered, 0, 3))->setChecked(true);
+    connect(m_group, &QActionGroup::triggered, this, &BackdropChoice::choose);
+}
+
+QColor BackdropChoice::colour() const {
+    return m_group->checkedAction()->data().value<QColor>();
+}
+
+void BackdropChoice::choose(const QAction* chosen) {
+    QSettings().setValue(kSetting, m_group->actions().indexOf(chosen));
+    emit changed(colour());
+}
+
+}  // namespace wend

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QColor>
+#include <QMenu>
+#include <memory>
+
+#include "app/view/actions/action_maker.h"
+
+class QActionGroup;
+
+namespace wend {
+
+/// What the shape is seen on: checks behind a picture and the workspace behind a solid, or a colour on which
+/// its edges are judged; remembered for other days. What is exported does not know of it.
+class BackdropChoice : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    explicit BackdropChoice(QObject* parent);
+
+    QMenu* menu() const { return m_menu.get(); }
+    /// Invalid for checks and workspace.
+    QColor colour() const;
+
+  signals:
+    void changed(const QColor& colour);
+
+  private:
+    void choose(const QAction* chosen);
+
+    std::unique_ptr<QMenu> m_menu;
+    QActionGroup* m_group;
+};
+
+}  // namespace wend

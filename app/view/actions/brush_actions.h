@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QMenu>
+#include <memory>
+
+#include "app/session/brush.h"
+#include "app/view/actions/action_maker.h"
+#include "app/view/actions/number_action.h"
+
+namespace wend {
+
+class Toolbox;
+
+/// What the brush paints and how it does, beside the name of its tool; and by a key each of the four stops of
+/// what is kept: a tool that does not paint gives way to the brush.
+class BrushActions : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    BrushActions(Brush& brush, Toolbox& tools, QObject* parent);
+
+    QAction *keep = nullptr, *stiffness = nullptr, *direction = nullptr;
+    NumberAction *amount = nullptr, *size = nullptr, *hardness = nullptr;
+    NumberAction *order = nullptr, *edges = nullptr;  // that the depth and the detail brush lay down
+    QAction* pressure = nullptr;
+
+    QMenu* menu() const { return m_menu.get(); }
+
+  private:
+    template <class Change>
+    void change(const Change& change);
+    void makeStops();
+    void makeTargets();
+    void makeTip();
+    void makeNumbers();
+    void showBrush();
+    void refresh();
+    void choose(int stop);
+
+    Brush& m_brush;
+    QList<QAction*> m_stops;
+    Toolbox& m_tools;
+    std::unique_ptr<QMenu> m_menu;
+};
+
+}  // namespace wend

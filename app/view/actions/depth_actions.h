@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QMenu>
+#include <memory>
+
+#include "app/view/actions/action_maker.h"
+
+namespace wend {
+
+class ShapeSession;
+
+/// Which part lies in front, for what is around the selected pins of a picture.
+class DepthActions : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    DepthActions(ShapeSession& session, QObject* parent);
+
+    QAction *front, *behind, *plain, *number;
+
+    QMenu* menu() const { return m_menu.get(); }
+
+  private:
+    void refresh();
+    void bring(double order);
+    void askNumber();
+
+    ShapeSession& m_session;
+    std::unique_ptr<QMenu> m_menu;
+};
+
+}  // namespace wend

@@ -1,0 +1,86 @@
+#include "app/view/actions/language_choice.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+
+namespace wend {
+
+namespace {
+
+const QString kSetting = QStringLiteral("language");
+
+struct Language {
+    const char *code, *name;
+};
+constexpr Language kLanguages[] = {{"de", "Deutsch"},  {"en", "English"}, {"es", "Español"},
+                                   {"fr", "Français"}, {"ja", "日本語"},  {"zh_CN", "简体中文"}};
+
+/// Of the settings; empty: as the desktop.
+QString chosenCode() {
+    const QString kept = QSettings().value(kSetting).toString();
+    for (const Language& one : kLanguages)
+        if (kept == QLatin1String(one.code)) return kept;
+    return {};
+}
+
+QLocale localeOf(const QString& code) {
+    return code.isEmpty() ? QLocale::system() : QLocale(code);
+}
+
+/// Not what a desktop would like second best, where English comes first: that is what the sources speak.
+bool loadWords(QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder) {
+    const QString first = locale.uiLanguages().value(0);
+    return locale.language() != QLocale::C && !first.startsWith(QStringLiteral("en")) &&
+           translator.load(locale, name, QStringLiteral("_"), folder);
+}
+
+bool loadOurs(QTranslator& translator, const QLocale& locale) {
+    return loadWords(translator, locale, QStringLiteral("wend"), QStringLiteral(":/i18n"));
+}
+
+}  // namespace
+
+/// Numbers are written as in that country, unless the desktop speaks its language anyway.
+SpokenLanguage::SpokenLanguage() {
+    const QLocale locale = localeOf(chosenCode());
+    if (locale.language() != QLocale::system().language()) QLocale::setDefault(locale);
+    if (loadOurs(m_ours, locale)) QCoreApplication::installTranslator(&m_ours);
+    if (loadWords(m_qts, locale, QStringLiteral("qtbase"),
+                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&m_qts);
+}
+
+SpokenLanguage::~SpokenLanguage() {
+    for (QTranslator* one : {&m_ours, &m_qts}) QCoreApplication::removeTranslator(one);
+    QLocale::setDefault(QLocale::system());
+}
+
+LanguageChoice::LanguageChoice(QObject* parent)
+    : ActionMaker(parent), m_menu(new QMenu), m_spoken(chosenCode()) {
+    m_menu->setTitle(tr("&Language"));
+    m_menu->menuAction()->setStatusTip(tr("Which language the window speaks"));
+    auto* group = new QActionGroup(this);
+    const auto offer = [&](const Words& words, const QString& code) {
+        QAction* one = addToggle(words, {});
+        one->setData(code);
+        one->setChecked(code == m_spoken);
+        m_menu->addAction(group->addAction(one));
+    };
+    offer({tr("As the &Desktop"), tr("Speak the desktop's language, if Wend knows it")}, {});
+    for (const Language& one : kLanguages) {
+        const QString name = QString::fromUtf8(one.name);
+        offer({name, tr("Speak %1").arg(name)}, QLatin1String(one.code));
+    }
+    connect(group, &QActionGroup::triggered, this,
+            [this](const QAction* chosen) { choose(chosen->data().toString()); });
+}
+
+void LanguageChoice::choose(const QString& code) {
+    QSettings().setValue(kSetting, code);
+    if (code != m_spoken) emit changed();
+}
+
+}  // namespace wend

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QActionGroup>
+#include <map>
+
+#include "app/view/actions/action_maker.h"
+#include "app/view/actions/tool_table.h"
+
+namespace wend {
+
+/// The tools of the window as actions, one of which is chosen, and the steps of the work, one of which is
+/// current and remembers its tool. A tool that does not belong to the current step brings its own.
+class Toolbox : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    explicit Toolbox(QObject* parent);
+
+    QAction* action(const QString& id) const;
+    QAction* modeAction(Mode mode) const { return m_modes.at(mode); }
+    Mode mode() const { return m_mode; }
+    void setMode(Mode mode);
+    int dimension() const { return m_dimension; }
+    /// 0: nothing is open. A shape begins with its pins.
+    void setDimension(int dimension);
+    /// The tool that is chosen; null if it does nothing with what is open.
+    const ToolKind* current() const;
+    bool isChosen(const char* id) const;
+    /// What the tool bar of a step holds for what is open.
+    QList<QAction*> toolsOf(Mode mode) const;
+    /// Tools under the step that they are first of, for a menu.
+    QList<QAction*> toolsFirstIn(Mode mode) const;
+    /// A key belongs to the current step's tools first, then to these, then to the tools of other steps.
+    void shareKeysWith(const QList<ActionMaker*>& others);
+
+  signals:
+    /// Another tool, another step, or another dimension.
+    void changed();
+
+  private:
+    void makeModes();
+    void makeTool(const ToolKind& kind);
+    bool fits(const ToolKind& kind) const;
+    QAction* toolFor(Mode mode) const;
+    void choose(const ToolKind& kind);
+    void show();
+    void shareKeys();
+
+    QActionGroup* m_group;
+    std::map<Mode, QAction*> m_modes;
+    std::map<Mode, QAction*> m_last;  // the tool that each step had last
+    std::vector<QAction*> m_tools;    // in the order of the table
+    QList<ActionMaker*> m_others;
+    Mode m_mode = Mode::Pins;
+    int m_dimension = 0;
+};
+
+}  // namespace wend

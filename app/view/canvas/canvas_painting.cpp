@@ -1,0 +1,78 @@
+// What is drawn of a picture.
+#include "app/panels/look/smooth_map.h"
+#include "app/session/shape/shape.h"
+#include "app/tools/paint/stiffness_marks.h"
+#include "app/tools/velocity_arrows.h"
+#include "app/view/canvas/canvas.h"
+#include "app/view/shape/shape_painter.h"
+
+namespace wend {
+
+void ShapeCanvas::paintShape(QPainter& painter) {
+    if (!m_drawn) return;
+    // While another view is being drawn, the last one stands in for it, moved and scaled.
+    const RenderRequest& request = m_drawn->request;
+    const double scale = m_view.zoom() / request.view.zoom();
+    const QPointF origin = m_view.toWidget(request.view.toShape({0, 0}));
+    painter.save();
+    painter.setOpacity(m_viewport.isDimmed() ? 0.55 : 1);
+    const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.scale() * scale);
+    const bool fits = request.view == m_view && request.coarseness == 1;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
+    if (fits) {
+        painter.drawImage(QPointF(0, 0), m_drawn->image);
+    } else {  // Qt does not enlarge an image of fewer pixels than the screen's by its ratio
+        painter.drawImage(target, m_drawn->image);
+    }
+    painter.restore();
+}
+
+/// A film that plays is seen without pins.
+void ShapeCanvas::paintOver(QPainter& painter) {
+    const auto frame = m_session.frame<2>();
+    const Looks& looks = m_viewport.looks();
+    if (looks.hidden || !frame) return;
+    const Theme theme = Theme::of(palette());
+    const Measure measure = looks.colours.measure;
+    ShapePainter<2> over(painter, *this, theme);
+    if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
+    if (looks.map && m_faults && !looks.rest && !looks.standIn)
+        paintFaults(painter, *this, *frame, *m_faults);
+    if (looks.marks || (looks.map && measure == Measure::Stiffness))
+        paintStiffnessMarks(painter, *this, size());
+    if (looks.arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
+    m_layer.setLayer(looks.layer);
+    m_layer.paint(painter, *this);
+    m_detailRegions.paint(painter, *this);
+    m_depthRegions.paint(painter, *this);
+    m_onion.paintOutlines(painter, *this);
+    if (!m_session.playback().isPlaying()) {
+        over.paths(m_viewport.hovered());
+        over.pins(m_viewport.animation(), m_viewport.hovered());
+        if (Tool* tool = m_viewport.tool()) tool->paint(painter);
+    }
+    m_viewport.paintLegend(painter, size());
+}
+
+void ShapeCanvas::paintEvent(QPaintEvent*) {
+    m_viewport.marksPainted();
+    QPainter painter(this);
+    const Looks& looks = m_viewport.looks();
+    const Theme theme = Theme::of(palette());
+    Ground::Look look{m_view, size(), devicePixelRatioF(), {}, looks.backdrop, theme.dark};
+    if (m_session.document().picture()) look.paper = frameRect();
+    m_ground.paint(painter, look, theme, m_session.isDragging() || m_session.playback().isPlaying());
+    m_onion.setShown(looks.onionSkin);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!looks.hidden) m_onion.paintFills(painter, *this);
+    const auto frame = drawnFrame();
+    const bool isMapped = frame && frame != m_unbent && m_viewport.showsMap();
+    if (theme.dark && isMapped && !isPainted(looks.colours.measure))
+        m_onion.paintRim(painter, *this, *frame);  // the dark end of a map is as dark as the ground
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    paintShape(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintOver(painter);
+}
+
+}  // namespace wend

@@ -1,0 +1,339 @@
+#include "app/view/export/export_form.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <cmath>
+
+#include "app/document/in_background.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/session/motion/playback.h"
+#include "app/session/run/run_options.h"
+#include "app/session/run/shape_file.h"
+#include "app/view/export/answer.h"
+#include "app/view/export/export_formats.h"
+#include "core/mesh/error.h"
+#include "warp/image_formats.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kFilmRole = Qt::UserRole + 1;  // of a format's entry: whether it is a film
+constexpr int kLow = 168;                    // of a preview above its fields, where room is scarce
+
+QString bytesText(double bytes) {
+    return QLocale().formattedDataSize(static_cast<qint64>(bytes), bytes < 1000 ? 0 : 1,
+                                       QLocale::DataSizeSIFormat);
+}
+
+}  // namespace
+
+ExportForm::ExportForm(Fields place, QWidget* parent)
+    : QWidget(parent),
+      m_preview(place == Fields::Beside ? new ExportPreview(this)
+                                        : new ExportPreview(this, {0, kLow}, {0, kLow})),
+      m_format(new QComboBox(this)),
+      m_form(new QFormLayout),
+      m_facts(new QLabel(this)),
+      m_cropText(new QLabel(this)),
+      m_problem(new QLabel(this)),
+      m_crop(new QWidget(this)) {
+    m_format->setObjectName(QStringLiteral("format"));
+    describe(m_format, tr("Format"), tr("What kind of file is written."));
+    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
+        m_formats[kind()] = m_format->currentText();
+        adapt();
+    });
+    makeFields();
+    makeCropNote(place);
+    lay(place);
+    showFields();
+    for (QTimer* timer : {&m_previewTimer, &m_sizeTimer}) timer->setSingleShot(true);
+    m_previewTimer.setInterval(40);
+    m_sizeTimer.setInterval(250);
+    connect(&m_previewTimer, &QTimer::timeout, this, &ExportForm::startPreview);
+    connect(&m_sizeTimer, &QTimer::timeout, this, &ExportForm::startSize);
+}
+
+ExportForm::~ExportForm() {
+    m_previewStop.request_stop();
+    m_sizeStop.request_stop();
+}
+
+void ExportForm::setSubject(const ExportSubject& subject) {
+    const auto picture = m_subject.shape ? m_subject.shape->picture() : nullptr;
+    const auto prepared = subject.shape->picture() == picture ? m_subject.picture : nullptr;
+    m_subject = subject;
+    if (!m_subject.picture) m_subject.picture = prepared;
+    showFormats();
+    showPart();
+    if (m_seconds != shape()->seconds()) tieRate(*field("--fps"));
+    m_seconds = shape()->seconds();
+    adapt();
+    if (!subject.solidView.isNull()) {
+        m_preview->setProperty("bare", true);
+        m_preview->setImage(subject.solidView);
+    }
+    if (shape()->picture() && !m_subject.picture) preparePicture();
+}
+
+/// What was seen last stays, as far as it is no other document's.
+void ExportForm::setNothing(const QString& why) {
+    m_previewStop.request_stop();
+    m_sizeStop.request_stop();
+    m_sizeTimer.stop();
+    m_previewTimer.stop();
+    ++m_asked;
+    m_subject.shape.reset();
+    m_preview->setOutdated();
+    m_facts->clear();
+    m_crop->hide();
+    tellProblem(why);
+}
+
+bool ExportForm::isReady() const {
+    return shape() && m_problem->text().isEmpty();
+}
+
+/// A rectangle that was just drawn is what is wanted; one that is gone is not.
+void ExportForm::showPart() {
+    if (m_subject.part == m_part) return;
+    m_part = m_subject.part;
+    QStringList choices{QStringLiteral("picture"), QStringLiteral("fit")};
+    if (m_part) choices << QString::fromStdString(textOf(*m_part));
+    OptionField* canvas = field("--canvas");
+    const QSignalBlocker quiet(canvas);
+    canvas->setChoices(choices);
+    if (!m_part) return;
+    canvas->setWords(choices.last(), tr("Cropped"));
+    canvas->setValue(choices.last().toStdString());
+}
+
+/// Of the kind; what was chosen last stays chosen.
+void ExportForm::showFormats() {
+    const QSignalBlocker quiet(m_format);
+    const QString before = m_formats[kind()];
+    m_format->clear();
+    for (const ExportFormat& format : exportFormats(kind(), *shape())) {
+        m_format->addItem(format.name, format.extension);
+        m_format->setItemData(m_format->count() - 1, format.film, kFilmRole);
+    }
+    m_format->setCurrentIndex(std::max(0, m_format->findText(before)));
+}
+
+QString ExportForm::extension() const {
+    return m_format->currentData().toString();
+}
+
+QString ExportForm::filter() const {
+    return QStringLiteral("%1 (*%2)").arg(m_format->currentText(), extension());
+}
+
+bool ExportForm::isFilm() const {
+    return m_format->currentData(kFilmRole).toBool();
+}
+
+bool ExportForm::isPicture() const {
+    return canWriteImage("picture" + extension().toStdString());
+}
+
+OptionField* ExportForm::field(const char* flag) const {
+    for (OptionField* field : m_fields)
+        if (field->flag() == flag) return field;
+    return nullptr;
+}
+
+/// Whether the option says something about what is written now.
+bool ExportForm::takes(const std::string& flag) const {
+    const std::string file = "mesh" + extension().toStdString();
+    if (flag == "--count" || flag == "--fps") return kind() == ExportKind::Frames;
+    if (flag == "--canvas") return isPicture();
+    if (flag == "--webp") return extension() == QStringLiteral(".webp");
+    if (flag == "--depth" && isFilm()) return false;
+    if (flag == "--depth" || flag == "--outside" || flag == "--filter")
+        return isPicture() && kind() != ExportKind::StMap;
+    if (isPicture()) return false;
+    if (flag == "--border") return shape()->dimension() == 3 && carriesValues(file);
+    if (flag == "--fields") return carriesValues(file);
+    return flag == "--encoding" ? knowsEncodings(file) : file.ends_with(".msh");
+}
+
+OptionValues ExportForm::values() const {
+    OptionValues values;
+    for (const OptionField* field : m_fields)
+        if (takes(field->flag()) && !field->value().empty()) values.set(field->flag(), field->value());
+    return values;
+}
+
+/// With the name of a film, or of a sequence, for the size.
+RunOptions ExportForm::options() const {
+    RunOptions options = runOptionsFrom(values());
+    options.outputs.frames = (isFilm() ? "film" : "frame_####") + extension().toStdString();
+    return options;
+}
+
+/// The film lasts as long as the motion: number and rate of its frames follow each other.
+void ExportForm::tieRate(const OptionField& changed) {
+    OptionField *count = field("--count"), *rate = field("--fps");
+    if (!shape() || shape()->seconds() <= 0) return;
+    if (&changed == rate) count->setNumber(std::lround(shape()->seconds() * rate->number()) + 1.0);
+    if (&changed == count) rate->setNumber((count->number() - 1) / shape()->seconds());
+}
+
+/// What belongs to the format.
+void ExportForm::adapt() {
+    if (!shape()) return;
+    showFields();
+    if (isPicture()) showDepths();
+    showCrop();
+    m_facts->setText(pixels());
+    tellProblem({});
+    askPreview();
+    m_sizeTimer.start();
+    ++m_asked;  // an answer that is under way is to another question
+}
+
+/// None before there is something to write.
+void ExportForm::showFields() {
+    m_form->setRowVisible(m_format, m_format->count() > 0);
+    for (OptionField* field : m_fields) m_form->setRowVisible(field, shape() && takes(field->flag()));
+}
+
+void ExportForm::showDepths() {
+    static const std::pair<const char*, PixelType> types[] = {{"8", PixelType::UInt8},
+                                                              {"16", PixelType::UInt16},
+                                                              {"half", PixelType::Half},
+                                                              {"float", PixelType::Float}};
+    const std::string file = "picture" + extension().toStdString();
+    QStringList choices;
+    QString own;
+    for (const auto& [name, type] : types) {
+        if (holdsType(file, type)) choices << QString::fromLatin1(name);
+        if (shape()->picture() && shape()->picture()->type == type) own = QString::fromLatin1(name);
+    }
+    OptionField* depth = field("--depth");
+    const bool kept = choices.contains(own);
+    depth->setChoices(QStringList(QStringLiteral("picture")) + choices);
+    depth->setWords(QStringLiteral("picture"),
+                    kept ? tr("As in the picture") : tr("As the format holds it best"));
+}
+
+void ExportForm::showCrop() {
+    const bool cuts = isPicture() && field("--canvas")->value() == "picture";
+    const Overhang over = cuts ? shape()->overhang(kind()) : Overhang{};
+    QStringList sides;
+    const auto add = [&sides](int by, const QString& text) {
+        if (by > 0) sides << text.arg(QLocale().toString(by));
+    };
+    add(over.left, tr("%1 px on the left"));
+    add(over.top, tr("%1 px at the top"));
+    add(over.right, tr("%1 px on the right"));
+    add(over.bottom, tr("%1 px at the bottom"));
+    const QString where = sides.join(tr(", "));
+    m_cropText->setText(
+        kind() == ExportKind::Frames
+            ? tr("On its way the shape leaves the picture and is cut off there: %1.").arg(where)
+            : tr("The shape reaches beyond the picture and is cut off there: %1.").arg(where));
+    m_crop->setVisible(over.any());
+}
+
+QString ExportForm::pixels() const {
+    const QLocale locale;
+    const auto count = static_cast<int>(kind() == ExportKind::Frames ? field("--count")->number() : 1);
+    if (!isPicture()) {
+        const int vertices = shape()->vertexCount(extension().toStdString());
+        const QString one = tr("%1 vertices").arg(locale.toString(vertices));
+        return kind() == ExportKind::Frames ? tr("%n shapes of %1", nullptr, count).arg(one) : one;
+    }
+    try {
+        const View view = shape()->view(kind(), runOptionsFrom(values()).canvas);
+        const QString one =
+            tr("%1 × %2 pixels").arg(locale.toString(view.width), locale.toString(view.height));
+        return kind() == ExportKind::Frames ? tr("%n pictures of %1", nullptr, count).arg(one) : one;
+    } catch (const InputError&) {
+        return {};  // the preview tells why
+    }
+}
+
+void ExportForm::showSize(const FileSize& size) {
+    const QString text = bytesText(size.bytes);
+    m_facts->setText(pixels() + QStringLiteral("  ·  ") +
+                     (size.measured ? tr("%1 (measured)").arg(text) : tr("about %1 (estimated)").arg(text)));
+    emit sizeTold();
+}
+
+void ExportForm::tellProblem(const QString& problem) {
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+    emit readyChanged(isReady());
+}
+
+void ExportForm::preparePicture() {
+    const auto picture = shape()->picture();
+    const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
+    inBackground(this, prepare, [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
+        if (!shape() || shape()->picture() != picture) return;
+        m_subject.picture = prepared;
+        startPreview();
+    });
+}
+
+/// Soon; an answer that is under way is to another question. A solid's picture has come with it.
+void ExportForm::askPreview() {
+    if (shape()->dimension() == 3) return;
+    m_previewStop.request_stop();
+    m_preview->setOutdated();
+    m_previewTimer.start();
+}
+
+void ExportForm::startPreview() {
+    if (!shape() || (shape()->picture() && !m_subject.picture)) return;
+    m_previewStop.request_stop();
+    m_previewStop = std::stop_source();
+    const bool dark = Theme::of(palette()).dark;
+    const PreviewRequest request{kind(),
+                                 extension().toStdString(),
+                                 runOptionsFrom(values()),
+                                 m_preview->room(),
+                                 devicePixelRatioF(),
+                                 dark ? QColor(0x5b6070) : QColor(0xbfc6dd),
+                                 QColor(24, 28, 44)};
+    const std::stop_token stop = m_previewStop.get_token();
+    const auto draw = [shape = m_subject.shape, picture = m_subject.picture, request, stop] {
+        return answerOf<QImage>([&] { return exportPreview(*shape, picture, request, stop); });
+    };
+    inBackground(this, draw, [this, stop](const Answer<QImage>& answer) {
+        if (stop.stop_requested()) return;
+        if (!answer.problem.isEmpty()) tellProblem(answer.problem);
+        m_preview->setProperty("bare", !isPicture());
+        m_preview->setImage(answer.value);
+    });
+}
+
+void ExportForm::startSize() {
+    if (!shape()) return;
+    m_sizeStop.request_stop();
+    m_sizeStop = std::stop_source();
+    const std::stop_token stop = m_sizeStop.get_token();
+    const auto measure = [shape = m_subject.shape, kind = kind(), extension = extension().toStdString(),
+                          options = options(), stop] {
+        return answerOf<FileSize>([&] { return shape->size(kind, extension, options, stop); });
+    };
+    inBackground(this, measure, [this, asked = m_asked](const Answer<FileSize>& answer) {
+        if (asked != m_asked || answer.stopped) return;
+        if (answer.problem.isEmpty()) return showSize(answer.value);
+        tellProblem(answer.problem);
+        emit sizeTold();
+    });
+}
+
+void ExportForm::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (shape()) askPreview();
+}
+
+}  // namespace wend

@@ -1,0 +1,55 @@
+#include "app/view/export/export_formats.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/session/shape/shape.h"
+#include "core/mesh/mesh_formats.h"
+
+namespace wend {
+
+namespace {
+
+using Formats = QList<ExportFormat>;
+
+const Formats kPictures{
+    {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
+const Formats kFilms{{"WebP film", ".webp", true}};
+const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
+/// Surfaces first in the plane, in space what holds the solid itself.
+Formats meshFormats(bool solid, bool film) {
+    Formats formats, others;
+    for (const MeshFormatFacts& format : meshFormatFacts()) {
+        if (format.together && (film || !solid)) continue;  // two files each
+        const auto& first = format.extensions.front();
+        (format.holdsTetrahedra == solid ? formats : others)
+            << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),
+                            QString::fromUtf8(first.data(), first.size())};
+    }
+    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb"), true});
+    if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
+    return formats + others;
+}
+
+/// Who brought a surface wants it back as it came.
+void putOwnFirst(Formats& formats, const FrameExport& shape) {
+    const auto solid = posed<3>(shape.frame());
+    if (!solid || !solid->built->skin) return;
+    const QString own = QFileInfo(QString::fromStdString(solid->built->skin->path)).suffix().toLower();
+    std::ranges::stable_partition(formats,
+                                  [&](const ExportFormat& one) { return one.extension == '.' + own; });
+}
+
+}  // namespace
+
+QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
+    if (kind == ExportKind::Picture) return kPictures;
+    if (kind == ExportKind::StMap) return kMaps;
+    const bool solid = shape.dimension() == 3;
+    const bool film = kind == ExportKind::Frames;
+    Formats meshes = meshFormats(solid, film);
+    if (kind == ExportKind::Mesh) putOwnFirst(meshes, shape);
+    return film && shape.picture() ? kPictures + kFilms + meshes : meshes;
+}
+
+}  // namespace wend

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QList>
+#include <QString>
+
+#include "app/session/run/frame_export.h"
+
+namespace wend {
+
+struct ExportFormat {
+    QString name, extension;  // with its dot
+    bool film = false;        // all frames in one file
+};
+
+/// What a shape can be written as, what suits it best first.
+QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape);
+
+}  // namespace wend

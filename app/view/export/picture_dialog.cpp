@@ -1,0 +1,229 @@
+#include "app/view/export/picture_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/in_background.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/view/export/export_button.h"
+#include "app/view/export/export_preview.h"
+#include "app/view/export/view_picture.h"
+#include "warp/image_formats.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kSmallest = 16, kLargest = 20000;  // pixels; drawn in tiles
+constexpr int kFilmRole = Qt::UserRole + 1;      // of a format's entry: whether it is a film
+constexpr int kTyped = 9999999;                  // what may be written and is then told to be too large
+
+bool fits(const QSpinBox* box) {
+    return box->value() >= kSmallest && box->value() <= kLargest;
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw,
+                             double seconds)
+    : QDialog(parent),
+      m_proportions(proposal),
+      m_width(new QSpinBox(this)),
+      m_height(new QSpinBox(this)),
+      m_tied(new QCheckBox(tr("&Proportions of the view"), this)),
+      m_note(new QLabel(this)),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)),
+      m_write(addExportButton(*m_buttons)),
+      m_preview(new ExportPreview(this)),
+      m_format(new QComboBox(this)),
+      m_form(new QFormLayout),
+      m_rate(new OptionField("--fps", this)),
+      m_quality(new OptionField("--webp", this)),
+      m_seconds(seconds),
+      m_facts(new QLabel(this)),
+      m_draw(std::move(draw)),
+      m_transparent(new QCheckBox(tr("&Transparent background"), this)),
+      m_marks(new QCheckBox(tr("P&ins and axes"), this)),
+      m_legend(new QCheckBox(tr("&Legend of the map"), this)) {
+    setWindowTitle(tr("Export View"));
+    for (QSpinBox* box : {m_width, m_height}) {
+        box->setRange(1, kTyped);
+        box->setSuffix(tr(" px"));
+    }
+    m_width->setValue(proposal.width());
+    m_height->setValue(proposal.height());
+    m_transparent->setChecked(true);
+    m_tied->setChecked(true);
+    for (const auto& [name, extension] : {std::pair{"PNG", ".png"},
+                                          {"TIFF", ".tif"},
+                                          {"OpenEXR", ".exr"},
+                                          {"JPEG", ".jpg"},
+                                          {"WebP", ".webp"}})
+        m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
+    if (seconds > 0) {
+        m_format->addItem(QStringLiteral("WebP film"), QStringLiteral(".webp"));
+        m_format->setItemData(m_format->count() - 1, true, kFilmRole);
+    }
+    m_legend->setEnabled(hasLegend);
+    m_legend->setChecked(hasLegend);
+    describe(m_format, tr("Format"), tr("What kind of file is written."));
+    describe(m_tied, tr("Proportions of the view"),
+             tr("Width and height follow each other, so that the picture shows what the view shows."));
+    describe(m_width, tr("Width"), tr("Width of the picture in pixels."));
+    describe(m_height, tr("Height"),
+             tr("Height of the picture in pixels; it decides how large the solid is."));
+    describe(m_transparent, tr("Transparent background"), tr("Only the solid, on nothing."));
+    describe(m_marks, tr("Pins and axes"), tr("Pins, their paths and the axes, as large as in the window."));
+    describe(m_legend, tr("Legend of the map"),
+             hasLegend ? tr("The colours of the map and their values.")
+                       : tr("Show a map first: only then there is something to explain."));
+    lay();
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(60);
+    connect(&m_timer, &QTimer::timeout, this, &PictureDialog::showPreview);
+    for (QSpinBox* box : {m_width, m_height})
+        connect(box, &QSpinBox::valueChanged, this, [this, box] { tie(box); });
+    connect(m_tied, &QCheckBox::toggled, this, [this] { tie(m_width); });
+    connect(m_format, &QComboBox::currentIndexChanged, this, &PictureDialog::check);
+    for (QCheckBox* box : {m_transparent, m_marks, m_legend})
+        connect(box, &QCheckBox::toggled, this, &PictureDialog::check);
+    for (OptionField* field : {m_rate, m_quality})
+        connect(field, &OptionField::changed, this, &PictureDialog::check);
+    check();
+}
+
+void PictureDialog::lay() {
+    QFormLayout* form = m_form;
+    form->setVerticalSpacing(10);
+    form->addRow(tr("F&ormat"), m_format);
+    for (OptionField* field : {m_rate, m_quality}) form->addRow(field->label(), field);
+    form->addRow(tr("&Width"), m_width);
+    form->addRow(tr("&Height"), m_height);
+    for (QCheckBox* box : {m_tied, m_transparent, m_marks, m_legend}) form->addRow(box);
+    for (QWidget* control : {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_width)})
+        control->setMinimumWidth(180);
+    m_note->setObjectName(QStringLiteral("sizeNote"));
+    m_note->setProperty("role", "warning");
+    m_note->setWordWrap(true);
+    m_facts->setObjectName(QStringLiteral("facts"));
+    auto* right = new QVBoxLayout;
+    right->addLayout(form);
+    right->addStretch(1);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(20);
+    top->addWidget(m_preview, 1);
+    top->addLayout(right);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(16, 16, 16, 16);
+    all->setSpacing(12);
+    all->addLayout(top, 1);
+    all->addWidget(m_facts);
+    all->addWidget(m_note);
+    all->addWidget(m_buttons);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+/// The other one follows.
+void PictureDialog::tie(QSpinBox* changed) {
+    const bool width = changed == m_width;
+    const double of = width ? m_proportions.width() : m_proportions.height();
+    const double other = width ? m_proportions.height() : m_proportions.width();
+    if (m_tied->isChecked() && of > 0) {
+        QSpinBox* follower = width ? m_height : m_width;
+        const QSignalBlocker quiet(follower);
+        follower->setValue(static_cast<int>(std::lround(changed->value() * other / of)));
+    }
+    check();
+}
+
+void PictureDialog::check() {
+    const bool good = fits(m_width) && fits(m_height);
+    const QLocale locale;
+    m_note->setText(good ? QString()
+                         : tr("Width and height must be between %1 and %2 pixels.")
+                               .arg(locale.toString(kSmallest), locale.toString(kLargest)));
+    m_note->setVisible(!good);
+    m_write->setEnabled(good);
+    m_transparent->setEnabled(holdsAlpha("view" + extension().toStdString()));
+    m_form->setRowVisible(m_rate, isFilm());
+    m_form->setRowVisible(m_quality, extension() == QStringLiteral(".webp"));
+    m_facts->setText(pixels());
+    ++m_asked;
+    if (good && m_draw) m_timer.start();
+}
+
+QString PictureDialog::extension() const {
+    return m_format->currentData().toString();
+}
+
+QString PictureDialog::filter() const {
+    return QStringLiteral("%1 (*%2)").arg(m_format->currentText(), extension());
+}
+
+bool PictureDialog::isFilm() const {
+    return m_format->currentData(kFilmRole).toBool();
+}
+
+PictureChoice PictureDialog::choice() const {
+    const double rate = m_rate->number();
+    return {{m_width->value(), m_height->value()},
+            m_transparent->isChecked() && m_transparent->isEnabled(),
+            m_marks->isChecked(),
+            m_legend->isChecked(),
+            m_quality->value() == "lossy" && extension() == QStringLiteral(".webp"),
+            isFilm() ? static_cast<int>(std::lround(m_seconds * rate)) + 1 : 0,
+            rate};
+}
+
+QString PictureDialog::pixels() const {
+    const QLocale locale;
+    const QString one =
+        tr("%1 × %2 pixels").arg(locale.toString(m_width->value()), locale.toString(m_height->value()));
+    const int frames = choice().frames;
+    if (frames == 0) return one;
+    return QCoreApplication::translate("wend::ExportForm", "%n pictures of %1", nullptr, frames).arg(one);
+}
+
+/// Drawn here, where OpenGL is; only the file's size is found beside it.
+void PictureDialog::showPreview() {
+    PictureChoice small = choice();
+    const double pixels = static_cast<double>(small.size.width()) * small.size.height();
+    if (small.size.width() > m_preview->room().width() || small.size.height() > m_preview->room().height())
+        small.size = small.size.scaled(m_preview->room(), Qt::KeepAspectRatio).expandedTo({1, 1});
+    QImage image = m_draw(small);
+    if (image.isNull()) return;
+    const auto work = [image, pixels, extension = extension().toStdString(), wanted = choice()] {
+        try {
+            return viewFileSize(image, extension, pixels, wanted.lossy) * std::max(1, wanted.frames);
+        } catch (const std::exception&) {
+            return 0.0;  // the export itself will say what is wrong
+        }
+    };
+    inBackground(this, work, [this, asked = m_asked](double bytes) {
+        if (asked != m_asked || bytes <= 0) return;
+        const QString text =
+            QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+        m_facts->setText(this->pixels() + QStringLiteral("  ·  ") + tr("about %1 (estimated)").arg(text));
+    });
+    image.setDevicePixelRatio(devicePixelRatioF());
+    m_preview->setImage(image);
+}
+
+void PictureDialog::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    if (m_draw) m_timer.start();
+}
+
+}  // namespace wend

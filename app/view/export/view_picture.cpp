@@ -1,0 +1,237 @@
+#include "app/view/export/view_picture.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QPainter>
+#include <QPointer>
+#include <QProgressDialog>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <new>
+#include <stop_token>
+
+#include "app/document/in_background.h"
+#include "app/session/shape_session.h"
+#include "app/view/volume/solid_canvas.h"
+#include "core/mesh/error.h"
+#include "core/mesh/safe_file.h"
+#include "warp/film.h"
+#include "warp/image_formats.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kStripRows = 512;
+
+/// What lies over the view, as large against the solid as in the window: there the height decides.
+void paintMarks(QImage& rows, int top, SolidCanvas& canvas, const PictureChoice& choice) {
+    QPainter painter(&rows);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    const double scale = choice.size.height() / static_cast<double>(canvas.height());
+    painter.translate(0, -top);
+    painter.scale(scale, scale);
+    if (choice.legend) canvas.viewport().paintLegend(painter, (QSizeF(choice.size) / scale).toSize());
+    painter.translate((choice.size.width() / scale - canvas.width()) / 2, 0);
+    if (choice.marks) canvas.paintMarks(painter);
+}
+
+QImage viewRows(SolidCanvas& canvas, const PictureChoice& choice, int top, int rows) {
+    QImage image = canvas.pictureRows(choice.size, top, rows, choice.transparent);
+    if (!image.isNull() && (choice.marks || choice.legend)) paintMarks(image, top, canvas, choice);
+    return image;
+}
+
+Image headerOf(const PictureChoice& choice) {
+    Image image;
+    image.width = choice.size.width();
+    image.height = choice.size.height();
+    image.channels = 4;
+    image.alpha = image.unassociated = true;
+    return image;
+}
+
+/// Null rows: there was no memory for them.
+void copyRows(QImage rows, Image& strip) {
+    rows.convertTo(QImage::Format_RGBA8888);
+    if (rows.width() != strip.width || rows.height() != strip.height) throw std::bad_alloc();
+    for (int y = 0; y < strip.height; ++y) std::memcpy(strip.row(y), rows.constScanLine(y), strip.rowBytes());
+}
+
+/// Has the view's thread, which is not this one, draw something, and tell how far that is.
+QImage drawnByView(SolidCanvas& canvas, QProgressDialog& dialog, int progress,
+                   const std::function<QImage()>& draw) {
+    auto promise = std::make_shared<std::promise<QImage>>();
+    auto answer = promise->get_future();
+    QMetaObject::invokeMethod(&canvas, [&dialog, progress, draw, promise = std::move(promise)] {
+        try {
+            dialog.setValue(progress);
+            promise->set_value(draw());
+        } catch (...) {
+            promise->set_exception(std::current_exception());
+        }
+    });
+    return answer.get();  // throws if the view is gone
+}
+
+QString tooLittleMemory(const PictureChoice& choice) {
+    return SolidCanvas::tr("the memory does not suffice for a picture of %1 x %2 pixels")
+        .arg(choice.size.width())
+        .arg(choice.size.height());
+}
+
+/// What went wrong, if anything did. (What work in the background throws is lost.)
+std::exception_ptr failureOf(const std::function<void()>& job) {
+    try {
+        job();
+        return {};
+    } catch (...) {
+        return std::current_exception();
+    }
+}
+
+/// In another thread, while this one goes on with events; throws what the job throws.
+void runBeside(const std::function<void()>& job) {
+    QObject context;
+    std::exception_ptr failure;
+    bool done = false;
+    inBackground(
+        &context, [&job] { return failureOf(job); },
+        [&](const std::exception_ptr& thrown) {
+            failure = thrown;
+            done = true;
+        });
+    while (!done) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    if (failure) std::rethrow_exception(failure);
+}
+
+/// What runs beside the window, in steps, and can be stopped. Modal from the start: while something is drawn
+/// nobody turns the view.
+class Progress {
+  public:
+    Progress(const QString& what, int steps, SolidCanvas& canvas)
+        : m_dialog(what, SolidCanvas::tr("Cancel"), 0, steps, canvas.window()) {
+        QObject::connect(&m_dialog, &QProgressDialog::canceled, [this] { m_stop.request_stop(); });
+        QObject::connect(&canvas, &QObject::destroyed, &m_dialog, [this] { m_stop.request_stop(); });
+        m_dialog.setWindowModality(Qt::WindowModal);
+        m_dialog.setMinimumDuration(0);
+        m_dialog.setAutoReset(false);
+        m_dialog.setAutoClose(false);
+        m_dialog.show();
+    }
+    QProgressDialog& dialog() { return m_dialog; }
+    void throwIfStopped() const {
+        if (m_stop.stop_requested()) throw Cancelled();
+    }
+
+  private:
+    QProgressDialog m_dialog;
+    std::stop_source m_stop;
+};
+
+void writeStrips(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
+    Progress progress(SolidCanvas::tr("Writing the picture …"), choice.size.height(), canvas);
+    const MakeRows makeRows = [&](int top, Image& strip) {
+        progress.throwIfStopped();
+        const int rows = strip.height;
+        copyRows(drawnByView(canvas, progress.dialog(), top,
+                             [&, top, rows] { return viewRows(canvas, choice, top, rows); }),
+                 strip);
+    };
+    runBeside([&] { writeImage(path, headerOf(choice), kStripRows, makeRows, choice.lossy); });
+}
+
+/// The time that is shown is again what it was when this goes.
+class TimeKeeper {
+  public:
+    explicit TimeKeeper(Playback& playback) : m_playback(playback), m_time(playback.time()) {}
+    ~TimeKeeper() { m_playback.setTime(m_time); }
+
+  private:
+    Playback& m_playback;
+    double m_time;
+};
+
+/// Drawn frame by frame in the window's thread, which between them goes on with events; what takes longer is
+/// done beside it.
+void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
+    Progress progress(SolidCanvas::tr("Writing the film …"), choice.frames, canvas);
+    Playback& playback = canvas.session().playback();
+    playback.setPlaying(false);
+    const TimeKeeper keeper(playback);
+    const auto drawn = [&](int k) {
+        return drawnByView(canvas, progress.dialog(), k, [&, k] {
+            playback.setTime(playback.end() * k / (choice.frames - 1));
+            return viewPicture(canvas, choice);
+        });
+    };
+    runBeside([&] {
+        Film film(path, choice.framesPerSecond, choice.lossy);
+        Image frame = headerOf(choice);
+        for (int k = 0; k < choice.frames; ++k) {
+            progress.throwIfStopped();
+            frame.makePixels();
+            copyRows(drawn(k), frame);
+            film.add(frame);
+        }
+        progress.throwIfStopped();
+        writeWhole(path, [&film](const std::string& temporary) { film.write(temporary); });
+    });
+}
+
+/// What is seen stays as it is while this lives.
+class Hold {
+  public:
+    explicit Hold(SolidCanvas& canvas) : m_canvas(&canvas) { canvas.setHeld(true); }
+    ~Hold() {
+        if (m_canvas) m_canvas->setHeld(false);
+    }
+
+  private:
+    QPointer<SolidCanvas> m_canvas;
+};
+
+}  // namespace
+
+QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
+    return viewRows(canvas, choice, 0, choice.size.height());
+}
+
+double viewFileSize(const QImage& small, const std::string& extension, double pixels, bool lossy) {
+    const TemporaryFolder folder(scratchFolder());
+    const std::string path = folder.path() + "/size" + extension;
+    PictureChoice choice;
+    choice.size = small.size();
+    const MakeRows makeRows = [&](int top, Image& strip) {
+        copyRows(small.copy(0, top, small.width(), strip.height), strip);
+    };
+    writeImage(path, headerOf(choice), kStripRows, makeRows, lossy);
+    const double drawn = static_cast<double>(small.width()) * small.height();
+    return static_cast<double>(std::filesystem::file_size(path)) * pixels / drawn;
+}
+
+bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice) {
+    const QString kind = QFileInfo(path).suffix().toLower();
+    if (kind == QStringLiteral("jpg") || kind == QStringLiteral("jpeg")) choice.transparent = false;
+    const std::string name = path.toStdString();
+    if (const QString obstacle = canvas.obstacle(); !obstacle.isEmpty())
+        throw InputError(name, obstacle.toStdString());
+    try {
+        if (choice.frames > 0) {
+            writeFrames(name, canvas, choice);
+        } else {
+            const Hold hold(canvas);
+            writeStrips(name, canvas, choice);
+        }
+        return true;
+    } catch (const Cancelled&) {
+        return false;
+    } catch (const std::bad_alloc&) {
+        throw InputError(name, tooLittleMemory(choice).toStdString());
+    }
+}
+
+}  // namespace wend

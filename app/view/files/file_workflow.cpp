@@ -1,0 +1,393 @@
+#include "app/view/files/file_workflow.h"
+
+#include <QAbstractSpinBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+#include "app/document/in_background.h"
+#include "app/document/said.h"
+#include "app/session/opening.h"
+#include "app/session/run/own_files.h"
+#include "app/view/export/save_dialog.h"
+#include "app/view/files/project_watch.h"
+#include "app/view/files/sample_names.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+namespace {
+
+using Topic = InfoBanner::Topic;
+
+constexpr int kMostRecent = 10;
+
+QString words(const std::exception& error) {
+    return said(error);
+}
+
+}  // namespace
+
+/// What came of reading a file in the background. (Futures would slice the exception.)
+struct Reading {
+    QString path;
+    OpenedFile file;
+    QByteArray stamp;  // of the file as it was read
+    QString error;
+    QStringList missing;   // what the project names and is not there
+    bool isBlank = false;  // the picture is transparent everywhere
+};
+
+namespace {
+
+Reading tryToRead(const QString& path, const QMap<QString, QString>& found,
+                  const std::function<OpenedFile()>& reader) {
+    Reading reading{path, {}, stampOf(path), {}, {}, false};
+    if (path.endsWith(QStringLiteral(".wend"), Qt::CaseInsensitive))
+        for (const QString& missing : missingFiles(path))
+            if (!found.contains(missing)) reading.missing << missing;
+    try {
+        if (reading.missing.isEmpty()) reading.file = reader();
+    } catch (const NothingToSee& error) {
+        reading.isBlank = true;
+        reading.error = words(error);
+    } catch (const std::exception& error) {
+        reading.error = words(error);
+    }
+    return reading;
+}
+
+}  // namespace
+
+FileWorkflow::FileWorkflow(Document& document, QWidget& window)
+    : QObject(&window), m_document(document), m_window(window), m_watch(new ProjectWatch(this)) {
+    connect(&document, &Document::opened, this, [this] { m_watch->watch({}, {}); });
+    connect(&document, &Document::saved, this, &FileWorkflow::takeBackSaved);
+    connect(m_watch, &ProjectWatch::changed, this, &FileWorkflow::watchDisk);
+}
+
+void FileWorkflow::askOpen() {
+    const QString all = QStringLiteral("*.wend ") + pictureExtensions() + ' ' + meshExtensions();
+    const QString filters = tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
+                            tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
+                            tr("Projects (*.wend)") + QStringLiteral(";;") +
+                            tr("Meshes (%1)").arg(meshExtensions());
+    QSettings settings;
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Open"), settings.value("folder").toString(), filters);
+    if (!path.isEmpty()) open(path);
+}
+
+void FileWorkflow::open(const QString& path) {
+    if (!mayLeave()) return;
+    m_found.clear();
+    read(path, [path] { return openFile(path); });
+}
+
+void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader) {
+    const int ticket = ++m_ticket;
+    say(Topic::Opening, {});
+    emit openingChanged(QFileInfo(path).fileName());
+    const auto before = m_document.project();
+    const auto work = [path, found = m_found, reader = std::move(reader)] {
+        return tryToRead(path, found, reader);
+    };
+    inBackground(this, work, [this, ticket, before](const Reading& reading) {
+        emit openingChanged({});
+        if (!reading.error.isEmpty() || !reading.missing.isEmpty()) {
+            tellOf(reading);
+        } else if (ticket == m_ticket) {
+            const bool changedMeanwhile = m_document.project() != before;
+            if (!changedMeanwhile || mayLeave()) take(reading);
+        }
+    });
+}
+
+/// Why it could not be opened, with what the user can do about it.
+void FileWorkflow::tellOf(const Reading& reading) {
+    const QString path = reading.path;
+    if (!reading.missing.isEmpty()) {
+        const QString missing = reading.missing.first();
+        return say(Topic::Opening, tr("%1 has moved.").arg(QFileInfo(missing).fileName()),
+                   {{tr("Find It…"), [this, path, missing] { openFound(path, missing); }}});
+    }
+    const InfoBanner::Remedy another{tr("Open Another…"), [this] { askOpen(); }};
+    if (!reading.isBlank)
+        return say(Topic::Opening, tr("This file cannot be opened. %1").arg(reading.error), {another});
+    const auto whole = [this, path] {
+        if (mayLeave()) read(path, [path] { return openFile(path, true); });
+    };
+    say(Topic::Opening, tr("Nothing to see in this picture."), {{tr("Use Whole Frame"), whole}, another});
+}
+
+void FileWorkflow::openFound(const QString& project, const QString& missing) {
+    const QString name = QFileInfo(missing).fileName();
+    const QString filter = QStringLiteral("%1 (%1);;%2 (*)").arg(name, tr("All files"));
+    const QString found = QFileDialog::getOpenFileName(&m_window, tr("Find %1").arg(name),
+                                                       QFileInfo(project).absolutePath(), filter);
+    if (found.isEmpty() || !mayLeave()) return;
+    m_found[missing] = found;
+    read(project, [project, all = m_found] { return openMoved(project, all); });
+}
+
+void FileWorkflow::guardWork(const QString& folder) {
+    m_copies = folder;
+    m_recovery = new Recovery(m_document, folder);
+    m_recovery->setParent(this);
+    connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
+        say(Topic::Copy,
+            tr("There is no copy of your changes if the program crashes: please save. %1").arg(why),
+            {{tr("Save"), [this] { save(); }}});
+    });
+    connect(m_recovery, &Recovery::written, this, [this] { say(Topic::Copy, {}); });
+    // The copy that was recovered goes when there is a new one, or when the work is saved.
+    const auto discardRecovered = [this] {
+        if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
+        m_recoveredFrom.clear();
+    };
+    connect(m_recovery, &Recovery::written, this, discardRecovered);
+    connect(&m_document, &Document::saved, this, discardRecovered);
+    connect(&m_document, &Document::opened, this, &FileWorkflow::lostChanged);
+    emit lostChanged();
+}
+
+QList<LostWork> FileWorkflow::lost() const {
+    QList<LostWork> all = m_copies.isEmpty() ? QList<LostWork>() : Recovery::lostIn(m_copies);
+    all.removeIf([this](const LostWork& work) { return work.copy == m_recoveredFrom; });
+    return all;
+}
+
+void FileWorkflow::tellLostWhenOpened() {
+    const auto tell = [this] {
+        const QList<LostWork> all = lost();
+        if (all.isEmpty() || m_document.isEmpty()) return;
+        const LostWork& work = all.first();
+        say(Topic::Lost,
+            tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
+            {{tr("Recover"), [this, work] { recover(work); }}});
+    };
+    connect(&m_document, &Document::opened, this, tell, Qt::SingleShotConnection);
+}
+
+void FileWorkflow::recover(const LostWork& work) {
+    if (!mayLeave()) return;
+    m_found.clear();
+    read(work.path.isEmpty() ? work.source : work.path, [work] { return openLost(work); });
+}
+
+void FileWorkflow::discard(const LostWork& work) {
+    const auto answer = QMessageBox::question(
+        &m_window, tr("Wend"),
+        tr("Discard the unsaved changes to “%1”? They cannot be brought back.").arg(nameOf(work)),
+        QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
+    if (answer != QMessageBox::Discard) return;
+    Recovery::discard(work.copy);
+    emit lostChanged();
+}
+
+void FileWorkflow::take(const Reading& reading) {
+    OpenedFile file = reading.file;
+    if (file.path.isEmpty() && samplePaths().contains(file.source))
+        file.project = withSpokenNames(file.project);
+    m_recoveredFrom = file.recoveredFrom;
+    m_document.open(file);
+    if (!m_found.isEmpty()) m_document.undoStack()->resetClean();  // its file names the old places
+    if (!file.path.isEmpty()) m_watch->watch(file.path, reading.stamp);
+    if (m_recoveredFrom.isEmpty()) addRecent(file.source);
+    if (!file.warnings.isEmpty()) say(Topic::Remark, file.warnings.join('\n'));
+}
+
+OpenedFile FileWorkflow::handOver() {
+    takeTyped();
+    OpenedFile all = m_document.handOver();
+    all.recoveredFrom = m_recoveredFrom;
+    return all;
+}
+
+void FileWorkflow::takeOver(const OpenedFile& file) {
+    m_recoveredFrom = file.recoveredFrom;
+    m_document.open(file);
+    if (!file.path.isEmpty()) m_watch->watch(file.path, stampOf(file.path));
+}
+
+/// What was said of saving, or for want of it, holds no more.
+void FileWorkflow::takeBackSaved() {
+    m_watch->watch(m_document.path(), stampOf(m_document.path()));
+    for (const Topic topic : {Topic::Saving, Topic::Disk, Topic::Copy}) say(topic, {});
+}
+
+void FileWorkflow::watchDisk(bool isOther) {
+    if (!isOther) return say(Topic::Disk, {});
+    const auto keep = [this] {
+        m_watch->accept();
+        m_document.undoStack()->resetClean();  // there is something to save
+        say(Topic::Disk, {});
+    };
+    say(Topic::Disk, tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
+        {{tr("Reload"), [this] { reload(); }}, {tr("Keep Mine"), keep}, {tr("Save As…"), [this] {
+                                                                             saveAs();
+                                                                         }}});
+}
+
+void FileWorkflow::reload() {
+    const QString path = m_document.path();
+    if (m_document.isModified()) {
+        QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Reload “%1”?").arg(m_document.displayName()),
+                        QMessageBox::Cancel, &m_window);
+        box.setInformativeText(tr("Your changes since it was saved are lost."));
+        QPushButton* yes = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
+        box.exec();
+        if (box.clickedButton() != yes) return;
+    }
+    m_found.clear();
+    read(path, [path] { return openFile(path); });
+}
+
+/// The project's file holds what somebody else wrote.
+bool FileWorkflow::mayOverwrite() {
+    QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
+                    tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
+                    QMessageBox::Cancel, &m_window);
+    box.setInformativeText(tr("Saving replaces those changes; reloading drops yours."));
+    QPushButton* keep = box.addButton(tr("Keep Mine"), QMessageBox::DestructiveRole);
+    QPushButton* other = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
+    QPushButton* as = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+    box.setDefaultButton(as);
+    box.exec();
+    if (box.clickedButton() == other) reload();
+    if (box.clickedButton() == as) saveAs();
+    return box.clickedButton() == keep;
+}
+
+/// A project does not take the place of the picture or mesh that it bends.
+bool FileWorkflow::mayTakePlace(const QString& path) {
+    const auto own = ownFileAt(m_document, path);
+    if (!own || *own == OwnFile::Project) return true;
+    tellNotSaved(tr("The project was not saved: it needs the file “%1” itself. Choose another name.")
+                     .arg(QFileInfo(path).fileName()));
+    return false;
+}
+
+void FileWorkflow::tellNotSaved(const QString& text) {
+    say(Topic::Saving, text, {{tr("Save As…"), [this] { saveAs(); }}});
+}
+
+bool FileWorkflow::save() {
+    takeTyped();
+    if (m_document.path().isEmpty()) return saveAs();
+    const bool isSaved = !m_document.isModified() && !m_document.hasOtherView();
+    return isSaved || saveTo(m_document.path());
+}
+
+/// Beside the project's or the picture's file, but not among the samples.
+QString FileWorkflow::proposedPath() const {
+    if (!m_document.path().isEmpty()) return m_document.path();
+    return QDir(proposedFolder(m_document))
+        .filePath(QFileInfo(m_document.source()).completeBaseName() + QStringLiteral(".wend"));
+}
+
+bool FileWorkflow::saveAs() {
+    takeTyped();
+    const QString path =
+        askFileToWrite(&m_window, tr("Save Project"), proposedPath(), tr("Projects (*.wend)"));
+    return !path.isEmpty() && mayTakePlace(path) && write(path);
+}
+
+/// False while something is unsaved.
+bool FileWorkflow::saveTo(const QString& path) {
+    if (m_watch->isChanged() && !mayOverwrite()) return !m_document.isModified();
+    return write(path);
+}
+
+bool FileWorkflow::write(const QString& path) {
+    try {
+        m_document.save(path);
+    } catch (const InputError& error) {
+        tellNotSaved(tr("The project was not saved. %1").arg(words(error)));
+        return false;
+    }
+    addRecent(path);
+    return true;
+}
+
+void FileWorkflow::close() {
+    if (!mayLeave()) return;
+    ++m_ticket;
+    m_document.close();
+}
+
+/// What is still being typed is a change, too: a number, or the name of what a list shows, which is taken
+/// once its editor has closed.
+void FileWorkflow::takeTyped() {
+    QWidget* const field = m_window.focusWidget();
+    if (auto* number = qobject_cast<QAbstractSpinBox*>(field)) number->interpretText();
+    if (!qobject_cast<QLineEdit*>(field)) return;
+    field->clearFocus();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
+}
+
+bool FileWorkflow::mayLeave() {
+    takeTyped();
+    if (m_document.isEmpty() || !m_document.isModified() || (m_isPractice && m_isPractice())) return true;
+    const bool isNew = m_document.path().isEmpty();
+    QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
+                    (isNew ? tr("Save what you made of “%1”?") : tr("Save the changes to “%1”?"))
+                        .arg(m_document.displayName()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(isNew
+                               ? tr("It becomes a project of its own; the file stays as it is. If you do not "
+                                    "save, what you made is lost.")
+                               : tr("If you do not save, they are lost."));
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) return save();
+    if (answer != QMessageBox::Discard) return false;
+    if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
+    return true;
+}
+
+QStringList FileWorkflow::recent() const {
+    QStringList existing;
+    for (const QString& path : QSettings().value("recent").toStringList())
+        if (QFileInfo::exists(path)) existing << path;
+    return existing;
+}
+
+/// Not the samples, nor their pictures.
+void FileWorkflow::addRecent(const QString& path) {
+    const QString folder = QFileInfo(path).absolutePath();
+    const QStringList samples = samplePaths();
+    if (!samples.isEmpty() && folder == QFileInfo(samples.first()).absolutePath()) return;
+    QSettings settings;
+    settings.setValue("folder", folder);
+    QStringList paths = recent();
+    paths.removeAll(path);
+    paths.prepend(path);
+    settings.setValue("recent", paths.mid(0, kMostRecent));
+    emit recentChanged();
+}
+
+void FileWorkflow::fillRecent(QMenu& menu) {
+    menu.clear();
+    for (const QString& path : recent()) {
+        QAction* action = menu.addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
+        action->setStatusTip(QDir::toNativeSeparators(path));
+    }
+    menu.setEnabled(!menu.isEmpty());
+}
+
+void FileWorkflow::fillSamples(QMenu& menu) {
+    menu.clear();
+    for (const QString& path : samplePaths())
+        menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
+    menu.setEnabled(!menu.isEmpty());
+}
+
+}  // namespace wend

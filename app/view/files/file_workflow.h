@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QMap>
+#include <QObject>
+#include <functional>
+
+#include "app/document/edits/recovery.h"
+#include "app/view/notices/info_banner.h"
+
+class QMenu;
+class QWidget;
+
+namespace wend {
+
+class ProjectWatch;
+struct Reading;
+
+/// Opening, saving and closing with all their questions: files are read in the background, changes are never
+/// lost unasked.
+class FileWorkflow : public QObject {
+    Q_OBJECT
+
+  public:
+    FileWorkflow(Document& document, QWidget& window);
+
+    QStringList recent() const;
+    void fillRecent(QMenu& menu);
+    void fillSamples(QMenu& menu);
+
+    /// From now on unsaved changes are copied to this folder. What crashed programs have left there is
+    /// lost().
+    void guardWork(const QString& folder);
+    QList<LostWork> lost() const;
+    /// What may be left without a question: nobody made it to keep it.
+    void setPractice(std::function<bool()> isPractice) { m_isPractice = std::move(isPractice); }
+    /// What is open with all that was done to it, also what is being typed, for takeOver() of another window.
+    OpenedFile handOver();
+    void takeOver(const OpenedFile& file);
+    /// Says so beside the next file that is opened, where nobody sees the start page.
+    void tellLostWhenOpened();
+
+  public slots:
+    void askOpen();
+    void recover(const wend::LostWork& work);
+    /// For good, once the user has said so twice.
+    void discard(const wend::LostWork& work);
+    void open(const QString& path);
+    bool save();
+    bool saveAs();
+    void close();
+    /// False if the user wants to go on after all.
+    bool mayLeave();
+
+  signals:
+    /// For the banner; an empty text takes back what was said of that.
+    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
+    void openingChanged(QString fileName);
+    void recentChanged();
+    void lostChanged();
+
+  private:
+    void takeTyped();
+    QString proposedPath() const;
+    bool saveTo(const QString& path);
+    bool write(const QString& path);
+    bool mayOverwrite();
+    bool mayTakePlace(const QString& path);
+    void reload();
+    void watchDisk(bool isOther);
+    void say(InfoBanner::Topic topic, const QString& text, const QList<InfoBanner::Remedy>& remedies = {}) {
+        emit said(topic, text, remedies);
+    }
+    void tellNotSaved(const QString& text);
+    void takeBackSaved();
+    void tellOf(const Reading& reading);
+    void openFound(const QString& project, const QString& missing);
+    void addRecent(const QString& path);
+    void read(const QString& path, std::function<OpenedFile()> reader);
+    void take(const Reading& reading);
+
+    Document& m_document;
+    QWidget& m_window;
+    ProjectWatch* m_watch;
+    QMap<QString, QString> m_found;  // files that a project missed, and where they are
+    Recovery* m_recovery = nullptr;
+    QString m_copies;         // the folder of unsaved changes
+    QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
+    std::function<bool()> m_isPractice;
+    int m_ticket = 0;  // of the newest opening; older ones come too late
+};
+
+}  // namespace wend

@@ -1,0 +1,57 @@
+#include "app/view/film/film_controls.h"
+
+#include <QApplication>
+#include <QToolButton>
+
+#include "app/panels/look/theme.h"
+#include "app/session/settle_step.h"
+#include "app/view/actions/actions.h"
+#include "app/view/actions/toolbox.h"
+#include "app/view/film/time_strip.h"
+#include "app/view/film/track_view.h"
+
+namespace wend {
+
+FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    Actions& a = m_parts.actions;
+    Playback& playback = m_parts.session.playback();
+    m_parts.strip.playButton()->setDefaultAction(a.play);
+    m_parts.strip.loopButton()->setDefaultAction(a.loop);
+    connectTime();
+    connect(&m_parts.strip, &TimeStrip::wayChanged, &m_parts.tracks,
+            [strip = &m_parts.strip, tracks = &m_parts.tracks] { tracks->setWay(strip->way()); });
+    connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
+    connect(a.record, &QAction::toggled, &m_parts.session, &ShapeSession::setRecording);
+    connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {
+        playback.setSpeed(chosen->data().toDouble());
+        a.setSpeed(playback.speed());
+    });
+    connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_parts.session); });
+    connect(&playback, &Playback::playingChanged, this, &FilmControls::showPlaying);
+    connect(&m_parts.tools, &Toolbox::changed, this, &FilmControls::showTracks);
+    connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::showTracks);
+    showTracks();
+}
+
+void FilmControls::connectTime() {
+    const Actions& a = m_parts.actions;
+    Playback& playback = m_parts.session.playback();
+    connect(a.play, &QAction::triggered, &playback,
+            [&playback] { playback.setPlaying(!playback.isPlaying()); });
+    connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
+    connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
+}
+
+void FilmControls::showPlaying(bool playing) {
+    QAction& play = *m_parts.actions.play;
+    play.setIcon(
+        wendIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"), QApplication::palette()));
+    play.setText(playing ? tr("&Pause") : tr("&Play"));
+}
+
+/// In the step that is about time.
+void FilmControls::showTracks() {
+    m_parts.tracks.setVisible(!m_parts.session.document().isEmpty() && m_parts.tools.mode() == Mode::Animate);
+}
+
+}  // namespace wend

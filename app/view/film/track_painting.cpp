@@ -1,0 +1,126 @@
+// How the tracks look.
+#include <QLocale>
+#include <QPainter>
+#include <QScrollBar>
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/look/marks.h"
+#include "app/panels/look/theme.h"
+#include "app/view/film/track_view.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kMinTick = 64;  // pixels between numbers of the ruler
+
+/// 1, 2 or 5 times a power of ten, no less than `least`.
+double roundStep(double least) {
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    for (const double factor : {1, 2, 5})
+        if (factor * power >= least) return factor * power;
+    return 10 * power;
+}
+
+}  // namespace
+
+void TrackView::paintEvent(QPaintEvent*) {
+    QPainter painter(viewport());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme theme = Theme::of(palette());
+    painter.fillRect(viewport()->rect(), palette().color(QPalette::Window));
+    if (end() <= 0) {
+        painter.setPen(theme.secondText);
+        painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then "
+                            "is here, pin by pin."));
+        return;
+    }
+    painter.save();
+    painter.setClipRect(QRectF(0, kRuler, viewport()->width(), viewport()->height() - kRuler));
+    for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) paintRow(painter, row);
+    if (m_band) paintBand(painter);
+    painter.restore();
+    paintRuler(painter);
+}
+
+void TrackView::paintRuler(QPainter& painter) const {
+    const Theme theme = Theme::of(palette());
+    painter.setPen(theme.secondText);
+    const double step = roundStep(kMinTick * end() / m_way.width());
+    for (int i = 0; i * step <= end() * (1 + 1e-9); ++i) {
+        const double x = xOf(i * step);
+        painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, kRuler - 1));
+        painter.drawText(QRectF(x - 30, 0, 60, kRuler - 5), Qt::AlignCenter,
+                         QLocale().toString(i * step, 'g', 4));
+    }
+    painter.setPen(theme.line);
+    painter.drawLine(QPointF(0, kRuler - 0.5), QPointF(viewport()->width(), kRuler - 0.5));
+    const double now = xOf(m_session.playback().time());
+    painter.setPen(QPen(theme.accentText, 1.5));
+    painter.drawLine(QPointF(now, kRuler - 2), QPointF(now, viewport()->height()));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.accentText);
+    painter.drawPolygon(QPolygonF({{now - 5, kRuler - 9}, {now + 5, kRuler - 9}, {now, kRuler - 1}}));
+}
+
+void TrackView::paintRow(QPainter& painter, int row) const {
+    const Theme theme = Theme::of(palette());
+    const Row& own = m_rows[static_cast<std::size_t>(row)];
+    const QRectF rect = rowRect(row);
+    const bool selected = m_session.selection().contains(row);
+    QColor ground = theme.accent;
+    ground.setAlphaF(0.14F);
+    if (selected) painter.fillRect(rect, ground);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(own.colour);
+    painter.drawEllipse(QPointF(16, rect.center().y()), 4, 4);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect.adjusted(28, 0, m_way.x() - 8 - rect.width(), 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(own.name, Qt::ElideRight, m_way.x() - 36));
+    paintHold(painter, own.hold);
+    for (const Bar& bar : own.bars) paintBar(painter, bar, own.colour);
+}
+
+/// A line, with a stop at its ends to drag them by.
+void TrackView::paintHold(QPainter& painter, const Bar& hold) const {
+    const QRectF box = barRect(hold);
+    const double y = box.center().y(), left = box.left(), right = std::max(left, xOf(timeOf(hold).end));
+    painter.setPen(QPen(Theme::of(palette()).secondText, 1.5));
+    painter.drawLine(QPointF(left, y), QPointF(right, y));
+    for (const double x : {left, right}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y + 5));
+}
+
+void TrackView::paintBand(QPainter& painter) const {
+    const Theme theme = Theme::of(palette());
+    QColor ground = theme.accent;
+    ground.setAlphaF(0.2F);
+    painter.setPen(theme.accentText);
+    painter.setBrush(ground);
+    painter.drawRect(QRectF(m_band->from, m_band->to).normalized());
+}
+
+/// Full where it goes evenly, lighter where it begins or ends softly.
+void TrackView::paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const {
+    const Theme theme = Theme::of(palette());
+    const QRectF box = barRect(bar).adjusted(0.5, 0, -0.5, 0);
+    const bool chosen = isChosen(bar);
+    QColor soft = colour;
+    soft.setAlphaF(0.45F);
+    QLinearGradient fill(box.topLeft(), box.topRight());
+    const bool in = bar.ease == Ease::In || bar.ease == Ease::InOut;
+    const bool out = bar.ease == Ease::Out || bar.ease == Ease::InOut;
+    fill.setColorAt(0, in ? soft : colour);
+    fill.setColorAt(0.4, colour);
+    fill.setColorAt(0.6, colour);
+    fill.setColorAt(1, out ? soft : colour);
+    painter.setPen(chosen ? QPen(theme.accentText, 2) : QPen(colour.darker(130), 1));
+    painter.setBrush(fill);
+    painter.drawRoundedRect(box, 4, 4);
+    if (painter.fontMetrics().horizontalAdvance(bar.kind) + 10 > box.width()) return;
+    painter.setPen(colour.lightnessF() > 0.55F ? QColor(kInk) : QColor(Qt::white));
+    painter.drawText(box, Qt::AlignCenter, bar.kind);
+}
+
+}  // namespace wend

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <QAbstractScrollArea>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/document/edits/timing_edits.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// A row for each pin, with a bar for each of its motions along the time: what happens when, and what happens
+/// together. Bars and their ends are dragged to other times, also several that are chosen together, and so
+/// are the ends of the line along which the pin holds; the ruler is scrubbed; a menu on a bar tells how it
+/// begins and ends.
+class TrackView : public QAbstractScrollArea {
+    Q_OBJECT
+
+  public:
+    explicit TrackView(ShapeSession& session, QWidget* parent = nullptr);
+
+    /// Between which the time goes, in its own coordinates: those of the slider below.
+    void setWay(const QRect& way);
+    static constexpr int kHold = -1;  // in the place of a motion: the line along which the pin holds
+    /// Where a motion's bar is, or that line, in coordinates of the viewport; empty if there is none.
+    QRectF barOf(int handle, int motion) const;
+    QSize sizeHint() const override { return {400, int(kRuler + kRowsAtFirst * kRowHeight)}; }
+    QSize minimumSizeHint() const override { return {200, 80}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    static constexpr double kRuler = 22, kRowHeight = 24, kBarHeight = 16;  // pixels
+    static constexpr double kGrip = 5;  // pixels of a bar's end, to both sides
+    static constexpr int kRowsAtFirst = 5;
+    enum class Part { Body, Start, End };
+    struct Bar : MotionId {
+        MotionTime time;
+        Ease ease = Ease::Linear;
+        QString kind = {};
+    };
+    struct Row {
+        QString name;
+        QColor colour;
+        Bar hold;
+        std::vector<Bar> bars;
+    };
+    struct Grabbed {
+        Bar bar;
+        Part part;
+        double at;                      // the time that was pressed
+        std::vector<MotionId> motions;  // that go along; none with the end of a line
+        MotionTime span, time;          // of them: as it is, and as it would be
+        bool alone;                     // a click chooses it alone
+    };
+    /// A frame is drawn around bars.
+    struct Band {
+        QPointF from, to;
+        std::vector<MotionId> others;  // that were chosen before
+    };
+
+    void takeProject();
+    void arrange();
+    void showSelection();
+    void showFirstMotion();
+    void bringIntoView(int row);
+    double end() const;
+    double xOf(double time) const;
+    double timeAt(double x) const;
+    QRectF rowRect(int row) const;
+    MotionTime timeOf(const Bar& bar) const;
+    QRectF barRect(const Bar& bar) const;
+    std::optional<Part> endAt(const Bar& bar, const QPointF& at) const;
+    std::optional<std::pair<Bar, Part>> barAt(const QPointF& at) const;
+    int rowAt(const QPointF& at) const;
+    MotionTime dragged(const Grabbed& grabbed, double time) const;
+    MotionTime draggedHold(const Grabbed& grabbed, double time) const;
+    void drop(const Grabbed& grabbed);
+    double snapped(double time, const std::vector<MotionId>& own = {}) const;
+    void scrub(double x);
+    bool isChosen(const MotionId& bar) const { return isAmong(m_chosen, bar); }
+    void choose(std::vector<MotionId> bars);
+    std::vector<MotionId> changeable() const;
+    void grab(const Bar& bar, Part part, double at, bool alone);
+    void stretchBand(const QPointF& to);
+    void move(const std::vector<MotionId>& motions, const MotionTime& span, const QString& what,
+              const QString& key = {});
+    void change(const QString& what, AnyDesign after);
+    void showMenu(const Bar& bar, const QPoint& global);
+    void removeChosen();
+    void paintRuler(QPainter& painter) const;
+    void paintRow(QPainter& painter, int row) const;
+    void paintBand(QPainter& painter) const;
+    void paintHold(QPainter& painter, const Bar& hold) const;
+    void paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const;
+    bool nudge(const QKeyEvent& event);
+
+    ShapeSession& m_session;
+    QRect m_way{132, 0, 252, 0};
+    std::vector<Row> m_rows;
+    std::vector<MotionId> m_chosen;  // by clicks and frames
+    std::optional<Grabbed> m_grabbed;
+    std::optional<Band> m_band;
+    bool m_scrubbing = false;
+    int m_generation = -1;  // of the document whose first motion was brought into view
+};
+
+}  // namespace wend

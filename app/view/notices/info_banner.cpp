@@ -1,0 +1,96 @@
+#include "app/view/notices/info_banner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+
+#include "core/mesh/printable.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kHeight = 44;  // pixels
+
+/// What nothing has gone wrong with.
+bool isOffer(InfoBanner::Topic topic) {
+    using enum InfoBanner::Topic;
+    return topic == Remark || topic == Lost || topic == Mesh || topic == Border;
+}
+
+QString readable(const QString& text) {
+    QStringList lines = text.split('\n');
+    for (QString& line : lines) line = QString::fromStdString(printable(line.toStdString()));
+    return lines.join('\n');
+}
+
+}  // namespace
+
+InfoBanner::InfoBanner(QWidget* parent)
+    : QWidget(parent), m_sign(new QLabel(this)), m_text(new QLabel(this)), m_buttons(new QHBoxLayout) {
+    setObjectName(QStringLiteral("infoBanner"));
+    setAttribute(Qt::WA_StyledBackground);
+    setMinimumHeight(kHeight);
+    m_sign->setObjectName(QStringLiteral("bannerSign"));
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);  // names from files are no HTML
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* close = new QToolButton(this);
+    close->setText(QStringLiteral("✕"));
+    close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(tr("Close this message"));
+    connect(close, &QToolButton::clicked, this, [this] {
+        if (!m_lines.isEmpty()) m_lines.removeLast();
+        showNewest();
+    });
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 4, 8, 4);
+    row->setSpacing(8);
+    row->addWidget(m_sign);
+    row->addWidget(m_text, 1);
+    row->addLayout(m_buttons);
+    row->addWidget(close);
+    hide();
+}
+
+void InfoBanner::tell(Topic topic, const QString& text, const QList<Remedy>& remedies) {
+    m_lines.removeIf([topic](const Line& line) { return line.topic == topic; });
+    if (!text.isEmpty()) m_lines << Line{topic, readable(text), remedies};
+    showNewest();
+}
+
+void InfoBanner::clear() {
+    m_lines.clear();
+    showNewest();
+}
+
+void InfoBanner::showNewest() {
+    while (QLayoutItem* item = m_buttons->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();  // it may be the one that was pressed
+        delete item;
+    }
+    const Line newest = m_lines.isEmpty() ? Line{} : m_lines.last();
+    m_sign->setText(isOffer(newest.topic) ? QStringLiteral("ⓘ") : QStringLiteral("⚠"));
+    if (const bool offers = isOffer(newest.topic); property("offers").toBool() != offers) {
+        setProperty("offers", offers);
+        for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_sign)})
+            style()->unpolish(widget), style()->polish(widget);
+    }
+    m_text->setText(newest.text);
+    m_text->setAccessibleName(newest.text);
+    for (const Remedy& remedy : newest.remedies) {
+        auto* button = new QPushButton(remedy.text, this);
+        m_buttons->addWidget(button);
+        connect(button, &QPushButton::clicked, this, remedy.act);
+    }
+    setVisible(!m_lines.isEmpty());
+}
+
+QString InfoBanner::text() const {
+    return m_lines.isEmpty() ? QString() : m_lines.last().text;
+}
+
+}  // namespace wend

@@ -1,0 +1,91 @@
+#include "app/view/notices/shape_notices.h"
+
+#include <algorithm>
+
+#include "app/document/said.h"
+#include "app/session/shape/mesh_rest.h"
+#include "app/session/shape/shape.h"
+#include "core/mesh/hanging_parts.h"
+
+namespace wend {
+
+namespace {
+
+/// A remark as a sentence. One that begins with a file's path keeps its beginning: what a blank follows is a
+/// word.
+QString sentence(const QString& remark) {
+    QString result = remark;
+    const QString first = remark.section(' ', 0, 0);
+    if (!first.isEmpty() && std::ranges::all_of(first, [](QChar c) { return c.isLower(); }))
+        result[0] = result[0].toUpper();
+    if (!result.endsWith('.')) result += '.';
+    return result;
+}
+
+}  // namespace
+
+ShapeNotices::ShapeNotices(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
+    connect(&session, &ShapeSession::frameChanged, this, &ShapeNotices::follow);
+    connect(&session.document(), &Document::opened, this, [this] {  // what was told goes with the document
+        m_shape.reset();
+        m_hasTold = false;
+    });
+}
+
+void ShapeNotices::follow() {
+    tell<2>();
+    tell<3>();
+}
+
+template <int Dim>
+void ShapeNotices::tell() {
+    const auto frame = m_session.frame<Dim>();
+    if (!frame || frame->shape == m_shape) return;
+    m_shape = frame->shape;
+    QStringList lines;
+    QList<InfoBanner::Remedy> remedies;
+    const auto& notices = frame->built->notices;
+    const std::string hanging = notices.empty() ? std::string() : hangingNotice<Dim>(*frame->rest);
+    for (const std::string& notice : notices) {
+        lines << (notice == hanging ? hangingText<Dim>() : sentence(said(notice)));
+        if (notice == hanging) remedies = {{tr("Pin It"), [this] { pinHanging<Dim>(); }}};
+    }
+    if (frame->built->cage && !frame->built->cage->why.empty())
+        remedies << InfoBanner::Remedy{tr("See Why"), [this] { emit reasonWanted(); }};
+    if (frame->built->refineHelps)
+        lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
+    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);
+    m_hasTold = !lines.isEmpty();
+}
+
+/// The core says which vertices these are; here the parts are seen.
+template <int Dim>
+QString ShapeNotices::hangingText() const {
+    const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.frame<Dim>()->rest).size());
+    if (parts == 1)
+        return tr(
+            "A part is joined to the rest at a mere point, and may swing around it unless a pin holds "
+            "it.");
+    return tr(
+        "%n parts are joined to the rest at mere points, and may swing around them unless pins hold "
+        "them.",
+        nullptr, parts);
+}
+
+/// Each of the parts by one of its cells, which neither moves nor turns then: one step.
+template <int Dim>
+void ShapeNotices::pinHanging() {
+    const auto frame = m_session.frame<Dim>();
+    if (!frame) return;
+    m_session.document().beginStep();
+    for (const HangingPart& part : hangingParts<Dim>(*frame->rest)) {
+        const auto& cell = frame->rest->cells[static_cast<std::size_t>(part.firstCell)];
+        m_session.addHandle<Dim>(std::vector<int>(cell.begin(), cell.end()),
+                                 ShapeSession::tr("Pin").toStdString());
+    }
+    m_session.document().endStep();
+    m_hasTold = false;
+    emit told({}, {});
+}
+
+}  // namespace wend

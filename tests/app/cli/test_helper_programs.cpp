@@ -1,0 +1,148 @@
+// Programs beside wend that hang or are killed: said in one line, nothing stays behind.
+
+#include <QtTest>
+#include <csignal>
+
+#include "core/mesh/mesh_of_file.h"
+#include "tests/app/cli/cli_harness.h"
+
+using namespace wend;
+
+class TestHelperPrograms : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void isToldOf_data();
+    void isToldOf();
+    void diesWithTheProgram();
+    void killedMesher_data();
+    void killedMesher();
+
+  private:
+    QProcessEnvironment environment(const QString& way) const;
+    QString path() const { return m_folder.path(); }
+    QStringList listing() const {
+        return QDir(path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+/// The children of a process, by the system's own account.
+QList<pid_t> childrenOf(qint64 parent) {
+    QList<pid_t> children;
+    for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
+        QFile file("/proc/" + name + "/stat");
+        if (!name.at(0).isDigit() || !file.open(QIODevice::ReadOnly)) continue;
+        const QByteArray stat = file.readAll();
+        if (stat.mid(stat.lastIndexOf(')') + 4).split(' ').at(0).toLongLong() == parent)
+            children << name.toInt();
+    }
+    return children;
+}
+
+/// Waits until the process has such a child; 0 if it never has.
+pid_t childCalled(const QString& name, qint64 parent) {
+    pid_t found = 0;
+    const auto looksLikeIt = [&](pid_t child) {
+        return QFile::symLinkTarget(QString("/proc/%1/exe").arg(child)).endsWith('/' + name);
+    };
+    const auto look = [&] {
+        for (const pid_t child : childrenOf(parent))
+            if (looksLikeIt(child)) found = child;
+        return found > 0;
+    };
+    return QTest::qWaitFor(look, 60000) ? found : 0;
+}
+
+bool lives(pid_t process) {
+    QFile file(QString("/proc/%1/stat").arg(process));
+    return file.open(QIODevice::ReadOnly) && !file.readAll().contains(") Z ");
+}
+
+}  // namespace
+
+void TestHelperPrograms::initTestCase() {
+    put(path(), "hanging.icd", WEND_TEST_DRIVER_FILE "\n");
+    writeMesh<2>((path() + "/strip.obj").toStdString(), stripMesh(4, 2));
+    putProject(path(), "strip.wend", "'domain': {'mesh': 'strip.obj'}");
+}
+
+QProcessEnvironment TestHelperPrograms::environment(const QString& way) const {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("OCL_ICD_VENDORS", path());
+    environment.insert("WEND_TEST_DRIVER", way);
+    return environment;
+}
+
+void TestHelperPrograms::isToldOf_data() {
+    QTest::addColumn<QString>("way");
+    QTest::addColumn<QString>("limit");
+    QTest::newRow("sleeps") << "sleep"
+                            << "within 4 seconds";
+    QTest::newRow("computes") << "loop"
+                              << "within 10 seconds of computing";
+}
+
+void TestHelperPrograms::isToldOf() {
+    QFETCH(QString, way);
+    QFETCH(QString, limit);
+    const CliResult devices = runCli(path(), {"devices"}, environment(way));
+    QVERIFY2(devices.code == 0 && !devices.crashed, qPrintable(devices.error));
+    QVERIFY2(devices.out.contains("an OpenCL driver gave no answer " + limit), qPrintable(devices.out));
+    const CliResult run =
+        runCli(path(), {"run", "strip.wend", "--report", "r.json", "--backend", "opencl"}, environment(way));
+    QVERIFY2(run.code == 3 && run.error.count('\n') == 1, qPrintable(run.error));
+    QVERIFY2(run.error.contains(limit), qPrintable(run.error));
+}
+
+void TestHelperPrograms::diesWithTheProgram() {
+    QProcess process;
+    process.setProcessEnvironment(environment("sleep"));
+    process.start(WEND_BINARY, {"devices"});
+    QVERIFY(process.waitForStarted());
+    const pid_t probe = childCalled("wend-clprobe", process.processId());
+    QVERIFY(probe > 0);
+    process.kill();
+    QVERIFY(process.waitForFinished(60000));
+    QVERIFY(QTest::qWaitFor([&] { return !lives(probe); }, 60000));
+}
+
+void TestHelperPrograms::killedMesher_data() {
+    QTest::addColumn<QString>("mesher");
+    QTest::addColumn<int>("signal");
+    for (const QString mesher : {"wend-tetgen", "wend-cage"}) {
+        QTest::addRow("%s, ended by somebody", qPrintable(mesher)) << mesher << SIGKILL;
+        QTest::addRow("%s, a fault of its own", qPrintable(mesher)) << mesher << SIGSEGV;
+    }
+}
+
+void TestHelperPrograms::killedMesher() {
+    QFETCH(QString, mesher);
+    QFETCH(int, signal);
+    put(path(), "tetrahedron.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    put(path(), "kept.vtu", "old");
+    const QStringList before = listing();
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.start(WEND_BINARY, {"mesh", "tetrahedron.obj", "-o", "kept.vtu", "--refine-surface",
+                                mesher == "wend-cage" ? "--cage" : "--no-cage", "--max-volume",
+                                "1e-8"});  // a minute's work
+    QVERIFY(process.waitForStarted());
+    const pid_t child = childCalled(mesher, process.processId());
+    QVERIFY(child > 0);
+    QCOMPARE(::kill(child, signal), 0);
+    QVERIFY(process.waitForFinished(60000));
+    const QByteArray said = process.readAllStandardError();
+    QVERIFY(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 3);
+    QVERIFY2(said.startsWith("wend: tetrahedron.obj: ") && said.count('\n') == 1, said.constData());
+    QVERIFY2(said.contains("signal " + QByteArray::number(signal)), said.constData());
+    QCOMPARE(listing(), before);
+    QCOMPARE(readTextFile((path() + "/kept.vtu").toStdString()), std::string("old"));
+}
+
+QTEST_GUILESS_MAIN(TestHelperPrograms)
+#include "test_helper_programs.moc"

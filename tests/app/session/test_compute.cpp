@@ -1,0 +1,694 @@
+#include <QSignalSpy>
+#include <QThread>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/edits/film_time.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/session/motion/motion_pass.h"
+#include "app/session/motion/shape_engine.h"
+#include "app/session/opening.h"
+#include "app/session/shape/held_border.h"
+#include "app/session/shape/shape_builder.h"
+#include "core/energy/distortion.h"
+#include "core/integration/integration_options.h"
+#include "core/mesh/error.h"
+#include "core/mesh/mesh_of_file.h"
+#include "tests/app/cli/cli_harness.h"
+#include "tests/support/projects.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+namespace {
+
+/// Up to the rounding of another clock.
+bool isNear(const Points<2>& a, const Points<2>& b) {
+    return a.cols() == b.cols() && (a - b).colwise().norm().maxCoeff() < 1e-6;
+}
+
+std::vector<Points<2>> posesOf(const FrameTrack& track) {
+    std::vector<Points<2>> poses;
+    for (const FramePtr& frame : track.frames()) poses.push_back(posed<2>(frame)->pose);
+    return poses;
+}
+
+}  // namespace
+
+/// The session with its compute thread: what the gestures lead to, without a window.
+class TestCompute : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void opensAtRest();
+    void pinsBecomeVertices();
+    void anotherMeshIsTakenBack();
+    void dragEndsAsTheCommandLineHasIt();
+    void stopsWhileItPrepares();
+    void laterDragsContinueTheMotion();
+    void otherLengthsKeepThePoses();
+    void framesOnTheirWayCount_data();
+    void framesOnTheirWayCount();
+    void dragsGoOnFromWhatIsShown();
+    void escapeRestores();
+    void undoShowsTheEarlierShapeAtOnce();
+    void laterPinMovesNothing();
+    void nudgesMerge();
+    void foldsStopTheHandle();
+    void problemsAreTold();
+    void cancelGoesBack_data();
+    void cancelGoesBack();
+    void firstMeshIsCancelled();
+    void playbackWaitsForWhatIsComputed();
+    void whatIsGoneIsNotSelected();
+    void velocitiesWaitForRequests();
+    void newestTargetsStay();
+    void closedMailboxStaysInterrupted();
+    void nothingOutlivesItsDocument_data();
+    void nothingOutlivesItsDocument();
+    void closingEndsTheWork();
+    void samplesOpen();
+    void hullGoesRound();
+
+  private:
+    void open();
+    template <int Dim>
+    void openMoved();
+    template <int Dim>
+    QString whatIsLeft(const FramePtr& last) const;
+    void drag(int handle, const std::vector<Vec<2>>& way);
+    Points<2> commandLinePose() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<ShapeSession> m_session;
+};
+
+void TestCompute::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<ShapeSession>();
+}
+
+void TestCompute::open() {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = 400;
+    file.project = project;
+    m_session->document().open(std::move(file));
+    QVERIFY(settle(*m_session));
+}
+
+void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
+    m_session->selection().set({handle});
+    m_session->beginDrag();
+    for (const Vec<2>& offset : way) m_session->dragTo(offset);
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+}
+
+/// The shape at the end as a fresh deformer makes it of the shape, in one run.
+Points<2> TestCompute::commandLinePose() const {
+    const auto project = m_session->document().project();
+    const auto shape = std::get<Shape<2>>(loadShape(*project, m_folder->path().toStdString()));
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(*project, shape), integrationOf(*project));
+    deformer.advance(endOf(*project));
+    return deformer.state().points;
+}
+
+void TestCompute::opensAtRest() {
+    open();
+    const auto frame = m_session->frame<2>();
+    QVERIFY(frame->pose == frame->rest->points);
+    QCOMPARE(frame->distortion->flips, 0);
+    QVERIFY(std::abs(frame->rest->vertexCount() - 400) <= 40);
+    QCOMPARE(m_session->playback().end(), 0.0);
+}
+
+void TestCompute::pinsBecomeVertices() {
+    open();
+    const Vec<2> at(61.25, 79.5);
+    QCOMPARE(m_session->addPin(at), 0);
+    QVERIFY(settle(*m_session));
+    const auto& points = m_session->frame<2>()->rest->points;
+    QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
+    QCOMPARE(m_session->pins().size(), std::size_t(1));
+    QCOMPARE(m_session->addPin({5, 5}), -1);  // beside the shape
+    m_session->removeSelected();
+    QVERIFY(m_session->document().design<2>().handles.empty());
+}
+
+void TestCompute::dragEndsAsTheCommandLineHasIt() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
+    QCOMPARE(m_session->playback().time(), 1.0);
+    QVERIFY(!m_session->frame()->live);
+    const Points<2> expected = commandLinePose();
+    QVERIFY(m_session->frame<2>()->pose == expected);
+    const auto pins = m_session->pins();
+    QVERIFY((pins[1].centre - Vec<2>(190, 105)).norm() < 1e-9);
+    QVERIFY(m_session->frame()->pinError < 1e-9);
+}
+
+/// Whoever wishes to stop does not wait until the system is analyzed; what is analyzed by then serves the
+/// motion that is wanted meanwhile, to the bits of one that was never stopped.
+void TestCompute::stopsWhileItPrepares() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 5}, {-4, 14}});
+    const auto first = m_session->document().project();
+    const auto shape = *m_session->frame<2>()->built;
+    drag(1, {{0, 5}});
+    const auto second = m_session->document().project();
+    MotionPass<2> pass;
+    std::vector<Points<2>> frames;
+    MotionPass<2>::Sink sink;
+    sink.onFrame = [&](const State<2>& state, double) { frames.push_back(state.points); };
+    sink.progress = [](double, double) {};
+    std::stop_source stopped;
+    stopped.request_stop();
+    pass.set(shape, first);
+    for (int i = 0; i < 3; ++i) pass.run(sink, stopped.get_token());
+    QVERIFY(!pass.isFinished());
+    QVERIFY(frames.size() == 1 && frames[0] == shape.rest->points);
+    pass.set(shape, second);
+    pass.run(sink, {});
+    QVERIFY(pass.isFinished());
+    QCOMPARE(pass.result().outcome, Outcome::Done);
+    MotionPass<2> straight;
+    straight.set(shape, second);
+    straight.run(sink, {});
+    QVERIFY(pass.state().points == straight.state().points);
+    // A motion that cannot be is told where it is run, not in the thread that found out.
+    auto impossible = copyOf(*second);
+    designOf<2>(*impossible).handles[0].at = std::vector<Vec<2>>{{-500, -500}};
+    pass.set(shape, impossible);
+    QVERIFY_THROWS_EXCEPTION(InputError, pass.run(sink, {}));
+}
+
+/// The very frames come back: nothing is computed again when a change of the mesh is undone, redone, or
+/// cancelled, be the mesh ready by then or not.
+void TestCompute::anotherMeshIsTakenBack() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
+    const auto coarse = m_session->track().frames();
+    QUndoStack& undo = *m_session->document().undoStack();
+    setVertices(m_session->document(), 900);
+    QVERIFY(settle(*m_session));
+    const auto fine = m_session->track().frames();
+    QVERIFY(fine.back()->vertices > 1.5 * coarse.back()->vertices);
+    undo.undo();
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->track().frames() == coarse);
+    undo.redo();
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->track().frames() == fine);
+    undo.undo();
+    QVERIFY(settle(*m_session));
+    for (const bool ready : {false, true}) {
+        setVertices(m_session->document(), ready ? 1500 : 1300);
+        if (ready) QVERIFY(QTest::qWaitFor([&] { return !m_session->isMeshing(); }, 60000));
+        m_session->cancelWork();
+        QVERIFY(settle(*m_session));
+        QVERIFY(m_session->track().frames() == coarse);
+        QCOMPARE(m_session->document().domain().vertices, 400);
+    }
+    // It goes on from there as if nothing had been.
+    drag(1, {{0, 3}});
+    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+}
+
+/// What was computed of the first drag stays and gets other times.
+void TestCompute::laterDragsContinueTheMotion() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 6}, {0, 20}});
+    const auto shapes = posesOf(m_session->track());
+    drag(0, {{3, -8}, {5, -16}});
+    QCOMPARE(m_session->document().end(), 1.0);
+    QCOMPARE(m_session->playback().end(), 1.0);
+    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+    const auto later = posesOf(m_session->track());
+    QVERIFY(later.size() > shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) QVERIFY(later[i] == shapes[i]);
+    const double border = m_session->document().design<2>().handles[0].motions[0].start;
+    QVERIFY(std::abs(m_session->track().frames()[shapes.size() - 1]->time - border) < 1e-9);
+}
+
+/// A longer film has the same poses, a shorter one too; where it has too few pictures they are made.
+void TestCompute::otherLengthsKeepThePoses() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 6}, {0, 20}});
+    const Points<2> end = m_session->frame<2>()->pose;
+    for (const double length : {0.5, 5.0}) {
+        setLength(m_session->document(), length);
+        QVERIFY(settle(*m_session));
+        QCOMPARE(m_session->playback().end(), length);
+        QCOMPARE(m_session->playback().time(), length);
+        QVERIFY(isNear(m_session->frame<2>()->pose, end));
+        QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+        QVERIFY(m_session->track().frames().size() >= 24 * length);
+    }
+}
+
+void TestCompute::framesOnTheirWayCount_data() {
+    QTest::addColumn<double>("factor");
+    QTest::newRow("the same") << 1.0;
+    QTest::newRow("another length") << 0.5;
+}
+
+/// Results that the window has not taken when it asks for the next ones: those tell only what is new since.
+void TestCompute::framesOnTheirWayCount() {
+    QFETCH(double, factor);
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 20}});
+    const auto poses = posesOf(m_session->track());
+    double end = m_session->playback().end();
+    for (int i = 0; i < 2; ++i) {
+        end *= factor;
+        setLength(m_session->document(), end);
+        QThread::msleep(500);  // the thread is done, and nobody has heard of it
+    }
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->track().lastTime(), end);
+    QCOMPARE(posesOf(m_session->track()).size(), poses.size());
+
+    OpenedFile file = openFile(writeCutOut(*m_folder));  // and what is all new
+    m_session->document().open(std::move(file));
+    QThread::msleep(500);
+    m_session->document().change("Again", m_session->document().project());
+    QVERIFY(settle(*m_session));
+}
+
+/// From the place where the pin is seen; what it did later is replaced, told, and undone. Others go on.
+void TestCompute::dragsGoOnFromWhatIsShown() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 10}, {0, 40}});
+    drag(0, {{0, -10}});
+    const auto before = m_session->document().project();
+    m_session->playback().setTime(0.4);
+    const Vec<2> seen = m_session->pins()[1].centre;
+    const Points<2> pose = m_session->frame<2>()->pose;
+    QVERIFY(seen.y() > 85 && seen.y() < 115);
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    m_session->selection().set({1});
+    m_session->beginDrag();
+    m_session->dragTo<2>({-8, 0});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
+    QVERIFY((m_session->pins()[1].centre - (seen - Vec<2>(8, 0))).norm() < 1e-9);
+    QVERIFY((m_session->frame<2>()->pose - pose).colwise().norm().maxCoeff() < 20);
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    QCOMPARE(notices.size(), 1);
+    QCOMPARE(m_session->playback().time(), 1.0);
+    QVERIFY((m_session->pins()[1].centre - (seen - Vec<2>(8, 0))).norm() < 1e-6);
+    QVERIFY((m_session->pins()[0].centre - Vec<2>(40, 70)).norm() < 1e-6);  // what it did stays
+    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+    m_session->document().undoStack()->undo();
+    QVERIFY(m_session->document().project() == before);
+    QVERIFY(settle(*m_session));
+    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+}
+
+void TestCompute::escapeRestores() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settle(*m_session));
+    const Points<2> before = m_session->frame<2>()->pose;
+    const int steps = m_session->document().undoStack()->count();
+    m_session->beginDrag();
+    m_session->dragTo({0, 20});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
+    QVERIFY(m_session->frame<2>()->pose != before);
+    m_session->cancelDrag();
+    QVERIFY(m_session->frame<2>()->pose == before);
+    QTest::qWait(50);
+    QVERIFY(m_session->frame<2>()->pose == before);
+    QCOMPARE(m_session->document().undoStack()->count(), steps);
+}
+
+void TestCompute::undoShowsTheEarlierShapeAtOnce() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 20}});
+    const Points<2> first = m_session->frame<2>()->pose;
+    drag(1, {{0, -30}});
+    m_session->document().undoStack()->undo();
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->playback().time(), 1.0);
+    QVERIFY(isNear(m_session->frame<2>()->pose, first));
+}
+
+void TestCompute::laterPinMovesNothing() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 20}});
+    const Points<2> before = m_session->frame<2>()->pose;
+    const auto rest = m_session->frame<2>()->rest;
+    const int added = m_session->addPin<2>(m_session->pins()[1].centre + Vec<2>(-60, -2));
+    QCOMPARE(added, 2);
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->frame<2>()->rest, rest);
+    QVERIFY(m_session->frame<2>()->pose == before);
+    drag(2, {{0, 6}});
+    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+    const auto pins = m_session->pins();
+    QVERIFY((pins[1].centre - Vec<2>(200, 100)).norm() < 1e-9);  // the others held still
+}
+
+void TestCompute::nudgesMerge() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    const int steps = m_session->document().undoStack()->count();
+    for (int i = 0; i < 4; ++i) m_session->nudgeSelected({1, 0});
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->document().undoStack()->count(), steps + 1);
+    QVERIFY((m_session->pins()[1].centre - Vec<2>(204, 80)).norm() < 1e-9);
+}
+
+/// One pin dragged through the other cannot arrive without a fold.
+void TestCompute::foldsStopTheHandle() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settle(*m_session));
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    m_session->selection().set({1});
+    m_session->beginDrag();
+    for (int i = 1; i <= 40 && notices.isEmpty(); ++i) {
+        m_session->dragTo({-5.0 * i, 0});
+        QTest::qWait(30);
+    }
+    QVERIFY(QTest::qWaitFor([&] { return !notices.isEmpty(); }, 20000));
+    QVERIFY(notices.first().first().toString().startsWith(QStringLiteral("Pin 2")));
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->frame()->distortion->flips, 0);
+    QVERIFY(m_session->pins()[1].centre.x() > 40);
+}
+
+void TestCompute::problemsAreTold() {
+    open();
+    const Points<2> before = m_session->frame<2>()->pose;
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    test::addPin(m_session->document(), {5, 5}, "stray");
+    QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
+    QVERIFY(!problems.first().first().toString().isEmpty());
+    QVERIFY(m_session->frame<2>()->pose == before);  // the last good shape stays
+    m_session->document().undoStack()->undo();
+    QVERIFY(settle(*m_session));
+    QVERIFY(problems.last().first().toString().isEmpty());
+}
+
+void TestCompute::cancelGoesBack_data() {
+    QTest::addColumn<QString>("key");
+    QTest::newRow("a step of its own") << QString();
+    QTest::newRow("merged with the step before") << QStringLiteral("vertices");
+}
+
+/// To the mesh and the setting that were there, however the undo steps lie.
+void TestCompute::cancelGoesBack() {
+    QFETCH(QString, key);
+    open();
+    const auto vertices = [this](int count) {
+        const auto next = copyOf(*m_session->document().project());
+        domainOf(*next).vertices = count;
+        return next;
+    };
+    m_session->document().change(QStringLiteral("A"), vertices(401), key);
+    QVERIFY(settle(*m_session));
+    const auto rest = m_session->frame<2>()->rest;
+    m_session->document().change(QStringLiteral("B"), vertices(90000), key);
+    QVERIFY(m_session->isBusy() && m_session->isMeshing());
+    m_session->cancelWork();
+    QCOMPARE(m_session->document().domain().vertices, 401);
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->frame<2>()->rest == rest);  // not made anew
+    QCOMPARE(m_session->document().undoStack()->canRedo(), key.isEmpty());
+    m_session->cancelWork();  // nothing is being done
+    QCOMPARE(m_session->document().domain().vertices, 401);
+}
+
+/// There is nothing to go back to: the document stays, and any change makes a mesh.
+void TestCompute::firstMeshIsCancelled() {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto project = copyOf(*file.project);
+    domainOf(*project).vertices = 90000;
+    file.project = project;
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    m_session->document().open(std::move(file));
+    m_session->cancelWork();
+    QVERIFY(!m_session->isBusy());
+    QCOMPARE(problems.count(), 1);
+    setVertices(m_session->document(), 300);
+    QVERIFY(settle(*m_session));
+    QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
+    QCOMPARE(problems.last().first().toString(), QString());  // taken back
+}
+
+void TestCompute::whatIsGoneIsNotSelected() {
+    open();
+    m_session->addPin({40, 80});
+    const int last = m_session->addPin({200, 80});
+    m_session->selection().set({0, last});
+    m_session->document().undoStack()->undo();
+    QCOMPARE(m_session->selection().handles(), std::vector<int>{0});
+    m_session->document().undoStack()->undo();
+    QVERIFY(m_session->selection().isEmpty());
+    QVERIFY(settle(*m_session));
+}
+
+/// It stands where the motion ends so far, and goes on when more of it is there.
+void TestCompute::playbackWaitsForWhatIsComputed() {
+    Playback playback;
+    playback.setEnd(0.2);
+    playback.setTime(0);
+    constexpr double kReady = 0.0537;  // the clock counts milliseconds: it does not come there by itself
+    playback.setReady(kReady);
+    playback.setPlaying(true);
+    QVERIFY(QTest::qWaitFor([&] { return playback.time() >= kReady; }, 20000));
+    QCOMPARE(playback.time(), kReady);
+    QVERIFY(playback.isPlaying());
+    playback.setReady(0.2);
+    QVERIFY(QTest::qWaitFor([&] { return !playback.isPlaying(); }, 20000));
+    QCOMPARE(playback.time(), 0.2);
+    // Again and again, if it loops.
+    playback.setLoops(true);
+    playback.setPlaying(true);
+    int ends = 0;
+    const auto count = connect(&playback, &Playback::timeChanged, this,
+                               [&](double time) { ends += time == playback.end() ? 1 : 0; });
+    QVERIFY(QTest::qWaitFor([&] { return ends >= 2 || !playback.isPlaying(); }, 20000));
+    disconnect(count);
+    QVERIFY(playback.isPlaying());
+}
+
+/// A question is answered when nothing else is wanted, and not lost.
+void TestCompute::velocitiesWaitForRequests() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 6}, {0, 20}});
+    FramePtr last;
+    int answers = 0;
+    ShapeEngine::Sink sink;
+    sink.shapeReady = [](int, const std::shared_ptr<const void>&, KeptFrames) {};
+    sink.progress = [](double, double) {};
+    sink.finished = [](double, const std::string&) {};
+    sink.frameReady = [&](const FramePtr& frame) { last = frame; };
+    sink.fieldReady = [&](int number, const VelocityPtr& field) {
+        QVERIFY(number == 7 && field->cols() == last->vertices && !field->isZero(0));
+        ++answers;
+    };
+    const auto engine = ShapeEngine::make(2, sink);
+    const Document& document = m_session->document();
+    engine->setShape({{document.generation(), 1, document.project(), document.picture(),
+                       document.folder().toStdString()}});
+    while (!engine->isIdle()) engine->work({});
+    QVERIFY(last);
+    engine->askField({last, 1, {}, 7});
+    std::stop_source stop;
+    stop.request_stop();
+    engine->work(stop.get_token());
+    QVERIFY(answers == 0 && !engine->isIdle());
+    engine->work({});
+    QVERIFY(answers == 1 && engine->isIdle());
+    engine->askField({last, 2, {}, 7});  // of another shape
+    engine->work({});
+    QVERIFY(answers == 1 && engine->isIdle());
+}
+
+void TestCompute::newestTargetsStay() {
+    Mailbox mailbox;
+    mailbox.post(BeginDrag{{0}, {}, 1, 1, {}});
+    for (int i = 0; i < 5; ++i) mailbox.post(DragTo{Amount(i, 0, 0), i});
+    mailbox.post(EndDrag{});
+    QVERIFY(mailbox.interruption().stop_requested());
+    QVERIFY(std::holds_alternative<BeginDrag>(*mailbox.take(false, {})));
+    const auto target = std::get<DragTo>(*mailbox.take(false, {}));
+    QCOMPARE(target.amount, Amount(4, 0, 0));
+    QCOMPARE(target.sample, 4);
+    QVERIFY(std::holds_alternative<EndDrag>(*mailbox.take(false, {})));
+    QVERIFY(!mailbox.take(false, {}));
+    QVERIFY(!mailbox.interruption().stop_requested());
+}
+
+void TestCompute::closedMailboxStaysInterrupted() {
+    Mailbox mailbox;
+    mailbox.close();
+    QVERIFY(mailbox.interruption().stop_requested());
+    QVERIFY(mailbox.interruption().stop_requested());
+}
+
+/// A mesh from a file, held at one end and moved at the other, shown at the end of its motion.
+template <int Dim>
+void TestCompute::openMoved() {
+    const std::string name = m_folder->path().toStdString() + (Dim == 2 ? "/strip.obj" : "/bar.mesh");
+    if constexpr (Dim == 2)
+        writeMesh<2>(name, stripMesh(6, 2));
+    else
+        writeMesh<3>(name, barMesh(4));
+    m_session->document().open(openFile(QString::fromStdString(name)));
+    QVERIFY(settle(*m_session));
+    const auto frame = m_session->frame<Dim>();
+    m_session->addHandle<Dim>(std::vector<int>{0, 1}, "Pin");
+    m_session->addHandle<Dim>(std::vector<int>{frame->vertices - 2, frame->vertices - 1}, "Pin");
+    m_session->moveSelected<Dim>({}, {0.3, 0.2, 0});
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->playback().time(), 1.0);
+}
+
+/// What a view that asks for everything sees of the document before; empty if nothing.
+template <int Dim>
+QString TestCompute::whatIsLeft(const FramePtr& last) const {
+    const Document& document = m_session->document();
+    if (m_session->frame() && document.isEmpty()) return QStringLiteral("a shape of no document");
+    if (m_session->frame() && m_session->frame()->shape == last->shape) return QStringLiteral("the shape");
+    if (m_session->frame<Dim>() && document.dimension() != Dim) return QStringLiteral("its dimension");
+    if (!m_session->frame() && m_session->isStale()) return QStringLiteral("a stale frame");
+    if (m_session->isDragging()) return QStringLiteral("the drag");
+    if (!m_session->selection().isEmpty()) return QStringLiteral("the selection");
+    if (!m_session->pins<Dim>().empty()) return QStringLiteral("pins");
+    if (!m_session->frame() && m_session->velocity<Dim>().cols() > 0) return QStringLiteral("the velocity");
+    return {};
+}
+
+void TestCompute::nothingOutlivesItsDocument_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<bool>("closes");
+    QTest::addColumn<QString>("state");
+    for (const int dimension : {2, 3})
+        for (const bool closes : {true, false})
+            for (const char* state : {"standing", "playing", "dragging"})
+                QTest::addRow("%dD, %s, %s", dimension, closes ? "closed" : "another file", state)
+                    << dimension << closes << state;
+}
+
+/// Whatever is told while another document, or none, takes the place of one with a motion, and in whatever
+/// order: at no time is anything of the last one to be seen.
+void TestCompute::nothingOutlivesItsDocument() {
+    QFETCH(int, dimension);
+    QFETCH(bool, closes);
+    QFETCH(QString, state);
+    const auto check = [dimension](auto&& use) {
+        dimension == 2 ? use.template operator()<2>() : use.template operator()<3>();
+    };
+    check([this]<int Dim>() { openMoved<Dim>(); });
+    const FramePtr last = m_session->frame();
+    QVERIFY(last);
+    if (state == QStringLiteral("dragging")) {
+        m_session->beginDrag();
+        m_session->dragBy({0.1, 0, 0});
+        QVERIFY(QTest::qWaitFor([this] { return m_session->frame()->live; }, 20000));
+    }
+    m_session->playback().setPlaying(state == QStringLiteral("playing"));
+    QStringList left;
+    int told = 0;
+    const auto look = [&] {
+        if (m_session->document().generation() == last->generation) return;
+        ++told;
+        check([&]<int Dim>() { left << whatIsLeft<Dim>(last); });
+    };
+    QObject here;
+    const ShapeSession& session = *m_session;
+    QObject::connect(&session, &ShapeSession::frameChanged, &here, look);
+    QObject::connect(&session, &ShapeSession::pinsChanged, &here, look);
+    QObject::connect(&session, &ShapeSession::busyChanged, &here, look);
+    QObject::connect(&session.selection(), &Selection::changed, &here, look);
+    QObject::connect(&m_session->playback(), &Playback::timeChanged, &here, look);
+    QObject::connect(&m_session->playback(), &Playback::endChanged, &here, look);
+    QObject::connect(&m_session->playback(), &Playback::playingChanged, &here, look);
+    QObject::connect(&session.document(), &Document::opened, &here, look);
+    QObject::connect(&session.document(), &Document::projectChanged, &here, look);
+    QObject::connect(&session.document(), &Document::titleChanged, &here, look);
+    if (closes)
+        m_session->document().close();
+    else
+        m_session->document().open(openFile(writeCutOut(*m_folder)));
+    left.removeAll(QString());
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
+    QVERIFY(told > 4);
+    QTest::qWait(50);  // what was under way
+    if (!closes) QVERIFY(settle(*m_session));
+    left.removeAll(QString());
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
+    QCOMPARE(m_session->playback().end(), 0.0);
+    QCOMPARE(m_session->frame() == nullptr, closes);
+}
+
+/// Nothing is computed for nobody, and nothing is told of it.
+void TestCompute::closingEndsTheWork() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settle(*m_session));
+    m_session->moveSelected<2>({}, {0, 40, 0});
+    test::addPin(m_session->document(), {5, 5}, "stray");
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem),
+        notices(m_session.get(), &ShapeSession::notice);
+    m_session->document().close();
+    QVERIFY(!m_session->isBusy());
+    QTest::qWait(300);
+    QVERIFY(problems.isEmpty() && notices.isEmpty() && !m_session->isBusy() && !m_session->frame());
+}
+
+void TestCompute::samplesOpen() {
+    const QStringList samples = samplePaths();
+    QVERIFY(samples.size() >= 3);
+    for (const QString& path : samples) {
+        const OpenedFile file = openFile(path);
+        const bool solid = dimensionOf(*file.project) == 3;
+        QVERIFY2(solid || (file.picture && file.picture->width >= 2000), qPrintable(path));
+        QVERIFY2(file.warnings.isEmpty(), qPrintable(file.warnings.join(' ')));
+        QVERIFY2(motionEnd(*file.project) > 0, qPrintable(path));
+    }
+}
+
+void TestCompute::hullGoesRound() {
+    const auto hull = convexHull({{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}, {1, 2}});
+    QCOMPARE(hull.size(), std::size_t(4));
+    double area = 0;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec<2>&a = hull[i], &b = hull[(i + 1) % hull.size()];
+        area += (a.x() * b.y() - b.x() * a.y()) / 2;
+    }
+    QCOMPARE(area, 4.0);
+}
+
+QTEST_GUILESS_MAIN(TestCompute)
+#include "test_compute.moc"

@@ -1,0 +1,389 @@
+#include <QSignalSpy>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/edits/setting_edits.h"
+#include "app/document/file/project_reader.h"
+#include "app/document/file/project_writer.h"
+#include "app/session/motion/drag_gesture.h"
+#include "app/session/opening.h"
+#include "app/session/settle_step.h"
+#include "app/session/shape/held_border.h"
+#include "app/session/shape/shape_builder.h"
+#include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
+#include "core/integration/integration_options.h"
+#include "tests/support/projects.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// Gestures that meet something else: a mesh that is being made, a motion that is being computed, undo,
+/// another file.
+class TestGestures : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void newPinIsThereAfterACancelledDrag();
+    void newPinFollowsBeforeItsMeshIsMade();
+    void undoEndsADrag();
+    void framesFitTheirMesh();
+    void anotherFileEndsADrag();
+    void refusedDragsLeaveOthersAlone();
+    void dragsNeedNotWaitForTheMotion();
+    void lastOfManySamplesIsFollowed();
+    void handlesThatAreGoneDoNotMove();
+    void handlesThatAreGoneCanBeRemoved();
+    void pinSitsWhereItWasClicked();
+    void clicksBesideTheShapeAreTold();
+    void fixedStepsGoOnAsInTheFile();
+    void newPinDoesNotDim();
+    void settlingIsAStepOfItsOwn();
+    void anotherTimeIsNotThatOfTheDrag();
+    void refusedHandlesWaitForTheShape();
+
+  private:
+    void open(int vertices = 400);
+    bool settled() { return settle(*m_session); }
+    const Project& project() { return *m_session->document().project(); }
+    void begin(int handle);
+    void drag(int handle, const Vec<2>& way);
+    bool follows() {
+        return QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000);
+    }
+    Points<2> poseOf(const Project& project) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<ShapeSession> m_session;
+};
+
+void TestGestures::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<ShapeSession>();
+}
+
+void TestGestures::open(int vertices) {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto coarse = copyOf(*file.project);
+    domainOf(*coarse).vertices = vertices;
+    file.project = coarse;
+    m_session->document().open(std::move(file));
+    QVERIFY(settled());
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settled());
+}
+
+void TestGestures::begin(int handle) {
+    m_session->selection().set({handle});
+    m_session->beginDrag();
+    QVERIFY(m_session->isDragging());
+}
+
+void TestGestures::drag(int handle, const Vec<2>& way) {
+    begin(handle);
+    m_session->dragTo<2>(way);
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+}
+
+Points<2> TestGestures::poseOf(const Project& project) const {
+    const auto shape = std::get<Shape<2>>(loadShape(project, m_folder->path().toStdString()));
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
+    deformer.advance(endOf(project));
+    return deformer.state().points;
+}
+
+/// However early the drag begins: while the request waits, while it is being meshed, or later.
+void TestGestures::newPinIsThereAfterACancelledDrag() {
+    open(6000);
+    for (const int wait : {0, 1, 5, 20, 60}) {
+        const Vec<2> at(90.25 + wait, 80.5);
+        const int added = m_session->addPin(at);
+        QTest::qWait(wait);
+        begin(added);
+        m_session->cancelDrag();
+        QVERIFY(settled());
+        const auto& points = m_session->frame<2>()->rest->points;
+        QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
+    }
+}
+
+void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
+    open();
+    const auto before = m_session->frame<2>()->rest;
+    const int added = m_session->addPin<2>({120.25, 80.5});
+    setVertices(m_session->document(), 1000000);  // nobody waits for it: the mesh below takes its place
+    begin(added);
+    m_session->dragTo<2>({0, 12});
+    QVERIFY(follows());
+    QCOMPARE(m_session->frame<2>()->rest, before);
+    QVERIFY(m_session->isBusy());
+    QVERIFY((m_session->pins()[2].centre - Vec<2>(120.25, 92.5)).norm() < 1e-9);
+    QVERIFY(m_session->frame()->pinError < 1e-6);
+    m_session->endDrag(0.2);
+    setVertices(m_session->document(), 400);
+    QVERIFY(settled());
+    QVERIFY(m_session->frame<2>()->rest != before);
+    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
+}
+
+void TestGestures::undoEndsADrag() {
+    open();
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+    m_session->document().undoStack()->undo();  // the pin that is being dragged
+    QVERIFY(!m_session->isDragging());
+    m_session->dragTo<2>({0, 12});
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+    QCOMPARE(m_session->document().design<2>().handles.size(), std::size_t(1));
+    QVERIFY(!m_session->frame()->live);
+    QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
+}
+
+void TestGestures::framesFitTheirMesh() {
+    open();
+    int seen = 0;
+    connect(m_session.get(), &ShapeSession::frameChanged, this, [&] {
+        const auto frame = m_session->frame<2>();
+        if (!frame) return;
+        ++seen;
+        QCOMPARE(frame->pose.cols(), frame->rest->points.cols());
+        QCOMPARE(frame->distortion->angle.size(), frame->rest->cells.size());
+    });
+    for (int i = 0; i < 6; ++i) {
+        const int added = m_session->addPin<2>({70.0 + 15 * i, 80});
+        begin(added);
+        m_session->dragTo<2>({0, 3});
+        QTest::qWait(7 * i);
+        m_session->dragTo<2>({0, 5});
+        if (i % 2)
+            m_session->document().undoStack()->undo();
+        else
+            m_session->cancelDrag();
+        QTest::qWait(3 * i);
+    }
+    QVERIFY(settled());
+    QVERIFY(seen > 6);
+}
+
+void TestGestures::anotherFileEndsADrag() {
+    open();
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+    m_session->document().open(openFile(writeCutOut(*m_folder, QStringLiteral("other.png"))));
+    QVERIFY(settled());
+    QVERIFY(!m_session->frame()->live);
+    const int added = m_session->addPin<2>({40, 80});
+    begin(added);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+}
+
+/// A pin within a part that is held cannot move; that is no reason for others not to.
+void TestGestures::refusedDragsLeaveOthersAlone() {
+    open();
+    m_session->document().changeDesign(
+        QStringLiteral("Edit"),
+        withHandle<2>(m_session->document().design<2>(), Region<2>(Ball<2>{{110, 80}, 14}), "Block"));
+    const int inside = m_session->addPin<2>({112.5, 81.25});
+    QVERIFY(settled());
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    begin(inside);
+    m_session->dragTo<2>({5, 0});
+    m_session->endDrag(0.2);
+    QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->amount == Amount(0, 8, 0); }, 20000));
+    QVERIFY(m_session->frame()->live && !m_session->frame()->stopped);
+    m_session->cancelDrag();
+    m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+}
+
+void TestGestures::dragsNeedNotWaitForTheMotion() {
+    open(1500);
+    drag(1, {0, 10});
+    changeSetting(m_session->document(), "integration.tolerance", 1e-12);
+    QSignalSpy busy(m_session.get(), &ShapeSession::busyChanged);
+    QVERIFY(QTest::qWaitFor([&] { return m_session->playback().time() == 1; }, 20000));
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+    QVERIFY(m_session->isBusy() && busy.isEmpty());
+    m_session->cancelDrag();
+    m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+}
+
+/// A hand that moves more often than a screen shows, and rests: the shape comes to where it is.
+void TestGestures::lastOfManySamplesIsFollowed() {
+    open();
+    begin(1);
+    m_session->dragTo<2>({0, 1});
+    QVERIFY(follows());
+    for (int burst = 1; burst <= 3; ++burst) {
+        for (int i = 0; i < 10; ++i) m_session->dragTo<2>({0, 4.0 * burst + 0.1 * i});
+        QTRY_COMPARE_WITH_TIMEOUT(m_session->frame()->sample, 1 + 10 * burst, 20000);
+        QCOMPARE(m_session->frame()->amount.y(), 4.0 * burst + 0.9);
+    }
+    m_session->cancelDrag();
+    QVERIFY(settled());
+}
+
+void TestGestures::handlesThatAreGoneDoNotMove() {
+    open();
+    drag(1, {0, 10});
+    m_session->selection().set({0});
+    m_session->removeSelected();  // let go of at 1
+    QVERIFY(settled());
+    const auto before = m_session->document().project();
+    m_session->selection().set({0});
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    m_session->beginDrag();
+    QVERIFY(!m_session->isDragging());
+    m_session->nudgeSelected<2>({1, 0});
+    QCOMPARE(m_session->document().project(), before);
+    QCOMPARE(notices.size(), 2);
+    m_session->selection().set({0, 1});  // the other one alone
+    m_session->beginDrag();
+    m_session->dragTo<2>({0, 4});
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+    QVERIFY(m_session->document().design<2>().handles[0].motions.empty());
+    QCOMPARE(m_session->document().design<2>().handles[1].motions.size(), std::size_t(2));
+}
+
+void TestGestures::handlesThatAreGoneCanBeRemoved() {
+    open();
+    drag(1, {0, 10});
+    QVERIFY(m_session->ghosts().empty());
+    for (const std::size_t left : {2, 1}) {
+        m_session->selection().set({0});
+        m_session->removeSelected();
+        QCOMPARE(m_session->document().design<2>().handles.size(), left);
+        QVERIFY(settled());
+        QCOMPARE(m_session->ghosts().size(), left - 1);  // let go of at first: still to be found
+    }
+}
+
+/// At a time before the end, too.
+void TestGestures::pinSitsWhereItWasClicked() {
+    open();
+    drag(1, {0, 30});
+    const Vec<2> far(210, 82);  // of the shape at rest; at the end it is elsewhere
+    m_session->playback().setTime(0);
+    QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
+    const int added = m_session->addPin(far);
+    QCOMPARE(added, 2);
+    const auto& points = std::get<std::vector<Vec<2>>>(m_session->document().design<2>().handles[2].at);
+    QVERIFY((points[0] - far).norm() < 1e-9);
+}
+
+void TestGestures::clicksBesideTheShapeAreTold() {
+    open();
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QCOMPARE(m_session->addPin<2>({5, 5}), -1);
+    QCOMPARE(notices.size(), 1);
+}
+
+/// The end that fixed steps divide is the project's, however often it grew.
+void TestGestures::fixedStepsGoOnAsInTheFile() {
+    open();
+    changeSetting(m_session->document(), "integration.method", static_cast<double>(Method::RungeKutta4));
+    changeSetting(m_session->document(), "integration.steps", 3);
+    drag(1, {0, 10});
+    drag(1, {0, 10});
+    QCOMPARE(endOf(project()), 1.0);
+    const auto read = parseProject(toJson(project()), "memory.wend").project;
+    QVERIFY(m_session->frame<2>()->pose == poseOf(*read));
+    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
+}
+
+void TestGestures::newPinDoesNotDim() {
+    open();
+    m_session->addPin<2>({120, 80});
+    QVERIFY(m_session->isBusy() && !m_session->isStale());
+    QVERIFY(settled());
+    setVertices(m_session->document(), 500);
+    QVERIFY(m_session->isStale());
+    QVERIFY(settled());
+}
+
+/// After the motion, as part of it, and taken back in one step; the shape is nearer to its rest then.
+void TestGestures::settlingIsAStepOfItsOwn() {
+    open();
+    QVERIFY(!canSettle(m_session->document()));
+    drag(1, {-20, 50});
+    QVERIFY(canSettle(m_session->document()));
+    const double end = endOf(project()), before = m_session->frame()->distortion->totalMetric;
+    const int steps = m_session->document().undoStack()->index();
+    m_session->playback().setTime(0.3 * end);
+    settleAtEnd(*m_session);
+    QVERIFY(settled());
+    QCOMPARE(m_session->document().undoStack()->index(), steps + 1);
+    QVERIFY((settlingOf(project()) == std::vector<SettleWindow>{{end, end + 1}}));
+    QCOMPARE(endOf(project()), end + 1);
+    QCOMPARE(m_session->playback().time(), end + 1);
+    QVERIFY(m_session->frame()->distortion->totalMetric < before);
+    QVERIFY(m_session->frame()->pinError < 1e-9);
+    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));  // as the command line's
+    m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+    QVERIFY(settlingOf(project()).empty());
+    QCOMPARE(m_session->playback().end(), end);
+}
+
+/// The last frame of a drag stands for the end of the motion while that is computed, and for nothing else.
+void TestGestures::anotherTimeIsNotThatOfTheDrag() {
+    open();
+    drag(1, {0, 20});
+    m_session->selection().set({1});
+    m_session->beginDrag();
+    m_session->dragTo({0, 10});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame() && m_session->frame()->live; }, 20000));
+    m_session->endDrag(0.2);
+    QVERIFY(m_session->isBusy());
+    m_session->playback().setTime(0);
+    const auto first = m_session->frame<2>();
+    QVERIFY(first->pose == first->rest->points);
+    QVERIFY(settled());
+}
+
+/// However far the pointer goes on, until the shape can follow again.
+void TestGestures::refusedHandlesWaitForTheShape() {
+    DragGesture drag({0}, Grip{});
+    const auto follow = [&](int sample, double x, bool stopped) {
+        ShapeFrame live;
+        live.sample = sample;
+        live.amount = Amount(x, 0, 0);
+        live.stopped = stopped;
+        drag.follow(live);
+    };
+    const int first = drag.add({10, 0, 0});
+    QCOMPARE(drag.amount().x(), 10.0);  // not known yet
+    follow(first, 4, true);
+    QCOMPARE(drag.amount().x(), 4.0);
+    const int second = drag.add({30, 0, 0});
+    QCOMPARE(drag.amount().x(), 4.0);
+    QCOMPARE(drag.straight().back().x(), 4.0);
+    QCOMPARE(drag.path(0).back().x(), 4.0);
+    const int third = drag.add({2, 0, 0});
+    follow(third, 2, false);
+    QCOMPARE(drag.amount().x(), 2.0);
+    QVERIFY(second < third);
+    // What lies between the last place that was reached and the refusal has never been reached.
+    drag = DragGesture({0}, Grip{});
+    for (const Amount& amount : {Amount(10, 0, 0), Amount(0, 20, 0), Amount(30, 0, 0)}) drag.add(amount);
+    follow(3, 4, true);
+    QVERIFY((drag.path(0) == std::vector<Amount>{{0, 0, 0}, {4, 0, 0}}));
+}
+
+QTEST_GUILESS_MAIN(TestGestures)
+#include "test_gestures.moc"

@@ -1,0 +1,244 @@
+#include <QComboBox>
+#include <QListWidget>
+#include <QMenu>
+#include <QToolButton>
+
+#include "app/document/domain.h"
+#include "app/document/edits/size_edits.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/region_numbers.h"
+#include "app/panels/mesh_panel.h"
+#include "app/panels/size_panel.h"
+#include "app/session/motion/fields.h"
+#include "app/session/opening.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// Where a solid's cells are finer or coarser: painted and by regions, in the window.
+class TestCellSizes : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_f.reset(); }
+    void groupsOfOneName();
+    void sizeOfRegularCells();
+    void strokesMakeCellsFiner();
+    void shiftPaintsTheOtherWayRound();
+    void regionsByNumbers();
+    void regionOfTheSelectedHandle();
+    void mapOfSizesWhilePainting();
+
+  private:
+    SizePanel& panel() { return *m_f->window().findChild<SizePanel*>(); }
+    QListWidget& list() { return *panel().findChild<QListWidget*>(); }
+    MagnitudeBox& box(const char* name) { return *panel().findChild<MagnitudeBox*>(name); }
+    void type(QDoubleSpinBox& box, double value);
+    QToolButton& button(const QString& text);
+    QAction* entry(int place) { return button(SizePanel::tr("Add")).menu()->actions().at(place); }
+    void brushTheRightEnd(Qt::KeyboardModifiers modifiers = {});
+    double meanSize(bool right);
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+void TestCellSizes::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+    QVERIFY(m_f->open(900));
+    const auto refined = copyOf(m_f->project());
+    domainOf(*refined).refineSurface = true;
+    m_f->session().document().change(QStringLiteral("Refine"), refined);
+    QVERIFY(settle(m_f->session()));
+}
+
+void TestCellSizes::type(QDoubleSpinBox& box, double value) {
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, box.locale().toString(value));
+    QTest::keyClick(&box, Qt::Key_Return);
+}
+
+QToolButton& TestCellSizes::button(const QString& text) {
+    for (auto* button : panel().findChildren<QToolButton*>())
+        if (button->text() == text) return *button;
+    qFatal("no such button");
+}
+
+void TestCellSizes::brushTheRightEnd(Qt::KeyboardModifiers modifiers) {
+    m_f->drag(m_f->at({1.4, -0.5, -0.3}), m_f->at({1.8, -0.5, 0.3}), modifiers);
+}
+
+/// Of the cells in the right or the left quarter of the bar, near the front.
+double TestCellSizes::meanSize(bool right) {
+    const auto frame = m_f->session().frame<3>();
+    const auto sizes = cellValues<3>(*frame, Measure::CellSize);
+    double sum = 0;
+    int count = 0;
+    for (std::size_t c = 0; c < sizes.size(); ++c) {
+        Vec<3> middle = Vec<3>::Zero();
+        for (const int v : frame->rest->cells[c]) middle += frame->rest->points.col(v) / 4;
+        if ((right ? middle.x() : -middle.x()) < 1 || middle.y() > -0.2) continue;
+        sum += sizes[c];
+        ++count;
+    }
+    return sum / count;
+}
+
+void TestCellSizes::groupsOfOneName() {
+    Domain domain = m_f->domain();
+    domain.sizes = {{"", Ball<3>{Vec<3>::Zero(), 1}, 0, 2}, {"", Ball<3>{Vec<3>::Ones(), 1}, 0, 3}};
+    domain = withSizeStroke(domain, {{Vec<3>::Zero(), 1}, {Vec<3>::Ones(), 1}}, 0.5);
+    domain = withSizeRegion(domain, Ball<3>{Vec<3>::Zero(), 2}, 0.25);
+    domain = withSizeStroke(domain, {{Vec<3>::Ones(), 4}}, 0.1);
+    const auto groups = sizeGroups(domain);
+    QCOMPARE(groups.size(), std::size_t(5));  // what has no name stands alone
+    QCOMPARE(groups[2].entries, std::vector<int>({2, 3}));
+    QCOMPARE(groups[4].name, std::string("Stroke 2"));
+    const Domain without = withoutSizes(withSizeFactor(domain, 2, 7), 3);
+    QCOMPARE(without.sizes.size(), std::size_t(5));
+    QCOMPARE(without.sizes[3].factor, 7.0);
+    QCOMPARE(withoutSizes(domain, 9).sizes.size(), domain.sizes.size());
+}
+
+/// The edge of a regular tetrahedron is its size.
+void TestCellSizes::sizeOfRegularCells() {
+    auto rest = std::make_shared<SimplicialMesh<3>>();
+    rest->points = Points<3>(3, 4);
+    rest->points << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
+    rest->cells = {{0, 1, 2, 3}};
+    PosedFrame<3> frame;
+    frame.rest = rest;
+    QVERIFY(std::abs(sizeAt<3>(frame, {}, 0) - 2 * std::sqrt(2.0)) < 1e-12);
+}
+
+void TestCellSizes::strokesMakeCellsFiner() {
+    const int before = m_f->session().frame()->vertices;
+    const double even = meanSize(true) / meanSize(false);
+    QVERIFY(std::abs(even - 1) < 0.15);
+    QTest::mouseClick(m_f->window().findChild<MeshPanel*>()->findChild<QToolButton*>("paintSizes"),
+                      Qt::LeftButton);
+    QVERIFY(m_f->actions().sizes->isChecked() && panel().isVisible());
+    QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
+    brushTheRightEnd();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->domain().sizes.size() > 1);
+    QCOMPARE(sizeGroups(m_f->domain()).size(), std::size_t(1));
+    QCOMPARE(m_f->domain().sizes[0].factor, 0.5);
+    QVERIFY2(meanSize(true) < 0.8 * meanSize(false), qPrintable(QString::number(meanSize(true))));
+    // The number of vertices in all is still what was aimed at.
+    QVERIFY(std::abs(m_f->session().frame()->vertices - 900) <= 135);
+    m_f->actions().oblique->trigger();
+    m_f->window().actions().showMesh->setChecked(true);
+    m_f->picture(QStringLiteral("sizes-painted"));
+    list().setCurrentRow(1);
+    m_f->picture(QStringLiteral("sizes-stroke"));
+    // Its factor by the panel, and away; each is one step back.
+    type(box("sizeFactor"), 0.25);
+    QVERIFY(settle(m_f->session()));
+    for (const SizeRegion& region : m_f->domain().sizes) QCOMPARE(region.factor, 0.25);
+    const double fine = meanSize(true) / meanSize(false);
+    QVERIFY(fine < 0.6);
+    QTest::mouseClick(&button(SizePanel::tr("Remove")), Qt::LeftButton);
+    QVERIFY(m_f->domain().sizes.empty());
+    for (int i = 0; i < 2; ++i) m_f->window().actions().undo->trigger();
+    QCOMPARE(m_f->domain().sizes.at(0).factor, 0.5);
+    m_f->window().actions().undo->trigger();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->domain().sizes.empty());
+    QCOMPARE(m_f->session().frame()->vertices, before);
+}
+
+void TestCellSizes::shiftPaintsTheOtherWayRound() {
+    QTest::keyClick(&m_f->canvas(), Qt::Key_A, Qt::ShiftModifier);
+    QVERIFY(m_f->actions().sizes->isChecked());
+    type(box("sizeFactor"), 0.4);
+    const double before = meanSize(true) / meanSize(false);
+    m_f->canvas().setFocus();
+    for (int i = 0; i < 5; ++i) QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
+    brushTheRightEnd(Qt::ShiftModifier);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(m_f->domain().sizes.at(0).factor, 2.5);
+    const double after = meanSize(true) / meanSize(false);
+    QVERIFY2(after > 1.15 * before, qPrintable(QString::number(after / before)));
+    // Esc gives a stroke up.
+    const auto count = m_f->domain().sizes.size();
+    m_f->press(m_f->at({0, -0.5, 0}));
+    QTest::keyClick(&m_f->canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({0.3, -0.5, 0}));
+    QCOMPARE(m_f->domain().sizes.size(), count);
+}
+
+void TestCellSizes::regionsByNumbers() {
+    m_f->actions().sizes->trigger();
+    entry(0)->trigger();
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(list().currentRow(), 1);
+    const auto* ball = std::get_if<Ball<3>>(&m_f->domain().sizes.at(0).shape);
+    QVERIFY(ball && ball->centre.norm() < 1e-9);
+    auto* numbers = panel().findChild<RegionNumbers*>();
+    QVERIFY(numbers->isVisible());
+    const auto boxes = numbers->findChildren<QDoubleSpinBox*>();
+    for (QDoubleSpinBox* one : boxes)
+        if (one->isVisible() && one->accessibleName() == RegionNumbers::tr("Radius")) type(*one, 0.8);
+    QVERIFY(settle(m_f->session()));
+    ball = std::get_if<Ball<3>>(&m_f->domain().sizes.at(0).shape);
+    QVERIFY(ball && ball->radius == 0.8);
+    type(box("sizeFeather"), 0.3);
+    type(box("sizeFactor"), 0.3);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(m_f->domain().sizes.at(0).feather, 0.3);
+    QCOMPARE(m_f->domain().sizes.at(0).factor, 0.3);
+    m_f->actions().oblique->trigger();
+    m_f->window().actions().showMesh->setChecked(true);
+    m_f->picture(QStringLiteral("sizes-region"));
+    // Another kind at the same place; saved and read it is the same.
+    auto* kind = numbers->findChild<QComboBox*>();
+    kind->setFocus();
+    QTest::keyClick(kind, Qt::Key_Down);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(std::holds_alternative<Box<3>>(m_f->domain().sizes.at(0).shape));
+    QTemporaryDir folder;
+    m_f->session().document().save(folder.filePath(QStringLiteral("sizes.wend")));
+    QVERIFY(domainOf(*openFile(folder.filePath(QStringLiteral("sizes.wend"))).project).sizes ==
+            m_f->domain().sizes);
+}
+
+void TestCellSizes::regionOfTheSelectedHandle() {
+    m_f->actions().sizes->trigger();
+    QVERIFY(!entry(3)->isEnabled());
+    const Region<3> half = HalfSpace<3>{{1, 0, 0}, {1, 0, 0}};
+    m_f->session().selection().set({m_f->session().addHandle<3>(half, "Region")});
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(entry(3)->isEnabled());
+    entry(3)->trigger();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->domain().sizes.at(0).shape == half);
+    QVERIFY(meanSize(true) < 0.7 * meanSize(false));
+}
+
+void TestCellSizes::mapOfSizesWhilePainting() {
+    QAction* map = m_f->window().actions().showMap;
+    DistortionPanel& maps = m_f->window().distortionPanel();
+    const Measure before = maps.measure();
+    QVERIFY(!map->isChecked());
+    m_f->actions().sizes->trigger();
+    QVERIFY(map->isChecked() && maps.measure() == Measure::CellSize);
+    m_f->tool("paint")->trigger();
+    QVERIFY(map->isChecked() && maps.measure() == Measure::Phi && !panel().isVisible());
+    m_f->window().actions().pinTool->trigger();
+    QVERIFY(!map->isChecked() && maps.measure() == before);
+    // Every value has its place in the range.
+    const auto values = shownValues(m_f->session(), Measure::CellSize);
+    const MeasureRange range = rangeOf(values, Measure::CellSize);
+    for (const double value : values) {
+        const double at = positionIn(range, Measure::CellSize, value);
+        QVERIFY(at >= 0 && at <= 1);
+        QVERIFY(std::abs(valueAt(range, Measure::CellSize, at) - value) < 1e-9 * value);
+    }
+}
+
+QTEST_MAIN(TestCellSizes)
+#include "test_cell_sizes.moc"

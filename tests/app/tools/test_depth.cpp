@@ -1,0 +1,570 @@
+// Which part lies in front where a shape covers itself: what is exported, what `wend run` writes on every
+// back end, the canvas and the ST map, against a composition that is written here, place by place of every
+// pixel, with other tests of what lies where.
+#include <OpenImageIO/imageio.h>
+
+#include <QPainter>
+#include <QPolygonF>
+#include <cmath>
+
+#include "app/document/edits/depth_edits.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/file/project_reader.h"
+#include "app/document/project.h"
+#include "app/session/opening.h"
+#include "app/session/pins/solid_places.h"
+#include "app/session/run/frame_export.h"
+#include "app/session/shape/shape_builder.h"
+#include "app/tools/paint/depth_tool.h"
+#include "app/tools/pins/pin_tool.h"
+#include "app/view/canvas/canvas.h"
+#include "app/view/canvas/ground.h"
+#include "core/integration/deformer.h"
+#include "kernels/opencl_devices.h"
+#include "tests/support/projects.h"
+#include "tests/support/window_fixture.h"
+#include "warp/warped_picture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+using Colour = Eigen::Array4d;
+
+namespace {
+
+constexpr int kWidth = 361, kHeight = 227;
+
+/// An arm that is not quite opaque, and a body.
+QImage drawing() {
+    QImage image(kWidth, kHeight, QImage::Format_RGBA8888);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(200, 90, 60, 190), 26, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(QPolygonF({{40, 180}, {40, 60}, {130, 40}}));
+    painter.setPen(QPen(QColor(60, 110, 200), 80, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(90, 180), QPointF(300, 180));
+    return image;
+}
+
+const QPolygonF kArm({{20, 10}, {160, 10}, {160, 70}, {70, 90}, {66, 131}, {15, 133}});
+const QPointF kHand(126, 41);
+constexpr double kHandRadius = 31;
+constexpr double kLimb = 0.5;  // where nothing else is said, the arm lies over the body
+
+std::vector<Vec<2>> pointsOf(const QPolygonF& polygon) {
+    std::vector<Vec<2>> points;
+    for (const QPointF& p : polygon) points.emplace_back(p.x(), p.y());
+    return points;
+}
+
+/// What is drawn of a bent shape. `orderOf`: of a place at rest.
+class Composition {
+  public:
+    using OrderOf = std::function<double(const QPointF&)>;
+
+    Composition(const QImage& source, const PosedFrame<2>& frame, const OrderOf& orderOf)
+        : m_source(source.convertToFormat(QImage::Format_RGBA8888)), m_frame(frame) {
+        for (const Cell<2>& cell : frame.rest->cells) {
+            QPointF centre;
+            for (const int v : cell)
+                centre += QPointF(frame.rest->points(0, v), frame.rest->points(1, v)) / 3;
+            m_orders.push_back(orderOf(centre));
+        }
+    }
+
+    /// Associated; nothing where the source is not of one colour around.
+    std::optional<Colour> at(int x, int y) const {
+        const std::vector<int> near = cellsNear(x, y);
+        Colour sum = Colour::Zero();
+        for (int j = 0; j < 8; ++j)
+            for (int i = 0; i < 8; ++i) {
+                double through = 1;
+                for (const int cell : near) {
+                    if (!covers(cell, {x + (i + 0.5) / 8, y + (j + 0.5) / 8})) continue;
+                    const auto colour = plainColour(sourceOf(cell, {x + 0.5, y + 0.5}));
+                    if (!colour) return {};
+                    sum += through * *colour / 64;
+                    through *= 1 - (*colour)[3];
+                }
+            }
+        return sum;
+    }
+    /// Where the nearest cell has the pixel's centre from.
+    std::optional<Vec<2>> nearestSource(int x, int y) const {
+        for (const int cell : cellsNear(x, y))
+            if (covers(cell, {x + 0.5, y + 0.5})) return sourceOf(cell, {x + 0.5, y + 0.5});
+        return {};
+    }
+
+  private:
+    Vec<2> corner(const Points<2>& points, int cell, int k) const {
+        return points.col(m_frame.rest->cells[static_cast<std::size_t>(cell)][static_cast<std::size_t>(k)]);
+    }
+    /// From the nearest down: of greater order, then of greater number.
+    std::vector<int> cellsNear(int x, int y) const {
+        std::vector<int> near;
+        for (int cell = m_frame.rest->cellCount(); cell-- > 0;) {
+            Vec<2> low = corner(m_frame.pose, cell, 0), high = low;
+            for (int k = 1; k < 3; ++k) {
+                low = low.cwiseMin(corner(m_frame.pose, cell, k));
+                high = high.cwiseMax(corner(m_frame.pose, cell, k));
+            }
+            if (low.x() < x + 1 && high.x() > x && low.y() < y + 1 && high.y() > y) near.push_back(cell);
+        }
+        std::stable_sort(near.begin(), near.end(), [this](int a, int b) {
+            return m_orders[static_cast<std::size_t>(a)] > m_orders[static_cast<std::size_t>(b)];
+        });
+        return near;
+    }
+    Vec<2> weights(int cell, const Vec<2>& p) const {
+        const Vec<2> a = corner(m_frame.pose, cell, 0), u = corner(m_frame.pose, cell, 1) - a,
+                     v = corner(m_frame.pose, cell, 2) - a, w = p - a;
+        const double area = u.x() * v.y() - u.y() * v.x();
+        return {(w.x() * v.y() - w.y() * v.x()) / area, (u.x() * w.y() - u.y() * w.x()) / area};
+    }
+    bool covers(int cell, const Vec<2>& p) const {
+        const Vec<2> w = weights(cell, p);
+        return w.x() >= 0 && w.y() >= 0 && w.x() + w.y() <= 1;
+    }
+    Vec<2> sourceOf(int cell, const Vec<2>& p) const {
+        const Points<2>& rest = m_frame.rest->points;
+        const Vec<2> w = weights(cell, p), a = corner(rest, cell, 0);
+        return a + w.x() * (corner(rest, cell, 1) - a) + w.y() * (corner(rest, cell, 2) - a);
+    }
+    std::optional<Colour> plainColour(const Vec<2>& p) const {
+        const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
+        std::optional<QRgb> all;
+        for (int j = y - 4; j <= y + 4; ++j)
+            for (int i = x - 4; i <= x + 4; ++i) {
+                const QRgb one = m_source.valid(i, j) ? m_source.pixel(i, j) : 0;
+                if (all && *all != one) return {};
+                all = one;
+            }
+        const double alpha = qAlpha(*all) / 255.0;
+        return Colour(alpha * qRed(*all), alpha * qGreen(*all), alpha * qBlue(*all), 255 * alpha) / 255;
+    }
+
+    QImage m_source;
+    const PosedFrame<2>& m_frame;
+    std::vector<double> m_orders;
+};
+
+/// All that a point of the pose lies in.
+std::vector<int> cellsAt(const PosedFrame<2>& frame, const Vec<2>& p) {
+    std::vector<int> cells;
+    for (int c = 0; c < frame.rest->cellCount(); ++c) {
+        const Cell<2>& cell = frame.rest->cells[c];
+        const auto side = [&](int k) {
+            const Vec<2> a = frame.pose.col(cell[k]), b = frame.pose.col(cell[(k + 1) % 3]);
+            return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+        };
+        if ((side(0) > 0) == (side(1) > 0) && (side(1) > 0) == (side(2) > 0)) cells.push_back(c);
+    }
+    return cells;
+}
+
+int distance(const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+}
+
+}  // namespace
+
+class TestDepth : public QObject {
+    Q_OBJECT
+  private slots:
+    void initTestCase();
+    void crossingLimb_data();
+    void crossingLimb();
+    void orderIsUndone();
+    void brushed();
+    void whatIsSeenIsTouched();
+    void pinsInFrontArePicked();
+    void strokesLeaveWhatIsLarger();
+    void anotherMeshHasItsOwnOrder();
+    void mapsShowWhatLiesInFront();
+    void pinsBringTheirPart();
+
+  private:
+    void setDepth(std::vector<DepthRegion> regions);
+    void fileShows(const QString& path, const Composition& expected, const char* what);
+    void canvasIsTheExport();
+    void mapTells(const QString& path, const Composition& expected);
+    QString run(BackEndKind backEnd);
+    QString exported(ExportKind kind, const QString& name);
+
+    QTemporaryDir m_folder;
+    QImage m_drawing = drawing();
+    ShapeSession m_session;
+    ShapeCanvas m_canvas{m_session};
+};
+
+void TestDepth::initTestCase() {
+    m_canvas.resize(420, 333);
+    m_canvas.viewport().set(&Looks::hidden, true);
+    m_canvas.show();
+    const QString path = m_folder.filePath(QStringLiteral("drawing.png"));
+    QVERIFY(m_drawing.save(path));
+    OpenedFile file = openFile(path);
+    auto project = std::make_shared<Project>(*file.project);
+    project->domain.vertices = 500;
+    file.project = project;
+    m_session.document().open(std::move(file));
+    QVERIFY(settle(m_session));
+    const int hand = m_session.addPin({126, 41});
+    QVERIFY(hand >= 0 && m_session.addPin({250, 180}) >= 0 && m_session.addPin({120, 180}) >= 0);
+    m_session.selection().set({hand});
+    m_session.beginDrag();
+    m_session.dragTo({60, 130});
+    m_session.endDrag(0.2);
+    QVERIFY(settle(m_session));
+}
+
+void TestDepth::setDepth(std::vector<DepthRegion> regions) {
+    Project project = *m_session.document().project();
+    project.depth = std::move(regions);
+    m_session.document().change(QStringLiteral("Depth"), std::move(project));
+    QVERIFY(settle(m_session));
+}
+
+QString TestDepth::exported(ExportKind kind, const QString& name) {
+    const QString path = m_folder.filePath(name);
+    std::string remark;
+    FrameExport(m_session.document(), m_session.frame(), {}, 1)
+        .write(kind, path.toStdString(), {}, {}, remark);
+    return path;
+}
+
+/// The project as it is saved, by the command line's own function.
+QString TestDepth::run(BackEndKind backEnd) {
+    const QString file = m_folder.filePath(QStringLiteral("saved.wend")),
+                  picture = m_folder.filePath(QStringLiteral("run.png"));
+    m_session.document().save(file);
+    RunOptions options;
+    options.backEnd = backEnd;
+    options.outputs.image = picture.toStdString();
+    const Project project = *readProject(file.toStdString()).project;
+    if (runProject(project, file.toStdString(), options).outcome != Outcome::Done) return {};
+    return picture;
+}
+
+void TestDepth::fileShows(const QString& path, const Composition& expected, const char* what) {
+    const QImage file = QImage(path).convertToFormat(QImage::Format_RGBA8888);
+    QCOMPARE(file.size(), QSize(kWidth, kHeight));
+    int compared = 0, off = 0;
+    double most = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const auto colour = expected.at(x, y);
+            if (!colour) continue;
+            ++compared;
+            const QRgb c = file.pixel(x, y);
+            const double alpha = qAlpha(c) / 255.0;
+            const Colour found =
+                Colour(alpha * qRed(c), alpha * qGreen(c), alpha * qBlue(c), 255 * alpha) / 255;
+            const double one = 255 * (found - *colour).abs().maxCoeff();
+            most = std::max(most, one);
+            // Two levels of rounding; a place that lies on an edge to rounding may count otherwise.
+            off += one > 2 ? 1 : 0;
+        }
+    QVERIFY2(compared > 60000, what);
+    QVERIFY2(
+        off <= 5 && most <= 6,
+        qPrintable(
+            QString("%1: %2 of %3 pixels are off, by up to %4").arg(what).arg(off).arg(compared).arg(most)));
+}
+
+/// At 100 %, over the ground that the canvas has by itself: what is exported, of the same part of the plane.
+void TestDepth::canvasIsTheExport() {
+    m_canvas.zoomTo(1);
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
+    const QImage shown = m_canvas.grab().toImage();
+    const FrameExport shape(m_session.document(), m_session.frame(), {}, 1);
+    WarpOptions options = shape.warpOptions({});
+    options.restMargin = 0;
+    const View view{shown.width(), shown.height(), m_canvas.toShape({0, 0}), 1 / shown.devicePixelRatio()};
+    const QString path = m_folder.filePath(QStringLiteral("view.png"));
+    writeWarped(path.toStdString(),
+                WarpedPicture(*shape.picture(), shape.restInPixels(), shape.poseInPixels(), view, options));
+    const QImage file = QImage(path).convertToFormat(QImage::Format_RGBA8888);
+    QImage ground(shown.size(), QImage::Format_RGB32);
+    QPainter painter(&ground);
+    const Theme theme = Theme::of(m_canvas.palette());
+    const QRectF paper(0, 0, kWidth, kHeight);
+    Ground().paint(painter, {m_canvas.view(), ground.size(), 1, paper, {}, theme.dark}, theme, false);
+    painter.end();
+    int off = 0;
+    for (int y = 0; y < shown.height(); ++y)
+        for (int x = 0; x < shown.width(); ++x) {
+            const QRgb c = file.pixel(x, y), below = ground.pixel(x, y);
+            const double alpha = qAlpha(c) / 255.0;
+            const QRgb s = shown.pixel(x, y);
+            const double most =
+                std::max({std::abs(alpha * qRed(c) + (1 - alpha) * qRed(below) - qRed(s)),
+                          std::abs(alpha * qGreen(c) + (1 - alpha) * qGreen(below) - qGreen(s)),
+                          std::abs(alpha * qBlue(c) + (1 - alpha) * qBlue(below) - qBlue(s))});
+            off += most > 2 ? 1 : 0;
+        }
+    QCOMPARE(off, 0);
+}
+
+void TestDepth::mapTells(const QString& path, const Composition& expected) {
+    const auto input = OIIO::ImageInput::open(path.toStdString());
+    QVERIFY(input && input->spec().width == kWidth && input->spec().height == kHeight);
+    std::vector<float> map(static_cast<std::size_t>(kWidth) * kHeight * 4);
+    QVERIFY(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, map.data()));
+    int compared = 0, off = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const float* pixel = map.data() + 4 * (y * kWidth + x);
+            const auto source = expected.nearestSource(x, y);
+            if (!source || pixel[3] < 1) continue;
+            ++compared;
+            const Vec<2> told(kWidth * double(pixel[0]), kHeight * (1 - double(pixel[1])));
+            off += (told - *source).norm() > 0.05 ? 1 : 0;
+        }
+    QVERIFY(compared > 15000);
+    // On the borders of parts the map tells of the cell that shows most, not of the one at the centre.
+    QVERIFY2(off < 0.01 * compared, qPrintable(QString::number(off)));
+}
+
+void TestDepth::crossingLimb_data() {
+    QTest::addColumn<int>("arm");   // order of the arm …
+    QTest::addColumn<int>("hand");  // … and of the circle at its end, which wins
+    QTest::addColumn<int>("all");   // of a half plane that stands before both
+    QTest::newRow("in front") << 1 << 1 << 0;
+    QTest::newRow("behind") << -1 << -1 << 0;
+    QTest::newRow("hand behind, arm in front") << 1 << -2 << 0;
+    QTest::newRow("hand in front, arm behind the body") << -3 << 2 << -1;
+    QTest::newRow("all of one order but the hand") << 5 << 4 << 5;
+    QTest::newRow("nothing said") << 0 << 0 << 0;
+}
+
+void TestDepth::crossingLimb() {
+    QFETCH(int, arm);
+    QFETCH(int, hand);
+    QFETCH(int, all);
+    setDepth({{"all", HalfSpace<2>{{0, -50}, {0, 1}}, double(all)},
+              {"arm", Polygon{pointsOf(kArm)}, double(arm)},
+              {"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, double(hand)}});
+    const Composition expected(m_drawing, *m_session.frame<2>(), [&](const QPointF& p) -> double {
+        if (std::hypot(p.x() - kHand.x(), p.y() - kHand.y()) < kHandRadius) return hand + kLimb;
+        return kArm.containsPoint(p, Qt::OddEvenFill) ? arm + kLimb : all;
+    });
+    fileShows(exported(ExportKind::Picture, QStringLiteral("exported.png")), expected, "export");
+    fileShows(run(BackEndKind::Cpu), expected, "wend run");
+    if (openClDevices().problem != "built without OpenCL")
+        fileShows(run(BackEndKind::OpenCl), expected, "wend run on OpenCL");
+    canvasIsTheExport();
+    mapTells(exported(ExportKind::StMap, QStringLiteral("map.exr")), expected);
+}
+
+/// Undo brings the picture back, and nothing is computed for it: the frame stays the same.
+void TestDepth::orderIsUndone() {
+    setDepth({});
+    const auto picture = [&] { return QImage(exported(ExportKind::Picture, QStringLiteral("undo.png"))); };
+    const QImage before = picture();
+    const FramePtr frame = m_session.frame();
+    setDepth({{"arm", Polygon{pointsOf(kArm)}, 3}});
+    QCOMPARE(m_session.frame(), frame);
+    const QImage front = picture();
+    setDepth({{"arm", Polygon{pointsOf(kArm)}, -3}});
+    QVERIFY(front != picture());
+    m_session.document().undoStack()->undo();
+    QCOMPARE(picture(), front);
+    m_session.document().undoStack()->undo();
+    QCOMPARE(picture(), before);
+    QCOMPARE(m_session.frame(), frame);
+}
+
+/// On the canvas, where the hand is seen now: what is brushed is the hand at rest.
+void TestDepth::brushed() {
+    setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, 1}});  // over the body
+    Brush brush;
+    brush.order().set(2);
+    DepthTool tool(m_canvas, brush);
+    m_canvas.zoomTo(1);
+    m_canvas.viewport().set(&Looks::hidden, false);
+    m_canvas.viewport().setTool(&tool);
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
+    const auto orderAt = [&](const Vec<2>& p) {
+        double found = 0;
+        for (const DepthRegion& region : m_session.document().project()->depth)
+            if (signedDistance<2>(region.shape, p) <= 0) found = region.order;
+        return found;
+    };
+    const auto stroke = [&](Qt::KeyboardModifiers modifiers) {
+        const QPoint hand = m_canvas.toWidget(m_session.pins<2>()[0].centre).toPoint();
+        QTest::mousePress(&m_canvas, Qt::LeftButton, modifiers, hand);
+        QTest::mouseMove(&m_canvas, hand + QPoint(4, 2));
+        QTest::mouseRelease(&m_canvas, Qt::LeftButton, modifiers, hand + QPoint(4, 2));
+        return settle(m_session);
+    };
+    const QImage before = m_canvas.grab().toImage();
+    QVERIFY(stroke({}));
+    QCOMPARE(orderAt({126, 41}), 2.0);
+    QCOMPARE(orderAt({250, 180}), 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
+    QVERIFY(m_canvas.grab().toImage() != before);
+    QUndoStack& undo = *m_session.document().undoStack();
+    undo.undo();
+    QVERIFY(settle(m_session));
+    QVERIFY(stroke(Qt::ControlModifier));
+    QCOMPARE(orderAt({126, 41}), 0.0);
+    undo.undo();
+    QVERIFY(settle(m_session));
+    QVERIFY(stroke(Qt::ShiftModifier));
+    QCOMPARE(orderAt({126, 41}), -2.0);
+    undo.undo();
+    QCOMPARE(m_session.document().project()->depth.size(), std::size_t(1));
+    m_canvas.viewport().setTool(nullptr);
+    m_canvas.viewport().set(&Looks::hidden, true);
+}
+
+/// Of the hand and the body below the one that lies in front, whichever has the greater numbers.
+void TestDepth::whatIsSeenIsTouched() {
+    for (const double order : {1.0, -1.0}) {
+        setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
+        const auto touch = m_canvas.touch(m_canvas.toWidget(m_session.pins<2>()[0].centre));
+        QVERIFY(touch);
+        const auto frame = m_session.frame<2>();
+        const Vec<2> rest = positionOf<2>(touch->place, *frame->rest, frame->rest->points);
+        QCOMPARE((rest - Vec<2>(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
+    }
+}
+
+/// The body has a pin a few pixels beside that of the hand: a click on either picks the one that is seen.
+void TestDepth::pinsInFrontArePicked() {
+    setDepth({});
+    const auto before = m_session.frame<2>();
+    const Vec<2> hand = m_session.pins<2>()[0].centre;
+    std::optional<Vec<2>> below;
+    for (const int cell : cellsAt(*before, hand + Vec<2>(4, 0))) {
+        const auto place = locationIn<2>(*before, cell, hand + Vec<2>(4, 0));
+        const Vec<2> rest = positionOf<2>(place, *before->rest, before->rest->points);
+        if ((rest - Vec<2>(kHand.x(), kHand.y())).norm() > kHandRadius) below = rest;
+    }
+    QVERIFY(below);
+    const int steps = m_session.document().undoStack()->count();
+    const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
+    QVERIFY(settle(m_session));
+    PinChoice choice;
+    PinTool<2> tool(m_canvas, choice, false);
+    m_canvas.zoomTo(1);
+    for (const double order : {1.0, -1.0}) {
+        setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
+        for (const int pin : {0, body}) {
+            Vec<2> place;
+            for (const auto& view : m_session.pins<2>())
+                if (view.handle == pin) place = view.centre;
+            QCOMPARE(tool.handleAt(m_canvas.toWidget(place)), order > 0 ? 0 : body);
+        }
+        // Beside the one that is seen, the other is within reach alone.
+        const int other = order > 0 ? body : 0;
+        QCOMPARE(tool.handleAt(m_canvas.toWidget(hand + Vec<2>(order > 0 ? 10 : -6, 0))), other);
+    }
+    m_session.document().undoStack()->setIndex(steps);
+    QVERIFY(settle(m_session));
+}
+
+/// Only what a stroke hides altogether goes.
+void TestDepth::strokesLeaveWhatIsLarger() {
+    setDepth({{"body", Ball<2>{{200, 180}, 60}, 2}});
+    const DepthRegions& depth = m_session.document().depth();
+    const auto small = withDepthStroke(depth, {{{200, 180}, 10}, {{206, 180}, 10}}, -1);
+    QCOMPARE(small.size(), std::size_t(3));
+    QCOMPARE(small[0].order, 2.0);
+    QCOMPARE(withDepthStroke(depth, {{{210, 180}, 80}}, -1).size(), std::size_t(1));
+}
+
+void TestDepth::anotherMeshHasItsOwnOrder() {
+    setDepth({{"arm", Polygon{pointsOf(kArm)}, 1}});
+    canvasIsTheExport();
+    for (const int vertices : {350, 500}) {
+        setVertices(m_session.document(), vertices);
+        QVERIFY(settle(m_session));
+        canvasIsTheExport();
+    }
+}
+
+/// Where two cells with colours that are far apart lie over each other, that of the upper one is seen.
+void TestDepth::mapsShowWhatLiesInFront() {
+    const auto frame = m_session.frame<2>();
+    const std::vector<double> values = cellValues<2>(*frame, Measure::Angle);
+    const MeasureRange range{0, rangeOf(values, Measure::Angle).high / 8};
+    const auto colourOf = [&](int cell) {
+        return QColor(colourAt(Measure::Angle, positionIn(range, Measure::Angle, values[cell])));
+    };
+    m_canvas.viewport().set(&Looks::hidden, false);
+    m_canvas.viewport().set(&Looks::colours, {Measure::Angle, range, 1.0});  // none of the picture
+    m_canvas.viewport().set(&Looks::map, true);
+    for (const double order : {1.0, -1.0}) {
+        setDepth({{"arm", Polygon{pointsOf(kArm)}, order}});
+        QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
+        const QImage& seen = m_canvas.drawn()->image;
+        const auto isArm = [&](int cell) {
+            Vec<2> centre = Vec<2>::Zero();
+            for (const int v : frame->rest->cells[cell]) centre += frame->rest->points.col(v) / 3;
+            return kArm.containsPoint({centre.x(), centre.y()}, Qt::OddEvenFill);
+        };
+        const auto lieOver = [&](double x, double y) {
+            const auto cells = cellsAt(*frame, m_canvas.toShape(QPointF(x, y) / seen.devicePixelRatio()));
+            return cells.size() == 2 && isArm(cells[0]) != isArm(cells[1]);
+        };
+        int compared = 0, wrong = 0;
+        for (int y = 0; y < seen.height(); y += 2)
+            for (int x = 0; x < seen.width(); x += 2) {
+                // The outline's pixels have something of both.
+                if (!lieOver(x, y) || !lieOver(x + 1, y) || !lieOver(x, y + 1) || !lieOver(x + 1, y + 1))
+                    continue;
+                const Vec<2> p = m_canvas.toShape(QPointF(x + 0.5, y + 0.5) / seen.devicePixelRatio());
+                const std::vector<int> cells = cellsAt(*frame, p);
+                if (cells.size() != 2 || isArm(cells[0]) == isArm(cells[1])) continue;
+                const int arm = isArm(cells[0]) ? 0 : 1;
+                const QColor upper = colourOf(cells[order > 0 ? arm : 1 - arm]),
+                             lower = colourOf(cells[order > 0 ? 1 - arm : arm]);
+                if (distance(upper, lower) < 120) continue;
+                ++compared;
+                const QColor pixel(seen.pixel(x, y));
+                wrong += distance(pixel, upper) > distance(pixel, lower) ? 1 : 0;
+            }
+        QVERIFY2(compared > 20, qPrintable(QString::number(compared)));
+        QVERIFY2(wrong <= 0.02 * compared, qPrintable(QString("%1 of %2").arg(wrong).arg(compared)));
+    }
+    m_canvas.viewport().set(&Looks::map, false);
+    m_canvas.viewport().set(&Looks::hidden, true);
+}
+
+void TestDepth::pinsBringTheirPart() {
+    setDepth({});
+    const double size = m_session.frame()->diagonal;
+    const auto with = [size](Project project, const std::vector<int>& handles, double order) {
+        project.depth =
+            withHandleDepth(project.depth, std::get<Design<2>>(project.design), handles, order, size);
+        return project;
+    };
+    const auto of = [](const Project& project, std::size_t handle) {
+        return depthOfHandle(project.depth, std::get<Design<2>>(project.design).handles[handle].name);
+    };
+    Project project = with(*m_session.document().project(), {0}, 3);
+    QCOMPARE(project.depth.size(), std::size_t(1));
+    QVERIFY(signedDistance<2>(project.depth[0].shape, {126, 41}) < 0);
+    QVERIFY(signedDistance<2>(project.depth[0].shape, {120, 180}) > 0);  // where another pin is
+    QCOMPARE(of(project, 0), std::optional(3.0));
+    QCOMPARE(of(project, 1), std::nullopt);
+    project = withHandleName(project, 0, "hand");
+    QCOMPARE(of(project, 0), std::optional(3.0));
+    project = with(project, {0, 1}, -1);
+    QCOMPARE(project.depth.size(), std::size_t(2));
+    QCOMPARE(of(project, 0), std::optional(-1.0));
+    project = with(project, {0, 1}, 0);
+    QVERIFY(project.depth.empty());
+    // Of two pins close to each other either takes no more than the half between them.
+    const Project near = with(withPin(project, Vec<2>(146, 41), "near"), {0}, 1);
+    QVERIFY(signedDistance<2>(near.depth[0].shape, {134, 41}) < 0);
+    QVERIFY(signedDistance<2>(near.depth[0].shape, {137, 41}) > 0);
+}
+
+QTEST_MAIN(TestDepth)
+#include "test_depth.moc"
