@@ -143,22 +143,29 @@ QString RegionList::valueText(double value) const {
                       : locale.toString(value, 'g', 3);
 }
 
-/// What was chosen stays so as long as it has its place, below what is new.
+/// What is new is chosen, so that its number can be changed at once; else what was chosen stays so as long as
+/// it has its place.
 void RegionList::showRegions() {
     const auto all = groups();
     {
         const QSignalBlocker quiet(m_list);
-        const int chosen = group() < 0 ? -1 : static_cast<int>(all.size()) - 1 - group();
+        const int count = static_cast<int>(all.size());
+        QStringList before;
+        for (int row = 0; row < m_list->count(); ++row) before << m_list->item(row)->text();
+        const bool oneMore = isVisible() && count == before.size() + 1;
+        const int chosen = group() < 0 ? -1 : count - 1 - group();
         const QString name = group() < 0 ? QString() : m_list->currentItem()->text();
         m_list->clear();
+        int fresh = -1;
         for (auto group = all.rbegin(); group != all.rend(); ++group) {
             auto* item = new QListWidgetItem(nameOf(*group), m_list);
             item->setFlags(item->flags() | Qt::ItemIsEditable);
             item->setData(kValue, valueText(group->value));
             item->setData(Qt::AccessibleDescriptionRole, valueText(group->value));
+            if (oneMore && fresh < 0 && !before.contains(item->text())) fresh = m_list->row(item);
         }
         const QListWidgetItem* same = m_list->item(chosen);
-        m_list->setCurrentRow(same && same->text() == name ? chosen : -1);
+        m_list->setCurrentRow(fresh >= 0 ? fresh : same && same->text() == name ? chosen : -1);
     }
     m_list->setVisible(!all.empty());
     m_row->setVisible(!all.empty());

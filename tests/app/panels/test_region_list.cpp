@@ -128,11 +128,13 @@ void TestRegionList::strokesAreListed() {
     QCOMPARE(list.count(), 2);
     QCOMPARE(list.item(0)->text(), QString::fromStdString(groups(of)[1].name));
     QCOMPARE(list.item(1)->text(), QString::fromStdString(groups(of)[0].name));
-    QVERIFY(!part("Remove")->isEnabled());
-    list.setFocus();
-    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(1)).center());
     auto* value = qobject_cast<QDoubleSpinBox*>(part("Value"));
     const double before = groups(of)[0].value, other = groups(of)[1].value;
+    QCOMPARE(list.currentRow(), 0);  // what was brushed just now can be changed at once
+    QVERIFY(part("Remove")->isEnabled() && value->isEnabled());
+    QCOMPARE(value->value(), (of == RegionsOf::Detail ? 100 : 1) * other);
+    list.setFocus();
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(1)).center());
     QCOMPARE(value->value(), (of == RegionsOf::Detail ? 100 : 1) * before);
     value->setFocus();
     value->selectAll();
@@ -161,6 +163,7 @@ void TestRegionList::strokesAreListed() {
     QCOMPARE(list.count(), 1);
     undo().undo();
     QVERIFY(groups(of).size() == 2 && groups(of)[0].name == "Knee" && list.count() == 2);
+    QCOMPARE(list.currentRow(), 1);  // what came back, not the topmost
     QVERIFY(settle(m_f->session()));
     m_f->picture(QStringLiteral("regions-%1").arg(kind));
 }
@@ -184,6 +187,7 @@ void TestRegionList::chosenOnesAreOutlined() {
             if (a.pixel(edge + QPoint(0, y)) != b.pixel(edge + QPoint(0, y))) return true;
         return false;
     };
+    panel(of).list()->setCurrentRow(-1);
     const QImage bare = seen();
     panel(of).list()->setCurrentRow(0);
     QVERIFY(differAtTheEdge(bare, seen()));
