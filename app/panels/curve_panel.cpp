@@ -50,13 +50,12 @@ CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
 }
 
 void CurvePanel::makeControls() {
-    m_make->setToolTip(tr("Turns the way that was drawn into a Bézier curve with points to drag."));
+    m_make->setToolTip(tr("Turns the drawn path into a Bézier curve with points to drag."));
     m_make->setStatusTip(m_make->toolTip());
     for (const Ease ease : kEases) m_ease->addItem(withoutKey(easeName(ease)));
     m_ease->setObjectName(QStringLiteral("ease"));
     fitToEntries(m_ease, 116);
-    describe(m_ease, tr("Ease"),
-             tr("How the motion that goes on at the time shown begins and ends: evenly, or softly."));
+    describe(m_ease, tr("Ease"), tr("How the motion at the time shown begins and ends: evenly or softly."));
     m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
     m_frame->setObjectName(QStringLiteral("curveFrame"));
     fitToEntries(m_frame, 116);

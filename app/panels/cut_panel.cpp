@@ -46,8 +46,8 @@ void CutPanel::makeControls() {
         m_ways[k]->setText(names[k]);
         m_ways[k]->setProperty("role", "chip");
         describe(m_ways[k], k < 3 ? tr("Cut across %1").arg(names[k]) : tr("Other side"),
-                 k < 3 ? tr("Turns the plane so that it stands across this axis.")
-                       : tr("Takes away the other side of the plane."));
+                 k < 3 ? tr("Turns the plane so that it is perpendicular to this axis.")
+                       : tr("Cuts away the other side of the plane."));
         connect(m_ways[k], &QToolButton::clicked, this,
                 [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); });
     }
@@ -61,7 +61,7 @@ void CutPanel::makeControls() {
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(56);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Normal of the cut"), tr("The direction that the plane looks in, as x, y and z."));
+        describe(box, tr("Normal of the cut"), tr("The direction that the plane faces, as x, y and z."));
     }
     m_place->setDecimals(4);
     m_place->setRange(-1e9, 1e9);
@@ -113,7 +113,7 @@ void CutPanel::chooseNumbers() {
 void CutPanel::showNothing() {
     m_kind->setCurrentIndex(0);
     m_kind->setEnabled(false);
-    describe(m_kind, tr("Cut"), tr("There is no solid yet that could be cut."));
+    describe(m_kind, tr("Cut"), tr("There is no solid to cut yet."));
     m_numbers->hide();
 }
 

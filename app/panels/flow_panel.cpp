@@ -19,9 +19,8 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
       m_settle(new QPushButton(tr("Relax"), this)) {
     m_settle->setObjectName(QStringLiteral("settle"));
     describe(m_settle, tr("Relax"),
-             tr("The pins stay where they are, and what lies between them lets go of its tension. It takes a "
-                "second "
-                "at the end of the film."));
+             tr("The pins stay where they are, and what lies between them releases its tension. This takes "
+                "one second at the end of the film."));
     showInTip(m_settle, relaxPictures);
     showInTip(m_memory->slider(), memoryPictures);
     auto* layout = new QVBoxLayout(this);

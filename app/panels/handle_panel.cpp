@@ -52,7 +52,7 @@ void HandlePanel::makeControls() {
     m_place->setWordWrap(false);
     m_apply->setIcon(wendIcon(QStringLiteral("apply"), palette()));
     m_kind->addItems({tr("Move by"), tr("Rotate by"), tr("Scale by")});
-    describe(m_kind, tr("Exact step"), tr("Moves, turns or scales what is selected by exact numbers."));
+    describe(m_kind, tr("Exact step"), tr("Moves, rotates or scales what is selected by exact numbers."));
     for (QDoubleSpinBox*& box : m_numbers) {
         box = new NumberBox(this);
         box->setRange(-1e9, 1e9);
@@ -64,8 +64,8 @@ void HandlePanel::makeControls() {
     }
     m_axis->addItems({tr("around X"), tr("around Y"), tr("around Z")});
     m_axis->setCurrentIndex(2);
-    describe(m_axis, tr("Axis"), tr("The axis of the turn, through the middle of what is selected."));
-    describe(m_apply, tr("Apply"), tr("Does this step; it becomes part of the motion."));
+    describe(m_axis, tr("Axis"), tr("The axis of the rotation, through the middle of what is selected."));
+    describe(m_apply, tr("Apply"), tr("Applies this step; it becomes part of the motion."));
     m_apply->setObjectName(QStringLiteral("applyStep"));
 }
 

@@ -24,8 +24,8 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     m_radius->setFixedWidth(116);
     describe(
         m_radius, tr("Radius"),
-        tr("How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. "
-           "In the shape's own units; of a picture its pixels. Alt-drag of the pin does the same."));
+        tr("How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. "
+           "In the shape's own units, for a picture its pixels. Alt-dragging the pin does the same."));
     layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
     layout->addWidget(m_count);
     m_count->setObjectName(QStringLiteral("regionCount"));
@@ -128,7 +128,7 @@ void RegionPanel::showRadius(double radius, double diagonal) {
 template <int Dim>
 void RegionPanel::showCount() {
     const auto held = verticesInside<Dim>(*region<Dim>(), *m_session.frame<Dim>()->rest);
-    m_count->setText(tr("%n vertices", nullptr, static_cast<int>(held.size())));
+    m_count->setText(tr("Vertices: %n", nullptr, static_cast<int>(held.size())));
 }
 
 }  // namespace wend

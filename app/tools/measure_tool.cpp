@@ -51,7 +51,7 @@ QString MeasureTool<Dim>::hint() const {
     if (!measured.isEmpty()) return measured;
     return said(QT_TRANSLATE_NOOP(
         "MeasureTool",
-        "Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears"));
+        "Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears"));
 }
 
 template <int Dim>

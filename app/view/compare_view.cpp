@@ -95,7 +95,7 @@ QWidget* CompareView::otherHead() {
     row->setContentsMargins(12, 0, 4, 0);
     m_energy->setObjectName(QStringLiteral("comparedEnergy"));
     describe(m_energy, tr("Compare with"),
-             tr("What this half keeps, or what it is without paint, on the same pins and motions."));
+             tr("What this half keeps, or how it is without paint, with the same pins and motions."));
     connect(m_energy, &QComboBox::activated, this,
             [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); });
     m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);

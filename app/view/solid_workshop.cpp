@@ -57,8 +57,8 @@ void SolidWorkshop::takeUpTool() {
 void SolidWorkshop::makePage() {
     if (!VolumeView::available()) {
         auto* label =
-            new QLabel(tr("Solids need OpenGL 3.3, which this system does not have. The command line "
-                          "(wend run) works with them all the same."));
+            new QLabel(tr("Solids need OpenGL 3.3, which this system does not have. The command line (wend "
+                          "run) still works with them."));
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
         m_page = label;

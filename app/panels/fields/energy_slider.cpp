@@ -229,12 +229,11 @@ void EnergySlider::setDimension(int dimension) {
 QString EnergySlider::helpText() const {
     if (m_dimension == 3)
         return tr(
-            "What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, "
-            "to "
-            "the look of its details. Between two names it is something of both.");
+            "What the shape keeps where it has to give way: from its volume, through lengths and rigid "
+            "parts, to the look of its details. Between two names it is a mixture of both.");
     return tr(
-        "What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the "
-        "look of its details. Between two names it is something of both.");
+        "What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to "
+        "the look of its details. Between two names it is a mixture of both.");
 }
 
 void EnergySlider::choose(int value) {

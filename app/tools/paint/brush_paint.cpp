@@ -141,8 +141,8 @@ bool paintsNothing(const BrushSettings& brush) {
 
 QString nothingToPaint() {
     return said(QT_TRANSLATE_NOOP("PaintTool",
-                                  "Stiffness ×1 is as everywhere and changes nothing here: choose on the "
-                                  "right how many times stiffer it is to be"));
+                                  "Stiffness ×1 is the same as everywhere and changes nothing: choose on the "
+                                  "right how many times stiffer it should be"));
 }
 
 template MaterialPaint<2> paintOf<2>(const BrushSettings&, const Vec<2>&);

@@ -29,10 +29,9 @@ double distance(const QPointF& a, const QPointF& b) {
 }  // namespace
 
 QString curveHint(bool onPoint) {
-    return onPoint ? said(QT_TRANSLATE_NOOP(
-                         "CurveEditor",
-                         "Drag the curve's point, with Shift straight, with Ctrl one direction alone; Delete "
-                         "removes it, a right click shows more"))
+    return onPoint ? said(QT_TRANSLATE_NOOP("CurveEditor",
+                                            "Drag the curve's point, Shift keeps it straight, Ctrl moves one "
+                                            "direction only; Delete removes it, a right-click shows more"))
                    : said(QT_TRANSLATE_NOOP("CurveEditor", "Double-click to insert a point into the curve"));
 }
 

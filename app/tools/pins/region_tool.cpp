@@ -20,17 +20,16 @@ QString said(const char* text) {
 
 QString RegionTool::hint() const {
     if (m_shape == Shape::Ball)
-        return said(
-            QT_TRANSLATE_NOOP("RegionTool",
-                              "Drag from a point of the surface to hold a ball; Shift adds what is in it "
-                              "to the selected handle, Ctrl takes it away"));
+        return said(QT_TRANSLATE_NOOP("RegionTool",
+                                      "Drag from a point on the surface to hold a ball; Shift adds what is "
+                                      "in it to the selected handle, Ctrl takes it away"));
     if (m_shape == Shape::Side)
         return said(QT_TRANSLATE_NOOP(
-            "RegionTool", "Drag from a point of the surface towards what to hold: all beyond the point"));
-    return said(QT_TRANSLATE_NOOP(
-        "RegionTool",
-        "Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, "
-        "Ctrl takes it away"));
+            "RegionTool",
+            "Drag from a point on the surface towards the side to hold: all that lies beyond the point"));
+    return said(QT_TRANSLATE_NOOP("RegionTool",
+                                  "Drag from a point on the surface to hold a box; Shift adds what is in it "
+                                  "to the selected handle, Ctrl takes it away"));
 }
 
 void RegionTool::press(const QMouseEvent& event) {
@@ -102,21 +101,21 @@ void RegionTool::paint(QPainter& painter) const {
 ToolKind grabBallTool() {
     return toolKind(
         "ball", "area-ball", QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
-        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point of the surface"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point on the surface"),
         "Shift+K", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Ball, &Workbench::toSelect));
 }
 
 ToolKind grabBlockTool() {
     return toolKind(
         "block", "area-box", QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
-        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point of the surface"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point on the surface"),
         "Shift+X", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Block, &Workbench::toSelect));
 }
 
 ToolKind grabSideTool() {
     return toolKind("side", "area-half", QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
                     QT_TRANSLATE_NOOP(
-                        "Tools", "Take hold of all that lies beyond a plane through a point of the surface"),
+                        "Tools", "Take hold of all that lies beyond a plane through a point on the surface"),
                     "Shift+P", Mode::Pins,
                     solidsOnly<RegionTool>(RegionTool::Shape::Side, &Workbench::toSelect));
 }
