@@ -53,19 +53,11 @@ void CutPanel::makeControls() {
     }
     m_slider->setRange(0, kSteps);
     describe(m_slider, tr("Place of the cut"), tr("Moves the plane through the solid."));
-    for (ExactBox*& box : m_normal) {
-        box = new ExactBox(this);
-        box->setRange(-1, 1);
-        box->setDecimals(3);
-        box->setSingleStep(0.05);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Normal of the cut"), tr("The direction that the plane faces, as x, y and z."));
-    }
+    m_normal = coordinateBoxes(1, 3, tr("Normal of the cut"),
+                               tr("The direction that the plane faces, as x, y and z."), this);
+    for (ExactBox* box : m_normal) box->setSingleStep(0.05);
     m_place->setDecimals(4);
     m_place->setRange(-1e9, 1e9);
-    m_place->setFixedWidth(116);
     describe(m_place, tr("Distance of the cut"),
              tr("How far the plane is from the origin, along its normal."));
 }

@@ -76,9 +76,9 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
 }
 
 void DistortionPanel::makeControls() {
-    fitToEntries(m_measure, 116);
+    fitToEntries(m_measure);
     m_opacity->setObjectName(QStringLiteral("mapOpacity"));
-    m_opacity->setFixedWidth(116);
+    m_opacity->setFixedWidth(kControlWidth);
     m_opacity->setRange(5, 100);
     m_opacity->setPageStep(10);
     m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());

@@ -61,7 +61,6 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
 void LayerPanel::makeList() {
     m_list->setObjectName(QStringLiteral("layers"));
     m_list->setFixedHeight(76);  // four rows: with the buttons below it is seen on a small screen
-    m_none->setObjectName(QStringLiteral("noLayers"));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
@@ -99,7 +98,6 @@ void LayerPanel::makeControls() {
     }
     m_feather->setObjectName(QStringLiteral("layerFeather"));
     m_feather->setRange(0, 1e9);
-    m_feather->setFixedWidth(116);
     m_feather->setDigits(4);
     describe(m_feather, tr("Soft edge"), tr("How wide the edge fades, in the shape's own units."));
 }

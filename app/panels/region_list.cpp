@@ -69,7 +69,6 @@ void RegionList::makeControls() {
     m_value->setDecimals(isDetail() ? 0 : 1);
     m_value->setSuffix(isDetail() ? tr(" %") : QString());
     m_value->setSingleStep(isDetail() ? 10 : 1);
-    m_value->setFixedWidth(116);
     describe(m_value, isDetail() ? tr("Length of edges") : tr("Order"),
              isDetail()
                  ? tr("How long edges are there, compared with elsewhere: less is finer, more is coarser.")

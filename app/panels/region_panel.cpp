@@ -21,7 +21,6 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(m_numbers);
     m_radius->setObjectName(QStringLiteral("circleRadius"));
     m_radius->setRange(0, 1e9);
-    m_radius->setFixedWidth(116);
     describe(
         m_radius, tr("Radius"),
         tr("How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. "

@@ -50,7 +50,6 @@ void SizePanel::makeControls() {
     const Range range = option("domain.sizes[].factor").range;
     m_factor->setRange(range.min, range.max);
     m_factor->setPrefix(QStringLiteral("×"));
-    m_factor->setFixedWidth(116);
     m_factor->setObjectName(QStringLiteral("sizeFactor"));
     describe(m_factor, tr("Length of edges"),
              tr("How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 "
@@ -69,7 +68,6 @@ void SizePanel::makeControls() {
                 "its numbers can then be changed."));
     describe(m_remove, tr("Remove sizes"), tr("Removes the chosen stroke or region."));
     m_feather->setRange(0, 1e9);
-    m_feather->setFixedWidth(116);
     m_feather->setObjectName(QStringLiteral("sizeFeather"));
     describe(m_feather, tr("Soft edge"),
              tr("Over what width the size blends into that around it, in the file's units."));

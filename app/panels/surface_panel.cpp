@@ -57,7 +57,7 @@ void SurfacePanel::arrange() {
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
     layout->addLayout(row);
-    m_hole->setWidth(116, 80);
+    m_hole->setWidth(kControlWidth, 80);
     layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
     auto* repairs = new QHBoxLayout;
     for (QPushButton* button : {m_preview, m_repair}) repairs->addWidget(button);

@@ -4,6 +4,8 @@
 #include <QFrame>
 #include <QRegularExpression>
 
+#include "app/panels/fields/exact_box.h"
+
 namespace wend {
 
 QLabel* panelTitle(const QString& text, QWidget* parent) {
@@ -56,6 +58,7 @@ QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
     row->setSpacing(8);
     auto* text = new QLabel(label, parent);
     text->setBuddy(control);
+    if (qobject_cast<QAbstractSpinBox*>(control)) control->setFixedWidth(kControlWidth);
     row->addWidget(text);
     row->addStretch(1);
     row->addWidget(control);
@@ -74,6 +77,21 @@ void fitToEntries(QComboBox* box, int least) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     box->setMinimumWidth(least);
     box->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+}
+
+std::array<ExactBox*, 3> coordinateBoxes(double limit, int decimals, const QString& name, const QString& help,
+                                         QWidget* parent) {
+    std::array<ExactBox*, 3> boxes{};
+    for (ExactBox*& box : boxes) {
+        box = new ExactBox(parent);
+        box->setRange(-limit, limit);
+        box->setDecimals(decimals);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        describe(box, name, help);
+    }
+    return boxes;
 }
 
 QString withoutKey(QString label) {
