@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QStackedWidget>
 #include <algorithm>
-#include <cmath>
 
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/exact_box.h"
@@ -47,7 +46,6 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
 
 void PaintPanel::makeControls() {
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
-    m_direction->setObjectName(QStringLiteral("brushDirection"));
     fitToEntries(m_direction, 150);
     describe(m_direction, tr("Stiff direction"),
              tr("The direction at rest, which turns with the shape: the stroke's own, the one that is there, "

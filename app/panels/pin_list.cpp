@@ -305,7 +305,7 @@ void PinList::renamePin(int handle, const std::string& name) {
     if (name != before) renameHandle(document, tr("Rename"), handle, name);
 }
 
-/// What a sign is clicked for goes for all that is selected, if its row is.
+/// A click on a sign applies to all that is selected, if its row is.
 bool PinList::takePress(const QMouseEvent& press) {
     const QModelIndex index = m_list->indexAt(press.position().toPoint());
     const QTreeWidgetItem* item = m_list->itemAt(press.position().toPoint());

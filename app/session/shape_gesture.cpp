@@ -17,7 +17,7 @@ namespace {
 constexpr int kTick = 20;        // milliseconds
 constexpr int kCurveSteps = 24;  // of a piece of a curve, to tell how long it is
 // A sample that comes sooner after the last one waits for the next: more frames than a screen shows take time
-// from those that it does. Not where a shape takes long to compute: then it shall begin with the newest.
+// from those that it does. Not where a shape takes long to compute: then it is to begin with the newest.
 constexpr double kPace = 12, kQuick = 25;  // milliseconds
 constexpr int kLongestWait = 20;           // of a sample that none follows
 

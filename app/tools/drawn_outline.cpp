@@ -3,7 +3,7 @@
 #include <QPainterPathStroker>
 #include <algorithm>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/tools/pin_settings.h"
 #include "app/tools/tool.h"

@@ -67,7 +67,6 @@ CompareView::CompareView(const Parts& parts, QWidget* parent)
     other->addWidget(m_picture, 1);
     row->addWidget(m_other, 1);
     m_picture->followOther();
-    m_picture->setObjectName(QStringLiteral("comparedPicture"));
     m_picture->setAccessibleName(tr("The same with another energy"));
     m_ownHead->hide();
     m_other->hide();
@@ -158,7 +157,6 @@ void CompareView::makeSolid() {
     SolidCanvas* own = m_parts.solid();
     if (m_solid || !own) return;
     m_solid = new SolidCanvas(m_comparison.other());
-    m_solid->setObjectName(QStringLiteral("comparedSolid"));
     m_other->layout()->addWidget(m_solid);
     m_solid->installEventFilter(this);
     connect(own, &VolumeView::cameraChanged, this, [this, own] { m_solid->takeView(*own); });

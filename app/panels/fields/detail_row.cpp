@@ -29,7 +29,6 @@ DetailRow::DetailRow(QWidget* parent)
     row->addWidget(m_name, 1);
     row->addWidget(m_remove);
     layout->addLayout(row);
-    m_name->setObjectName(QStringLiteral("detailName"));
     connect(m_choose, &QToolButton::clicked, this, &DetailRow::wanted);
     connect(m_remove, &QToolButton::clicked, this, &DetailRow::removed);
 }

@@ -16,7 +16,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/panels/look/theme.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 
 namespace wend {
 

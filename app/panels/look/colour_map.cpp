@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/document/design.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/motion/fields.h"
 #include "core/energy/distortion.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 
 namespace wend {

@@ -8,7 +8,7 @@
 #include "app/document/edits/handle_edits.h"
 #include "app/document/edits/outline_edits.h"
 #include "app/document/project.h"
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/session/shape/flat_shape.h"
 #include "app/tools/drawn_outline.h"

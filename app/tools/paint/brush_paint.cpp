@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "app/document/edits/free_name.h"
-#include "app/session/accent.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/shape/material_raster.h"
 
 namespace wend {

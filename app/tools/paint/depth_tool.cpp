@@ -4,7 +4,7 @@
 
 #include "app/document/depth_region.h"
 #include "app/document/edits/depth_edits.h"
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/tools/paint/depth_marks.h"
 
 namespace wend {

@@ -5,9 +5,8 @@
 
 #include "app/document/design.h"
 #include "app/document/edits/free_name.h"
-#include "app/session/accent.h"
 #include "app/session/brush.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/session/shape/material_raster.h"
 #include "app/tools/in_steps.h"

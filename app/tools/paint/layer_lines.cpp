@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/document/design.h"
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/tools/region_outline.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/document/design.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/pins/solid_places.h"
 #include "app/session/shape/erasing.h"
 #include "app/session/shape/material_raster.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/session/pins/solid_places.h"
 #include "app/session/shape/material_raster.h"

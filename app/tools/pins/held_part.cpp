@@ -7,7 +7,7 @@
 
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/session/pins/solid_places.h"
 #include "app/tools/drag_label.h"

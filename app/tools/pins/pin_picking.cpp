@@ -1,7 +1,5 @@
 #include "app/tools/pins/pin_picking.h"
 
-#include <algorithm>
-
 #include "app/document/design.h"
 #include "app/session/pins/mark_size.h"
 #include "app/session/pins/pin_shapes.h"

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 
 namespace wend {

@@ -1,7 +1,7 @@
 // What the pin tool says and draws, which pointer it shows, and how the window offers it.
 #include <QCoreApplication>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pins/pin_tool.h"

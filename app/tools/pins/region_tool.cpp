@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/session/pins/mark_size.h"
 #include "app/session/pins/solid_places.h"
 #include "app/tools/pins/held_part.h"

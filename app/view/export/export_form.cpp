@@ -263,7 +263,6 @@ void ExportForm::showSize(const FileSize& size) {
     const QString text = bytesText(size.bytes);
     m_facts->setText(pixels() + QStringLiteral("  ·  ") +
                      (size.measured ? tr("%1 (measured)").arg(text) : tr("about %1 (estimated)").arg(text)));
-    emit sizeTold();
 }
 
 void ExportForm::tellProblem(const QString& problem) {
@@ -327,7 +326,6 @@ void ExportForm::startSize() {
         if (asked != m_asked || answer.stopped) return;
         if (answer.problem.isEmpty()) return showSize(answer.value);
         tellProblem(answer.problem);
-        emit sizeTold();
     });
 }
 

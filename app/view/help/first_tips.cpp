@@ -46,7 +46,6 @@ Vec<Dim> middleOf(const Points<Dim>& pose) {
 }  // namespace
 
 FirstTips::FirstTips(const Parts& parts, QWidget& over) : QLabel(&over), m_parts(parts) {
-    setObjectName(QStringLiteral("firstTip"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setTextFormat(Qt::PlainText);
     hide();

@@ -84,7 +84,6 @@ ManualWindow::ManualWindow(QWidget* parent)
       m_nowhere(secondLabel(tr("No page has these words."), this)) {
     setWindowTitle(tr("Manual"));
     resize(860, 720);
-    m_pages->setObjectName(QStringLiteral("manualPages"));
     m_pages->setAccessibleName(tr("Manual"));
     m_pages->setOpenLinks(false);
     connect(m_pages, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {

@@ -71,15 +71,6 @@ class TestFilesOnDisk : public QObject {
 
 namespace {
 
-/// Presses the button of this name in the next message box.
-void answerNext(QObject* scope, const QString& name) {
-    withNext<QMessageBox>(scope, [name](QMessageBox& box) {
-        for (QAbstractButton* button : box.buttons())
-            if (button->text().remove('&') == name) return button->click();
-        box.reject();
-    });
-}
-
 std::size_t pinsIn(const QString& path) {
     return designOf<2>(*readProject(path.toStdString()).project).handles.size();
 }
