@@ -67,14 +67,9 @@ void CutPanel::arrange() {
     layout->addWidget(panelTitle(tr("Cut"), this));
     layout->addLayout(panelRow(tr("&Look inside"), m_kind, this));
     auto* inner = bareColumn(m_numbers, 10);
-    auto* ways = new QHBoxLayout;
-    for (QToolButton* button : m_ways) ways->addWidget(button);
-    ways->addStretch(1);
-    inner->addLayout(ways);
+    inner->addLayout(sideBySide({m_ways[0], m_ways[1], m_ways[2], m_ways[3], nullptr}));
     inner->addWidget(m_slider);
-    auto* normal = new QHBoxLayout;
-    for (ExactBox* box : m_normal) normal->addWidget(box);
-    inner->addLayout(normal);
+    inner->addLayout(sideBySide({m_normal[0], m_normal[1], m_normal[2]}));
     inner->addLayout(panelRow(tr("&Distance"), m_place, m_numbers));
     layout->addWidget(m_numbers);
 }

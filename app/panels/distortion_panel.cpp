@@ -28,8 +28,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_measure(new QComboBox(this)),
       m_legend(new Legend(this)),
-      m_opacityRow(new QWidget(this)),
-      m_opacity(new JumpSlider(m_opacityRow)),
+      m_opacity(new JumpSlider(this)),
       m_keep(new QAction(tr("Keep these colours"), this)),
       m_lock(new QToolButton(this)),
       m_details(new QWidget(this)),
@@ -108,19 +107,13 @@ void DistortionPanel::arrange() {
     layout->addWidget(panelTitle(tr("What changed"), this));
     layout->addLayout(panelRow(tr("Colour &by"), m_measure, this));
     layout->addWidget(m_legend);
-    m_opacityRow->setLayout(panelRow(tr("O&pacity"), m_opacity, m_opacityRow));
-    m_opacityRow->layout()->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_opacityRow);
+    layout->addWidget(m_opacityRow = panelRowIn(tr("O&pacity"), m_opacity, this));
     auto* details = new QVBoxLayout(m_details);
     details->setContentsMargins(16, 4, 16, 10);
     details->setSpacing(6);
     details->addWidget(m_smooth);
     details->addLayout(totals());
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_lock);
-    buttons->addStretch(1);
-    buttons->addWidget(m_find);
-    layout->addLayout(buttons);
+    layout->addLayout(sideBySide({m_lock, nullptr, m_find}));
 }
 
 QLayout* DistortionPanel::totals() {

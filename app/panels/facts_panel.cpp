@@ -123,9 +123,7 @@ void FactsPanel::arrange() {
     layout->addWidget(m_mesh);
     layout->addWidget(m_worst);
     layout->addWidget(m_cage);
-    auto* gaps = new QHBoxLayout;
-    for (QPushButton* button : {m_gap, m_open}) gaps->addWidget(button);
-    layout->addLayout(gaps);
+    layout->addLayout(sideBySide({m_gap, m_open}));
 }
 
 void FactsPanel::showEvent(QShowEvent*) {

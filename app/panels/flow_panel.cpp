@@ -26,11 +26,7 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
     layout->setSpacing(8);
-    auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(tr("Springs back"), this));
-    head->addStretch(1);
-    head->addWidget(m_settle);
-    layout->addLayout(head);
+    layout->addLayout(sideBySide({panelTitle(tr("Springs back"), this), nullptr, m_settle}));
     layout->addWidget(m_memory);
     connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
     connect(m_memory, &MemorySlider::memoryChosen, this, [this](double memory, int gesture) {

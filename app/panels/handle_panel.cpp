@@ -65,11 +65,7 @@ void HandlePanel::makeControls() {
 
 void HandlePanel::arrange() {
     auto* layout = sectionColumn(this);
-    auto* title = new QHBoxLayout;
-    title->addWidget(panelTitle(tr("Pin"), this));
-    title->addStretch(1);
-    title->addWidget(m_place);
-    layout->addLayout(title);
+    layout->addLayout(sideBySide({panelTitle(tr("Pin"), this), nullptr, m_place}));
     layout->addWidget(m_none);
     layout->addWidget(m_body);
     auto* body = bareColumn(m_body, 10);

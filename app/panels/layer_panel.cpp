@@ -104,18 +104,10 @@ void LayerPanel::makeControls() {
 
 void LayerPanel::arrange() {
     auto* layout = sectionColumn(this);
-    auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(tr("Layers"), this));
-    head->addStretch(1);
-    head->addWidget(m_pictureMenu);
-    layout->addLayout(head);
+    layout->addLayout(sideBySide({panelTitle(tr("Layers"), this), nullptr, m_pictureMenu}));
     layout->addWidget(m_none);
     layout->addWidget(m_list);
-    auto* buttons = new QHBoxLayout;
-    for (QToolButton* button : {m_up, m_down}) buttons->addWidget(button);
-    buttons->addStretch(1);
-    buttons->addWidget(m_remove);
-    layout->addLayout(buttons);
+    layout->addLayout(sideBySide({m_up, m_down, nullptr, m_remove}));
     const auto column = [](QWidget* of) {
         auto* values = bareColumn(of, 8);
         return values;

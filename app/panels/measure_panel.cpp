@@ -11,7 +11,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/legend.h"
 #include "app/panels/look/colour_map.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/shape/shape.h"
 #include "core/mesh/quality.h"
 

@@ -81,11 +81,8 @@ void RegionList::makeControls() {
 
 void RegionList::arrange() {
     auto* layout = sectionColumn(this);
-    auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this));
-    head->addStretch(1);
-    head->addWidget(m_remove);
-    layout->addLayout(head);
+    QLabel* title = panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this);
+    layout->addLayout(sideBySide({title, nullptr, m_remove}));
     layout->addWidget(m_none);
     layout->addWidget(m_list);
     layout->addWidget(m_row = panelRowIn(isDetail() ? tr("E&dges") : tr("O&rder"), m_value, this));

@@ -5,8 +5,8 @@
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/region_numbers.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/pins/pin_shapes.h"
-#include "app/session/pins/solid_places.h"
 
 namespace wend {
 
@@ -71,7 +71,7 @@ void RegionPanel::apply(const Region<3>& next) {
     const auto frame = m_session.frame<3>();
     const Region<3>* now = region<3>();
     if (!now || !frame || next == *now) return;
-    if (verticesIn(next, *frame->rest).empty()) {
+    if (verticesInside<3>(next, *frame->rest).empty()) {
         m_count->setText(tr("There is no vertex in this region: nothing was changed."));
         return;
     }

@@ -94,11 +94,7 @@ void SizePanel::arrange() {
     layout->addWidget(panelTitle(tr("Cell sizes"), this));
     layout->addLayout(panelRow(tr("E&dges"), m_factor, this));
     layout->addWidget(m_list);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_add);
-    buttons->addStretch(1);
-    buttons->addWidget(m_remove);
-    layout->addLayout(buttons);
+    layout->addLayout(sideBySide({m_add, nullptr, m_remove}));
     auto* shape = bareColumn(m_shape, 10);
     shape->addWidget(m_numbers);
     shape->addLayout(panelRow(tr("Soft ed&ge"), m_feather, m_shape));

@@ -50,18 +50,12 @@ void SurfacePanel::arrange() {
         steps->addWidget(widget, widget == m_case);
     layout->addLayout(steps);
     layout->addWidget(m_fixText);
-    auto* fixes = new QHBoxLayout;
-    for (QPushButton* button : {m_fix, m_fixAll}) fixes->addWidget(button);
-    layout->addLayout(fixes);
+    layout->addLayout(sideBySide({m_fix, m_fixAll}));
     layout->addWidget(m_text);
-    auto* row = new QHBoxLayout;
-    for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
-    layout->addLayout(row);
+    layout->addLayout(sideBySide({m_show, m_save}));
     m_hole->setWidth(kControlWidth, 80);
     layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
-    auto* repairs = new QHBoxLayout;
-    for (QPushButton* button : {m_preview, m_repair}) repairs->addWidget(button);
-    layout->addLayout(repairs);
+    layout->addLayout(sideBySide({m_preview, m_repair}));
     layout->addWidget(m_fit);
 }
 

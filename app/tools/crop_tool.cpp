@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/shape.h"
 #include "app/tools/drag_label.h"
 

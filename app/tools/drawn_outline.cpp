@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/pin_settings.h"
 #include "app/tools/tool.h"
 

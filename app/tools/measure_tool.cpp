@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "app/document/domain.h"
-#include "app/session/pins/mark_size.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

@@ -14,8 +14,8 @@
 #include "app/panels/facts_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/measure_panel.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/opening.h"
-#include "app/session/pins/solid_places.h"
 #include "app/view/actions/actions.h"
 #include "app/view/export/picture_dialog.h"
 #include "app/view/export/save_dialog.h"
@@ -232,7 +232,7 @@ void SolidWorkshop::holdBeyondCut() {
     if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
     if (frame->pose == frame->rest->points) {  // where it is at rest it may be a region
         const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
-        if (!verticesIn(half, *frame->rest).empty())
+        if (!verticesInside<3>(half, *frame->rest).empty())
             m_around.session.addHandle<3>(half, tr("Region").toStdString());
         return;
     }

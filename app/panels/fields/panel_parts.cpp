@@ -53,15 +53,18 @@ QString tableLine(const QString& name, const QString& value) {
     return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
 }
 
-QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
+QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets) {
     auto* row = new QHBoxLayout;
-    row->setSpacing(8);
+    for (QWidget* widget : widgets) widget ? row->addWidget(widget) : row->addStretch(1);
+    return row;
+}
+
+QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
     auto* text = new QLabel(label, parent);
     text->setBuddy(control);
     if (qobject_cast<QAbstractSpinBox*>(control)) control->setFixedWidth(kControlWidth);
-    row->addWidget(text);
-    row->addStretch(1);
-    row->addWidget(control);
+    auto* row = sideBySide({text, nullptr, control});
+    row->setSpacing(8);
     return row;
 }
 

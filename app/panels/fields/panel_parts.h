@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSpinBox>
 #include <array>
+#include <initializer_list>
 
 class QComboBox;
 
@@ -22,6 +23,8 @@ QVBoxLayout* sectionColumn(QWidget* in);
 QVBoxLayout* bareColumn(QWidget* in, int spacing);
 QHBoxLayout* bareRow(QWidget* in, int spacing);
 constexpr int kControlWidth = 116;  // pixels
+/// Widgets from left to right; where one is null, the room that is left over.
+QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets);
 /// Label on the left, control on the right; the label's mnemonic goes to the control. A box for a number has
 /// the width of all of them.
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);

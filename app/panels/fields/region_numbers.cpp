@@ -58,8 +58,7 @@ void RegionNumbers::makeControls() {
     for (Numbers* boxes : {&m_first, &m_second})
         *boxes = coordinateBoxes(1e9, 4, tr("Numbers of the region"),
                                  tr("As x, y and z, in the coordinates of the rest shape."), this);
-    m_radiusRow = new QWidget(this);
-    m_radius = new ExactBox(m_radiusRow);
+    m_radius = new ExactBox(this);
     m_radius->setRange(1e-9, 1e9);
     m_radius->setDecimals(4);
     describe(m_radius, tr("Radius"), tr("The radius of the ball."));
@@ -70,14 +69,9 @@ void RegionNumbers::arrange() {
     layout->addLayout(panelRow(tr("&Region"), m_kind, this));
     for (const auto& [name, boxes] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
         layout->addWidget(name);
-        auto* row = new QHBoxLayout;
-        for (ExactBox* box : boxes) row->addWidget(box);
-        layout->addLayout(row);
+        layout->addLayout(sideBySide({boxes[0], boxes[1], boxes[2]}));
     }
-    auto* radius = panelRow(tr("Ra&dius"), m_radius, m_radiusRow);
-    radius->setContentsMargins(0, 0, 0, 0);
-    m_radiusRow->setLayout(radius);
-    layout->addWidget(m_radiusRow);
+    layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
 }
 
 Region<3> RegionNumbers::numbers() const {

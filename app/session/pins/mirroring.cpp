@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/document/design.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 
 namespace wend {
 

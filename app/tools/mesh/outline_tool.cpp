@@ -9,7 +9,7 @@
 #include "app/document/edits/outline_edits.h"
 #include "app/document/project.h"
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/flat_shape.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/in_steps.h"

@@ -4,7 +4,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/edits/size_edits.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {

@@ -4,7 +4,7 @@
 
 #include "app/document/design.h"
 #include "app/session/brush.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/erasing.h"
 #include "app/session/shape/material_raster.h"
 #include "app/session/shape/mesh_parts.h"

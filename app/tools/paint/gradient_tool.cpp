@@ -7,7 +7,7 @@
 #include "app/document/edits/free_name.h"
 #include "app/session/brush.h"
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/material_raster.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/paint/brush_paint.h"

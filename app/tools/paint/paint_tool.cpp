@@ -7,7 +7,7 @@
 
 #include "app/document/design.h"
 #include "app/session/colours.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/shape/erasing.h"
 #include "app/session/shape/material_raster.h"
 #include "app/tools/paint/brush_paint.h"

@@ -7,7 +7,7 @@
 #include "app/document/design.h"
 #include "app/document/edits/pin_edits.h"
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 

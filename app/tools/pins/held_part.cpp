@@ -8,8 +8,8 @@
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/region_outline.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/pins/pin_picking.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 #include <QCoreApplication>
 
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pins/pin_tool.h"
 

@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 
 #include "app/session/colours.h"
-#include "app/session/pins/mark_size.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/pins/held_part.h"
 #include "app/tools/region_outline.h"
 
@@ -66,7 +66,7 @@ void RegionTool::release(const QMouseEvent& event) {
 }
 
 void RegionTool::take(Qt::KeyboardModifiers with) {
-    const auto vertices = verticesIn(region(), *session().frame<3>()->rest);
+    const auto vertices = verticesInside<3>(region(), *session().frame<3>()->rest);
     if (vertices.empty())
         return emit session().notice(
             said(QT_TRANSLATE_NOOP("RegionTool", "There is no vertex in this region.")));
@@ -95,7 +95,7 @@ void RegionTool::paint(QPainter& painter) const {
         for (const Vec<3>& p : line) screen << surface().toWidget(m_centre + m_turn * (p - m_restCentre));
         painter.drawPolyline(screen);
     }
-    paintCaught(painter, surface(), verticesIn(drawn, *frame->rest), m_at);
+    paintCaught(painter, surface(), verticesInside<3>(drawn, *frame->rest), m_at);
 }
 
 ToolKind grabBallTool() {

@@ -8,7 +8,7 @@
 #include "app/document/design.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/look/theme.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/view/actions/toolbox.h"
 #include "app/view/canvas/canvas.h"
 #include "app/view/volume/solid_canvas.h"

@@ -11,7 +11,7 @@
 #include "app/panels/look/smooth_map.h"
 #include "app/panels/paint_panel.h"
 #include "app/session/colours.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/paint/layer_lines.h"
 #include "tests/support/paint_test.h"
 
