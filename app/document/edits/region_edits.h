@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "app/document/depth_region.h"
 #include "app/document/design.h"
+#include "app/document/domain.h"
 
 namespace wend {
 
