@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>das Netz hat %1 Eckpunkte, wo %2 angestrebt waren: Sein Umriss braucht sie</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>ist kein Projekt von Wend; die sind JSON und beginnen mit {</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5361,8 +5365,8 @@
         <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
-        <translation>Hier Pins wählen; F2 benennt um, Entf entfernt, Eingabe geht zum Bild, wo die Pfeiltasten sie bewegen. Das Auge verbirgt, das Schloss schützt vor Änderungen; ein Rechtsklick gruppiert, verknüpft und spiegelt.</translation>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the view, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>Hier Pins wählen; F2 benennt um, Entf entfernt, Eingabe geht zur Ansicht, wo die Pfeiltasten sie bewegen. Das Auge verbirgt, das Schloss schützt vor Änderungen; ein Rechtsklick gruppiert, verknüpft und spiegelt.</translation>
     </message>
     <message>
         <source>Moves together with others</source>

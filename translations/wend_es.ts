@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>la malla tiene %1 vértices, cuando se pretendían %2: su contorno los necesita</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>no es un proyecto de Wend, que es JSON y empieza con {</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5361,8 +5365,8 @@
         <translation>Renombrar</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
-        <translation>Elija aquí los alfileres; F2 renombra, Supr elimina, Intro pasa a la imagen, donde las flechas los mueven. El ojo oculta, el candado protege de cambios; el clic derecho agrupa, vincula y refleja.</translation>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the view, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>Elija aquí los alfileres; F2 renombra, Supr elimina, Intro pasa a la vista, donde las flechas los mueven. El ojo oculta, el candado protege de cambios; el clic derecho agrupa, vincula y refleja.</translation>
     </message>
     <message>
         <source>Moves together with others</source>

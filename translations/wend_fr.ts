@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>le maillage a %1 sommets, alors que %2 étaient visés&#x202f;: son contour en a besoin</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>n’est pas un projet de Wend, qui est du JSON et commence par {</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5361,8 +5365,8 @@
         <translation>Renommer</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
-        <translation>Choisissez ici des épingles&#x202f;; F2 renomme, Suppr supprime, Entrée passe à l’image, où les flèches les déplacent. L’œil masque, le cadenas protège des modifications&#x202f;; le clic droit groupe, lie et met en miroir.</translation>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the view, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>Choisissez ici des épingles&#x202f;; F2 renomme, Suppr supprime, Entrée passe à la vue, où les flèches les déplacent. L’œil masque, le cadenas protège des modifications&#x202f;; le clic droit groupe, lie et met en miroir.</translation>
     </message>
     <message>
         <source>Moves together with others</source>

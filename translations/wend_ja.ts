@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>目標 %2 に対してメッシュの頂点は %1 個です。輪郭に必要です</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>は Wend のプロジェクトではありません(JSON で、{ から始まります)</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5353,8 +5357,8 @@
         <translation>名前を変更</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
-        <translation>ここでピンを選択します。F2 で名前を変更、Delete で削除、Enter で画像に移り、矢印キーで動かせます。目のアイコンで隠し、錠のアイコンで変更から保護します。右クリックでグループ化、リンク、ミラー。</translation>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the view, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>ここでピンを選択します。F2 で名前を変更、Delete で削除、Enter でビューに移り、矢印キーで動かせます。目のアイコンで隠し、錠のアイコンで変更から保護します。右クリックでグループ化、リンク、ミラー。</translation>
     </message>
     <message>
         <source>Moves together with others</source>

@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>网格有 %1 个顶点，而目标为 %2：其轮廓需要这些顶点</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>不是 Wend 的项目(项目是 JSON,以 { 开头)</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5353,8 +5357,8 @@
         <translation>重命名</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
-        <translation>在此选择图钉；F2 重命名，Delete 移除，按 Enter 转到图片，可用方向键移动图钉。眼睛图标用于隐藏，锁图标用于防止更改；右键单击可编组、链接和镜像。</translation>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the view, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>在此选择图钉；F2 重命名，Delete 移除，按 Enter 转到视图，可用方向键移动图钉。眼睛图标用于隐藏，锁图标用于防止更改；右键单击可编组、链接和镜像。</translation>
     </message>
     <message>
         <source>Moves together with others</source>

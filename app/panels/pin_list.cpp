@@ -101,7 +101,7 @@ void PinList::makeList() {
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     describe(m_list, tr("Pins"),
-             tr("Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow "
+             tr("Choose pins here; F2 renames, Delete removes, Enter goes to the view, where the arrow "
                 "keys move them. The eye hides, the lock holds back from changes; a right click groups, "
                 "links and mirrors."));
     m_list->installEventFilter(this);
