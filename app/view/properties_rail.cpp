@@ -99,6 +99,11 @@ void PropertiesRail::open(QWidget& section) {
     m_properties.setFocus(Qt::PopupFocusReason);  // Tab goes to its first field
 }
 
+void PropertiesRail::openAt(const QWidget& panel) {
+    for (const Properties::Section& one : m_properties.sections())
+        if (one.place->isAncestorOf(&panel)) open(*one.place);
+}
+
 void PropertiesRail::close() {
     if (!std::exchange(m_open, false)) return;
     const QWidget* focus = QApplication::focusWidget();
