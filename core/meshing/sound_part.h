@@ -13,7 +13,7 @@ struct SoundPart {
     std::vector<int> triangles;  // whose they are in the whole surface
 
     explicit SoundPart(const Surface& whole);
-    /// The triangles that hang together with one over edges and agree with it, in the whole surface's
+    /// The triangles that are connected with one through edges and agree with it, in the whole surface's
     /// numbers.
     std::vector<int> patchOf(int triangle) const;
 };

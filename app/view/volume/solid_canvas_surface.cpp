@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/shape/shape.h"
 #include "app/view/volume/skin_marks.h"
 #include "app/view/volume/solid_canvas.h"

@@ -17,7 +17,7 @@
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/paint_panel.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/opening.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/curve_actions.h"
