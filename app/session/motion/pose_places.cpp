@@ -104,7 +104,7 @@ CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& ver
         rest.push_back(frame.rest->points.col(v));
         posed.push_back(frame.pose.col(v));
     }
-    return carryingOf(rest, posed);
+    return carryingBetween<3>(rest, posed);
 }
 
 SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points) {
