@@ -13,9 +13,6 @@ inline constexpr double kPinRadius = 6.5;
 /// Of what the shape covers: pins, stiffness marks, wrong triangles.
 inline constexpr double kCoveredOpacity = 0.4;
 inline const QColor kInk(20, 22, 30);
-/// Around a shape whose map may be as dark as the ground.
-inline const QColor kRim(255, 255, 255, 89);
-inline constexpr double kRimWidth = 3;  // half of it lies behind the shape
 /// Of what is wrong with a surface or a pose.
 inline constexpr QRgb kWrong = qRgb(214, 44, 60);
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "app/panels/look/marks.h"
+#include "app/session/colours.h"
 #include "app/session/shape/shape.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
@@ -212,7 +212,7 @@ void OnionSkin<Dim>::paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface) {
 template <int Dim>
 void OnionSkin<Dim>::paintRim(QPainter& painter, SurfaceOf<Dim>& surface, const PosedFrame<Dim>& frame) {
     takeBoundary(frame);
-    painter.setPen(QPen(kRim, kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(QColor::fromRgba(kRim), kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (const QPolygonF& line : outline(frame, surface)) painter.drawPolyline(line);
 }
 

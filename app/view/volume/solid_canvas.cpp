@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "app/document/domain.h"
-#include "app/panels/look/marks.h"
 #include "app/panels/look/smooth_map.h"
 #include "app/panels/look/theme.h"
+#include "app/session/colours.h"
 #include "app/session/shape/shape.h"
 
 namespace wend {
@@ -153,7 +153,7 @@ void SolidCanvas::refresh() {
     m_style.dimming = m_viewport.isDimmed() && picture.materials ? 0.5 : 0;
     const bool hasMap = m_viewport.showsMap() && !isPainted(looks.colours.measure);
     m_style.mapOpacity = hasMap && picture.materials ? looks.colours.opacity : 0;
-    m_style.rim = hasMap && isOnDark() ? kRim : QColor();
+    m_style.rim = hasMap && isOnDark() ? QColor::fromRgba(kRim) : QColor();
     setStyle(m_style);
     const bool isNew = meetsNewDocument();
     if (isNew) {

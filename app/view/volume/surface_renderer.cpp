@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "app/panels/look/marks.h"
+#include "app/session/colours.h"
 
 namespace wend {
 namespace {
