@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>das Netz hat %1 Eckpunkte, wo %2 angestrebt waren: Sein Umriss braucht sie</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>ist kein Projekt von Wend; die sind JSON und beginnen mit {</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

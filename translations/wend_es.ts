@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>la malla tiene %1 vértices, cuando se pretendían %2: su contorno los necesita</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>no es un proyecto de Wend, que es JSON y empieza con {</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

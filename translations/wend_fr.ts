@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>le maillage a %1 sommets, alors que %2 étaient visés&#x202f;: son contour en a besoin</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>n’est pas un projet de Wend, qui est du JSON et commence par {</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>目標 %2 に対してメッシュの頂点は %1 個です。輪郭に必要です</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>は Wend のプロジェクトではありません(JSON で、{ から始まります)</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

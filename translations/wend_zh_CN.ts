@@ -706,6 +706,10 @@
         <source>the mesh has %1 vertices, where %2 were aimed at: its outline needs them</source>
         <translation>网格有 %1 个顶点，而目标为 %2：其轮廓需要这些顶点</translation>
     </message>
+    <message>
+        <source>is no project of Wend, which is JSON and begins with {</source>
+        <translation>不是 Wend 的项目(项目是 JSON,以 { 开头)</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -91,6 +91,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "is a volume, not a picture"),
     QT_TRANSLATE_NOOP("Core", "has %1 x %2 pixels, more than %3 million"),
     QT_TRANSLATE_NOOP("Core", "is truncated or corrupt"),
+    QT_TRANSLATE_NOOP("Core", "is no project of Wend, which is JSON and begins with {"),
     QT_TRANSLATE_NOOP("Core", "is transparent everywhere"),
     QT_TRANSLATE_NOOP(
         "Core",

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QToolButton>
+#include <cmath>
 #include <numbers>
 
 #include "app/panels/curve_panel.h"
@@ -50,6 +51,8 @@ void HandlePanel::changeEvent(QEvent* event) {
 void HandlePanel::makeControls() {
     m_place->setObjectName(QStringLiteral("pinPlace"));
     m_place->setWordWrap(false);
+    m_place->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long numbers widen no panel
     m_apply->setIcon(wendIcon(QStringLiteral("apply"), palette()));
     m_kind->addItems({tr("Move by"), tr("Rotate by"), tr("Scale by")});
     describe(m_kind, tr("Exact step"), tr("Moves, rotates or scales what is selected by exact numbers."));
@@ -65,7 +68,9 @@ void HandlePanel::makeControls() {
 
 void HandlePanel::arrange() {
     auto* layout = sectionColumn(this);
-    layout->addLayout(sideBySide({panelTitle(tr("Pin"), this), nullptr, m_place}));
+    auto* title = sideBySide({panelTitle(tr("Pin"), this), m_place});
+    title->setStretch(1, 1);
+    layout->addLayout(title);
     layout->addWidget(m_none);
     layout->addWidget(m_body);
     auto* body = bareColumn(m_body, 10);
@@ -135,12 +140,13 @@ void HandlePanel::showHandle() {
     m_place->setVisible(any);
     placeNumbers();
     if (!any) return;
-    const double minimum = 1e-9 * (m_session.frame() ? m_session.frame()->diagonal : 1);
+    const double size = m_session.frame() ? m_session.frame()->diagonal : 1;
+    const double unit = std::pow(10, std::floor(std::log10(size > 0 ? size : 1)) - 5);
     const auto centre = isSolid() ? middle<3>() : middle<2>();
     const QString none = tr("does not hold now");
     allow(m_apply, centre.has_value(), none);
     if (!centre) return m_place->setText(none);
-    const Vec<3> at = (centre->array().abs() < minimum).select(0, *centre);
+    const Vec<3> at = ((*centre / unit).array().round() * unit + 0.0).matrix();  // and no −0
     const QLocale locale;
     const auto number = [&locale](double value) { return locale.toString(value, 'g', 5); };
     m_place->setText(isSolid() ? tr("at %1, %2, %3").arg(number(at.x()), number(at.y()), number(at.z()))

@@ -173,7 +173,7 @@ void MeshPanel::showCounts() {
     const QLocale locale;
     const QString text =
         frame->dimension == 3 ? tr("%1 vertices, %2 tetrahedra") : tr("%1 vertices, %2 triangles");
-    m_counts->setText(text.arg(locale.toString(frame->vertices), locale.toString(frame->cells)));
+    m_counts->setText(text.arg(locale.toString(frame->used), locale.toString(frame->cells)));
 }
 
 }  // namespace wend

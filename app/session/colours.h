@@ -12,6 +12,10 @@ namespace wend {
 inline constexpr QRgb kAccent = 0xff4a5bd4;
 /// Of what is stiff.
 inline constexpr QRgb kStiffColour = 0xffc8641e;
+/// Around a shape whose map may be as dark as the ground, and how many pixels wide: half of it lies behind
+/// the shape.
+inline constexpr QRgb kRim = 0x59ffffff;
+inline constexpr double kRimWidth = 3;
 /// Of an energy at its place between the stops. Its lightness falls all along (L* 83, 69, 48, 26), so that
 /// the order survives colour blindness.
 QRgb energyColour(double stop);

@@ -14,6 +14,7 @@ Comparison::Comparison(ShapeSession& session, QObject* parent) : QObject(parent)
     });
     connect(&m_session.document(), &Document::projectChanged, this, &Comparison::take);
     connect(&m_session.playback(), &Playback::timeChanged, &m_other.playback(), &Playback::setTime);
+    connect(&m_session.selection(), &Selection::changed, this, &Comparison::takeSelection);
     connect(&m_session, &ShapeSession::dragBegan, this, [this] {
         if (!m_on) return;
         m_other.selection().set(m_session.gesture()->handles());
@@ -64,6 +65,12 @@ void Comparison::take() {
         m_other.document().open(std::move(file));
     }
     m_other.playback().setTime(m_session.playback().time());
+    takeSelection();
+}
+
+/// Whose influence a map shows.
+void Comparison::takeSelection() {
+    if (m_on) m_other.selection().set(m_session.selection().handles());
 }
 
 }  // namespace wend

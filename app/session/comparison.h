@@ -29,6 +29,7 @@ class Comparison : public QObject {
 
   private:
     void take();
+    void takeSelection();
     std::shared_ptr<const Project> wanted() const;
 
     ShapeSession& m_session;

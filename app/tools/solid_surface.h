@@ -37,8 +37,10 @@ class SolidSurface : public ShapeSurface<3> {
     /// takes away what is cut off.
     virtual std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                            bool visibleOnly) const = 0;
-    /// True if the solid lies in front of the point.
+    /// True if the solid lies in front of the point, or a cut has taken it away.
     virtual bool isHidden(const Vec<3>& p) const = 0;
+    /// True if it lies in the part that a cut takes away.
+    virtual bool isCutOff(const Vec<3>& p) const = 0;
     /// Where a cell is seen; nothing if others lie in front of it, or a cut has taken it away.
     virtual std::optional<Vec<3>> placeOf(int cell) const = 0;
     /// Of vertices that no cut has taken away.

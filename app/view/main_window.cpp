@@ -217,6 +217,7 @@ void MainWindow::connectFiles() {
     auto* notices = new ShapeNotices(m_session, this);
     connect(notices, &ShapeNotices::told, this, tellIn(Topic::Mesh));
     connect(notices, &ShapeNotices::reasonWanted, this, [this] { m_tools->setMode(Mode::Mesh); });
+    connect(notices, &ShapeNotices::reasonWanted, m_rail, &PropertiesRail::openAtSurface);
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     const MeshPanel* mesh = &m_properties->mesh();
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);

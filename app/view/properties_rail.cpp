@@ -10,6 +10,7 @@
 
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/look/theme.h"
+#include "app/panels/surface_panel.h"
 #include "app/view/properties.h"
 
 namespace wend {
@@ -97,6 +98,11 @@ void PropertiesRail::open(QWidget& section) {
     m_properties.raise();
     m_properties.showSection(section);
     m_properties.setFocus(Qt::PopupFocusReason);  // Tab goes to its first field
+}
+
+void PropertiesRail::openAtSurface() {
+    for (const Properties::Section& one : m_properties.sections())
+        if (one.place->isAncestorOf(&m_properties.surface())) open(*one.place);
 }
 
 void PropertiesRail::close() {

@@ -30,6 +30,8 @@ class PropertiesRail : public QWidget {
     bool isOpen() const { return m_open; }
     /// At a section.
     void open(QWidget& section);
+    /// At what is wrong with a surface.
+    void openAtSurface();
     void close();
 
   signals:

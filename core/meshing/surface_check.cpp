@@ -168,6 +168,17 @@ bool runsAlong(const Ids& triangle, int from, int to) {
     return false;
 }
 
+std::array<int, 2> sorted(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+std::vector<std::array<int, 2>> sidesOf(const std::vector<int>& loop) {
+    std::vector<std::array<int, 2>> sides;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+        sides.push_back(sorted(loop[k], loop[(k + 1) % loop.size()]));
+    return sides;
+}
+
 std::vector<SurfaceEdge> edgesOf(const Surface& surface) {
     struct Side {
         std::array<int, 2> edge;

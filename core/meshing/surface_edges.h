@@ -12,6 +12,12 @@ struct SurfaceEdge {
     std::vector<int> triangles;
 };
 
+/// The two vertices in increasing order.
+std::array<int, 2> sorted(int a, int b);
+
+/// The edges of a loop of vertices, each in increasing order.
+std::vector<std::array<int, 2>> sidesOf(const std::vector<int>& loop);
+
 /// Whether a side of a triangle goes from one vertex to the other.
 bool runsAlong(const std::array<int, 3>& triangle, int from, int to);
 

@@ -1,8 +1,8 @@
 #version 330 core
-uniform vec3 colour;
+uniform vec4 colour;
 
 out vec4 fragment;
 
 void main() {
-    fragment = vec4(colour, 1.0);
+    fragment = colour;
 }

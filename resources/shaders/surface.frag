@@ -42,6 +42,7 @@ uniform bool isSmooth;
 uniform bool hasRamp;
 uniform sampler2D ramp;
 uniform float opacity;
+uniform float stripes;  // of the screen, in pixels; 0: none
 
 out vec4 fragment;
 
@@ -84,6 +85,7 @@ vec3 lineColour(float light) {
 #endif
 
 void main() {
+    if (stripes > 0.0 && fract((gl_FragCoord.x + gl_FragCoord.y) / stripes) > 0.5) discard;
     vec3 n = flatShading ? cross(dFdx(vertex.eyePosition), dFdy(vertex.eyePosition)) : vertex.eyeNormal;
     n = normalize(n);
     vec3 toEye = orthographic ? vec3(0, 0, 1) : normalize(-vertex.eyePosition);

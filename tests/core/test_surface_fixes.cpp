@@ -62,6 +62,7 @@ class TestSurfaceFixes : public QObject {
     void partThatIsTurnedOver();
     void bandHasOneSide();
     void crossingGoes();
+    void oneCrossingCostsNoMoreThanAll();
     void flatAndDoubleTrianglesGo();
     void allHolesAreFilledUpToALimit();
     void allCrossingsGo();
@@ -262,6 +263,26 @@ void TestSurfaceFixes::crossingGoes() {
     }
     const SurfaceProblems left = checkSurface(fixed(surface, done));
     QVERIFY2(left.boundsVolume(), left.summary().c_str());
+}
+
+/// Two vertices of the top lie too far aside: the triangles around them pass through one another, and what
+/// would fill the place of two of them passes through a third.
+void TestSurfaceFixes::oneCrossingCostsNoMoreThanAll() {
+    Surface surface = kBox;
+    for (int v = 0; v < surface.vertexCount(); ++v) {
+        if (surface.points.col(v) == Vec<3>(3, 3, 6)) surface.points.col(v) = Vec<3>(1.5, 1.75, 5);
+        if (surface.points.col(v) == Vec<3>(4, 3, 6)) surface.points.col(v) = Vec<3>(5.5, 2.25, 7.5);
+    }
+    const auto cases = casesOf(surface, "crossing");
+    QVERIFY(cases.size() > 1);
+    const FaultFix all = fixForAll(surface, {}, "crossing", 30);
+    QCOMPARE(all.faults, 0);
+    for (const auto& triangles : cases) {
+        const FaultFix fix = fixFor(surface, {}, "crossing", triangles);
+        QVERIFY(!fix.steps.empty());
+        QVERIFY2(fix.dropped <= all.dropped,
+                 qPrintable(QStringLiteral("%1 of %2").arg(fix.dropped).arg(all.dropped)));
+    }
 }
 
 void TestSurfaceFixes::flatAndDoubleTrianglesGo() {

@@ -276,6 +276,10 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
 }  // namespace
 
 LoadedProject parseProject(const std::string& text, const std::string& path) try {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string::npos &&
+        std::string_view("{[\"\xef").find(text[first]) == std::string_view::npos)
+        throw InputError(path, "is no project of Wend, which is JSON and begins with {");
     return readRoot(parseJson(text, path), folderOf(path));
 } catch (const InputError& error) {
     throw error.named(path);

@@ -72,7 +72,8 @@ double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return frame.distortion->angle[cell];
 }
 
-constexpr double kNothing = 1e-9;  // of ways and speeds: nothing moves
+constexpr double kNothing = 1e-9;   // of ways and speeds: nothing moves
+constexpr double kRounding = 1e-6;  // of distortions: less is none
 
 /// In the order of the list from which one is chosen.
 const MeasureRow kMeasures[] = {
@@ -252,6 +253,7 @@ QString measureName(Measure measure, int dimension) {
 
 QString measureText(Measure measure, double value) {
     const MeasureRow& row = rowOf(measure);
+    if (isDistortion(measure) && std::abs(value) < kRounding) value = 0;
     const bool plain = !*row.before && !*row.after, times = row.scale == Scale::Times;
     const bool large = std::abs(value) >= 100;  // never with an exponent
     const bool whole = (plain && value == 0) || ((plain || times) && large) || measure == Measure::Influence;
@@ -285,11 +287,15 @@ WorstPlace worstOf(const Distortion& distortion, Measure measure) {
     return worst;
 }
 
+bool isDistorted(const Distortion& distortion, Measure measure) {
+    const WorstPlace worst = worstOf(distortion, measure);
+    return worst.cell >= 0 && sizeOf(worst.value, rowOf(ranking(measure)).scale) >= kRounding;
+}
+
 QString worstText(const Distortion& distortion, Measure measure, int dimension) {
     const WorstPlace worst = worstOf(distortion, measure);
     if (worst.cell < 0) return QStringLiteral("–");
     const QLocale locale;
-    constexpr double kRounding = 1e-6;  // less is none
     const MeasureRow& row = rowOf(ranking(measure));
     const bool large = worst.value >= 1000,
                fixed = large || (row.scale == Scale::Ratio && worst.value >= 0.1);

@@ -69,6 +69,8 @@ struct WorstPlace {
     double value = 0;
 };
 WorstPlace worstOf(const Distortion& distortion, Measure measure);
+/// False where that is no more than rounding.
+bool isDistorted(const Distortion& distortion, Measure measure);
 /// Its value and what that is, such as "area ×1.38".
 QString worstText(const Distortion& distortion, Measure measure, int dimension = 2);
 /// Where that is more than twice as long or large as at rest, or less than half as large, in words with the

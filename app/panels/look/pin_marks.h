@@ -62,8 +62,8 @@ struct PinScene {
     void paint(QPainter& painter, Marks& marks) {
         paintGhosts(marks);
         paintLinks<Dim>(marks, session, pins, hovered, toWidget);
-        const auto seen = std::stable_partition(
-            pins.begin(), pins.end(), [this](const auto& view) { return !isArea(view) && isCovered(view); });
+        const auto seen = std::stable_partition(pins.begin(), pins.end(),
+                                                [this](const auto& view) { return isCovered(view); });
         painter.setOpacity(kCoveredOpacity);
         for (auto view = pins.begin(); view != pins.end(); ++view) {
             if (view == seen) painter.setOpacity(1);

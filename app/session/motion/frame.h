@@ -19,9 +19,9 @@ struct ShapeFrame {
     double time = 0;
     bool live = false;  // a preview while dragging; otherwise of final quality
     int dimension = 0;
-    std::shared_ptr<const void> shape;  // the rest mesh, to tell shapes apart
-    int vertices = 0, cells = 0;
-    double diagonal = 0;  // the rest shape's size: of a box its diagonal (ShapeSize)
+    std::shared_ptr<const void> shape;      // the rest mesh, to tell shapes apart
+    int vertices = 0, used = 0, cells = 0;  // the vertices that cells have, of all
+    double diagonal = 0;                    // the rest shape's size: of a box its diagonal (ShapeSize)
     std::shared_ptr<const Distortion> distortion;
     double growth = 1;        // area or volume against that at rest
     double pinError = 0;      // largest distance of a pin from where it should be, in the domain's units

@@ -9,6 +9,7 @@
 #include "core/energy/distortion.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/shape_size.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 
@@ -266,14 +267,16 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
                                                                const Points<Dim>& pose, double pinError) {
     const SimplicialMesh<Dim>& rest = *shape->rest;
     if (m_measured.rest != shape->rest)
-        m_measured = {shape->rest, shapeSize<Dim>(rest.points, rest.cells).size,
-                      measureOf<Dim>(rest, rest.points)};
+        m_measured = {
+            shape->rest, shapeSize<Dim>(rest.points, rest.cells).size, measureOf<Dim>(rest, rest.points),
+            static_cast<int>(std::ranges::count(usedVertices<Dim>(rest.vertexCount(), rest.cells), true))};
     auto frame = std::make_shared<PosedFrame<Dim>>();
     frame->generation = m_generation;
     frame->time = time;
     frame->dimension = Dim;
     frame->shape = shape->rest;
     frame->vertices = rest.vertexCount();
+    frame->used = m_measured.used;
     frame->cells = rest.cellCount();
     frame->diagonal = m_measured.diagonal;
     frame->built = shape;

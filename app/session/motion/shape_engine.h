@@ -111,6 +111,7 @@ class ShapeEngineOf : public ShapeEngine {
     struct Measured {       // of the rest mesh of the last frame
         std::shared_ptr<const SimplicialMesh<Dim>> rest;
         double diagonal = 0, measure = 0;
+        int used = 0;
     };
     Measured m_measured;
 };

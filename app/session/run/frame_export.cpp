@@ -150,7 +150,9 @@ void FrameExport::writeMesh(const std::string& path, const RunOptions& options, 
 
 int FrameExport::vertexCount(const std::string& extension) const {
     const auto solid = posed<3>(m_frame);
-    return solid && isSkinFile("mesh" + extension) ? solid->built->skin->vertexCount() : m_frame->vertices;
+    if (!solid) return m_frame->vertices;
+    if (isSkinFile("mesh" + extension)) return solid->built->skin->vertexCount();
+    return static_cast<int>(writtenPart<3>(*solid->built, solid->pose).cols());
 }
 
 void FrameExport::writeFrames(const std::string& path, const RunOptions& options,

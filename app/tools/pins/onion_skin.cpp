@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/session/colours.h"
 #include "app/session/shape/shape.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
@@ -19,8 +20,7 @@ constexpr int kEachWay = 3;
 constexpr double kSpacing = 0.1;  // of the film
 const QColor kPast(0xd9, 0x82, 0x2b), kFuture(0x1e, 0x8f, 0xb5);
 constexpr double kTints[kEachWay] = {0.18, 0.12, 0.06};
-const QColor kRim(255, 255, 255, 89);
-constexpr double kLine = 1.5, kRimWidth = 3;   // pixels
+constexpr double kLine = 1.5;                  // pixels
 constexpr double kLineStrength = 3.5;          // of an outline, against the tint
 constexpr std::size_t kMostTriangles = 60000;  // of an embedded surface; of a finer one the solid is shown
 
@@ -212,7 +212,7 @@ void OnionSkin<Dim>::paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface) {
 template <int Dim>
 void OnionSkin<Dim>::paintRim(QPainter& painter, SurfaceOf<Dim>& surface, const PosedFrame<Dim>& frame) {
     takeBoundary(frame);
-    painter.setPen(QPen(kRim, kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(QColor::fromRgba(kRim), kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (const QPolygonF& line : outline(frame, surface)) painter.drawPolyline(line);
 }
 

@@ -16,12 +16,6 @@ constexpr double kWayReach = 5;
 constexpr double kGhostReach = 5;  // of handles that do not hold now: a new pin may be wanted there
 constexpr double kSame = 1e-3;     // of the shape's size: what is seen there is the place itself
 
-/// Its mark is not at a point of the shape: nothing covers it.
-template <int Dim>
-bool isArea(const PinView<Dim>& pin) {
-    return pin.region || pin.points.size() > 1;
-}
-
 }  // namespace
 
 /// In the plane what is seen there is another place of the shape at rest.
@@ -42,6 +36,16 @@ bool isCovered<3>(SolidSurface& surface, const PinView<3>& pin, std::size_t poin
     return surface.isHidden(pin.points[point]);
 }
 
+/// The mark of an area is at no point of the shape.
+template <int Dim>
+bool isMarkCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin) {
+    if (!pin.region && pin.points.size() == 1) return isCovered<Dim>(surface, pin, 0);
+    if constexpr (Dim == 3)
+        return !pin.points.empty() &&
+               std::ranges::all_of(pin.points, [&](const Vec<3>& p) { return surface.isCutOff(p); });
+    return false;
+}
+
 template <int Dim>
 int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through) {
     const auto distance = [&](const PinView<Dim>& pin) {
@@ -50,7 +54,7 @@ int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through) {
     PinPick marks, ghosts;
     for (const PinView<Dim>& pin : surface.session().template pins<Dim>())
         if (const double d = distance(pin); d <= marked(kReach))
-            marks.offer(pin.handle, d, !isArea(pin) && !through && isCovered<Dim>(surface, pin));
+            marks.offer(pin.handle, d, !through && isMarkCovered<Dim>(surface, pin));
     if (marks.handle() >= 0) return marks.handle();
     for (const PinView<Dim>& ghost : surface.session().template ghosts<Dim>())
         if (const double d = distance(ghost); d <= marked(kGhostReach)) ghosts.offer(ghost.handle, d, false);
@@ -117,9 +121,10 @@ int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     return best;
 }
 
-#define WEND_INSTANTIATE(Dim)                                           \
-    template int markUnder<Dim>(SurfaceOf<Dim>&, const QPointF&, bool); \
-    template int partUnder<Dim>(SurfaceOf<Dim>&, const QPointF&, bool); \
+#define WEND_INSTANTIATE(Dim)                                               \
+    template bool isMarkCovered<Dim>(SurfaceOf<Dim>&, const PinView<Dim>&); \
+    template int markUnder<Dim>(SurfaceOf<Dim>&, const QPointF&, bool);     \
+    template int partUnder<Dim>(SurfaceOf<Dim>&, const QPointF&, bool);     \
     template int wayUnder<Dim>(SurfaceOf<Dim>&, const QPointF&)
 
 WEND_INSTANTIATE(2);

@@ -6,11 +6,15 @@ namespace wend {
 
 /// True if something of the shape is seen in front of the pin's point.
 template <int Dim>
-bool isCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin, std::size_t point = 0);
+bool isCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin, std::size_t point);
 template <>
 bool isCovered<2>(ToolSurface& surface, const PinView<2>& pin, std::size_t point);
 template <>
 bool isCovered<3>(SolidSurface& surface, const PinView<3>& pin, std::size_t point);
+
+/// True if its mark is drawn faintly: what it holds is covered, or all of an area is cut away.
+template <int Dim>
+bool isMarkCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin);
 
 /// Of marks that lie within reach of the pointer the one that is picked: what is seen in front comes before
 /// what the shape covers, then the nearest.

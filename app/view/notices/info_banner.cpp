@@ -1,18 +1,20 @@
 #include "app/view/notices/info_banner.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
 
+#include "app/panels/look/theme.h"
 #include "core/mesh/printable.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kHeight = 44;  // pixels
+constexpr int kHeight = 44, kSign = 20;  // pixels
 
 /// What nothing has gone wrong with.
 bool isOffer(InfoBanner::Topic topic) {
@@ -73,12 +75,11 @@ void InfoBanner::showNewest() {
         delete item;
     }
     const Line newest = m_lines.isEmpty() ? Line{} : m_lines.last();
-    m_sign->setText(isOffer(newest.topic) ? QStringLiteral("ⓘ") : QStringLiteral("⚠"));
     if (const bool offers = isOffer(newest.topic); property("offers").toBool() != offers) {
         setProperty("offers", offers);
-        for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_sign)})
-            style()->unpolish(widget), style()->polish(widget);
+        style()->unpolish(this), style()->polish(this);
     }
+    showSign();
     m_text->setText(newest.text);
     m_text->setAccessibleName(newest.text);
     for (const Remedy& remedy : newest.remedies) {
@@ -87,6 +88,21 @@ void InfoBanner::showNewest() {
         connect(button, &QPushButton::clicked, this, remedy.act);
     }
     setVisible(!m_lines.isEmpty());
+}
+
+/// Drawn: not every font has signs.
+void InfoBanner::showSign() {
+    const bool offers = property("offers").toBool();
+    const Theme theme = Theme::of(palette());
+    QPalette tone = palette();
+    tone.setColor(QPalette::WindowText, offers ? theme.accentText : theme.danger);
+    const QIcon sign = wendIcon(offers ? QStringLiteral("info") : QStringLiteral("warning"), tone);
+    m_sign->setPixmap(sign.pixmap(QSize(kSign, kSign), devicePixelRatioF()));
+}
+
+void InfoBanner::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && !m_lines.isEmpty()) showSign();
+    QWidget::changeEvent(event);
 }
 
 QString InfoBanner::text() const {

@@ -32,6 +32,9 @@ class InfoBanner : public QWidget {
     /// What is seen; empty if nothing is.
     QString text() const;
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     struct Line {
         Topic topic;
@@ -39,6 +42,7 @@ class InfoBanner : public QWidget {
         QList<Remedy> remedies;
     };
     void showNewest();
+    void showSign();
 
     QList<Line> m_lines;
     QLabel *m_sign, *m_text;

@@ -168,7 +168,7 @@ void ShapePainter<Dim>::pins(const PinAnimation& animation, int hovered) {
                   hovered,
                   [this](const Vec<Dim>& p) { return m_surface.toWidget(p); },
                   [](const PinView<Dim>& view) { return isArea(view); },
-                  [this](const PinView<Dim>& view) { return isCovered<Dim>(m_surface, view); }}
+                  [this](const PinView<Dim>& view) { return isMarkCovered<Dim>(m_surface, view); }}
         .paint(m_painter, m_marks);
 }
 

@@ -27,8 +27,9 @@ class ShapePainter {
     /// A cross in the middle of a cell; of a solid where it is seen, or a faint ring over where it is hidden.
     /// Beside it what it says, if that is not empty.
     void worst(const PosedFrame<Dim>& frame, int cell, const QString& words = {});
-    /// That of a measure, with a warning where it is too far.
+    /// That of a measure, with a warning where it is too far; none at rest.
     void worst(const PosedFrame<Dim>& frame, Measure measure) {
+        if (!isDistorted(*frame.distortion, measure)) return;
         worst(frame, worstOf(*frame.distortion, measure).cell, worstWarning(*frame.distortion, measure));
     }
 

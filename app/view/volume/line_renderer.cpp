@@ -43,10 +43,21 @@ void LineRenderer::draw(const Look& look) {
     m_program->setUniformValue("orthographic", look.orthographic);
     m_program->setUniformValue("pixels", QSizeF(look.pixels));
     m_program->setUniformValue("width", look.width);
-    m_program->setUniformValue("colour",
-                               QVector3D(look.colour.redF(), look.colour.greenF(), look.colour.blueF()));
+    m_program->setUniformValue("colour", look.colour);
+    m_program->setUniformValue("behindAll", look.behindAll);
     const QOpenGLVertexArrayObject::Binder binder(&m_array);
+    if (look.behindAll) {
+        m_gl->glDepthFunc(GL_EQUAL);
+        m_gl->glEnable(GL_BLEND);
+        m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+        m_gl->glEnable(GL_STENCIL_TEST);
+        m_gl->glStencilFunc(GL_EQUAL, 0, 0xFF);
+        m_gl->glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    }
     m_gl->glDrawArrays(GL_LINES, 0, m_count);
+    m_gl->glDisable(GL_STENCIL_TEST);
+    m_gl->glDisable(GL_BLEND);
+    m_gl->glDepthFunc(GL_LESS);
 }
 
 }  // namespace wend

@@ -29,6 +29,7 @@ class LineRenderer {
         QSize pixels;  // of the picture
         float width = 1;
         QColor colour;
+        bool behindAll = false;  // only where nothing else is drawn, and each pixel once
     };
     void draw(const Look& look);
 

@@ -5,6 +5,7 @@
 #include "app/document/domain.h"
 #include "app/panels/look/smooth_map.h"
 #include "app/panels/look/theme.h"
+#include "app/session/colours.h"
 #include "app/session/shape/shape.h"
 
 namespace wend {
@@ -60,12 +61,16 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
 void SolidCanvas::applyTheme() {
     const Theme theme = Theme::of(palette());
     const Looks& looks = m_viewport.looks();
-    const QColor& backdrop = looks.backdrop;
     m_style.edges = looks.mesh;
     m_style.flat = looks.flat;
-    setBackground(backdrop.isValid() ? backdrop : theme.workspace);
+    setBackground(ground());
     m_style.edgeColour = theme.dark ? QColor(12, 13, 18) : QColor(20, 24, 32);
     setStyle(m_style);
+}
+
+QColor SolidCanvas::ground() const {
+    const QColor& backdrop = m_viewport.looks().backdrop;
+    return backdrop.isValid() ? backdrop : Theme::of(palette()).workspace;
 }
 
 void SolidCanvas::showLooks() {
@@ -122,6 +127,7 @@ SurfaceStyle SolidCanvas::plainStyle() const {
     SurfaceStyle style = m_style;
     style.edges = false;
     style.dimming = style.mapOpacity = 0;
+    style.rim = QColor();
     return style;
 }
 
@@ -147,6 +153,7 @@ void SolidCanvas::refresh() {
     m_style.dimming = m_viewport.isDimmed() && picture.materials ? 0.5 : 0;
     const bool hasMap = m_viewport.showsMap() && !isPainted(looks.colours.measure);
     m_style.mapOpacity = hasMap && picture.materials ? looks.colours.opacity : 0;
+    m_style.rim = hasMap && isOnDark() ? QColor::fromRgba(kRim) : QColor();
     setStyle(m_style);
     const bool isNew = meetsNewDocument();
     if (isNew) {

@@ -37,6 +37,9 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Vec<3>& p) const override;
+    bool isCutOff(const Vec<3>& p) const override {
+        return cut() != CutKind::None && plane().height(p) > 1e-9;
+    }
     std::optional<Vec<3>> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
@@ -112,12 +115,13 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     void keepCamera();
     void showGlyphs(const PosedFrame<3>& frame);
     QRgb plainColour() const;
+    QColor ground() const;
+    bool isOnDark() const { return ground().lightnessF() < 0.5; }
     bool hasDetail(const PosedFrame<3>& frame) const;
     void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
     void addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const;
     void applyTheme();
     Vec<3> normalToViewer() const;
-    bool isCutOff(const Vec<3>& p) const { return cut() != CutKind::None && plane().height(p) > 1e-9; }
     const std::vector<int>& skinPoints() const;
 
     ShapeSession& m_session;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "app/panels/look/smooth_map.h"
-#include "app/panels/look/theme.h"
 #include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_canvas.h"
@@ -79,11 +78,9 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
-    if (looks.arrows && !looks.hidden) {
-        const QColor behind = looks.backdrop.isValid() ? looks.backdrop : Theme::of(palette()).workspace;
+    if (looks.arrows && !looks.hidden)
         triangles = velocityArrows(frame, m_session.velocity<3>(), surface(),
-                                   behind.lightnessF() < 0.5 ? kArrowOnDark : kArrowColour);
-    }
+                                   isOnDark() ? kArrowOnDark : kArrowColour);
     if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());

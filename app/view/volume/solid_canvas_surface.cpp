@@ -1,5 +1,6 @@
 // What tools see of a solid on the screen.
 #include <cmath>
+#include <limits>
 
 #include "app/session/motion/pose_places.h"
 #include "app/session/shape/shape.h"
@@ -62,12 +63,15 @@ void SolidCanvas::showMaterial(std::shared_ptr<const Material<3>> painted, bool 
     refresh();
 }
 
+/// Of whole cells some reach beyond the plane: a point on what is drawn has not been taken away.
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
-    const QPointF at = toWidget(p);
-    const Ray sight = ray(at);
+    const Ray sight = ray(toWidget(p));
     const SolidHit hit = hitOf(sight);
-    const double depth = (p - sight.origin).dot(sight.direction);
-    return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
+    const double within = 2 * pixelSize(p);
+    const double before = hit.cell < 0
+                              ? -std::numeric_limits<double>::infinity()
+                              : (p - sight.origin).dot(sight.direction) - (hit.point - sight.origin).norm();
+    return before > within || (isCutOff(p) && before < -within);
 }
 
 /// Asks through its middle and those of its sides.

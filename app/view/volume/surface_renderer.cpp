@@ -9,14 +9,13 @@
 #include <cmath>
 #include <cstddef>
 
-#include "app/panels/look/marks.h"
+#include "app/session/colours.h"
 
 namespace wend {
 namespace {
 
 const QVector4D kNoClip(0, 0, 0, -1);
-constexpr int kColourWidth = 2048;  // of the texture that holds the triangles' colours
-constexpr std::array<GLenum, 3> kVeils{GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL};
+constexpr int kColourWidth = 2048;      // of the texture that holds the triangles' colours
 constexpr double kOutlineWidth = 1.75;  // pixels of the view
 
 QMatrix4x4 toQt(const Eigen::Matrix4d& matrix) {
@@ -71,10 +70,12 @@ bool SurfaceRenderer::initialize() {
     if (!link(*m_plain, false) || !link(*m_edged, true)) return false;
     for (Triangles& layer : m_layers) create(layer);
     for (Triangles* glyphs : {&m_glyphs, &m_veiled}) createGlyphs(*glyphs);
-    if (!m_outline.initialize(m_gl)) {
-        m_error = m_outline.error();
-        return false;
-    }
+    for (Triangles& kind : m_marked) createGlyphs(kind);
+    for (LineRenderer* lines : {&m_outline, &m_rim})
+        if (!lines->initialize(m_gl)) {
+            m_error = lines->error();
+            return false;
+        }
     m_noTexture = std::make_unique<QOpenGLTexture>(QImage(1, 1, QImage::Format_RGBA8888));
     return true;
 }
@@ -115,7 +116,9 @@ void SurfaceRenderer::createGlyphs(Triangles& glyphs) {
 }
 
 void SurfaceRenderer::release() {
-    for (Triangles* triangles : {&m_layers[Outer], &m_layers[Section], &m_glyphs, &m_veiled}) {
+    std::vector<Triangles*> all{&m_layers[Outer], &m_layers[Section], &m_glyphs, &m_veiled};
+    for (Triangles& kind : m_marked) all.push_back(&kind);
+    for (Triangles* triangles : all) {
         triangles->vertices.destroy();
         triangles->uv.destroy();
         triangles->places.destroy();
@@ -128,6 +131,7 @@ void SurfaceRenderer::release() {
     m_noTexture.reset();
     m_ramp.reset();
     m_outline.release();
+    m_rim.release();
     m_plain.reset();
     m_edged.reset();
 }
@@ -208,13 +212,21 @@ void SurfaceRenderer::setRamp(const std::vector<QRgb>& colours) {
     m_ramp->setWrapMode(QOpenGLTexture::ClampToEdge);
 }
 
-void SurfaceRenderer::setOutline(const Points<3>& ends) {
+std::vector<std::array<float, 3>> SurfaceRenderer::placesOf(const Points<3>& points) const {
     std::vector<std::array<float, 3>> places;
-    for (Eigen::Index i = 0; i < ends.cols(); ++i) {
-        const Eigen::Vector3f p = normalized(ends.col(i));
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Eigen::Vector3f p = normalized(points.col(i));
         places.push_back({p.x(), p.y(), p.z()});
     }
-    m_outline.set(places);
+    return places;
+}
+
+void SurfaceRenderer::setOutline(const Points<3>& ends) {
+    m_outline.set(placesOf(ends));
+}
+
+void SurfaceRenderer::setRim(const Points<3>& ends) {
+    m_rim.set(placesOf(ends));
 }
 
 void SurfaceRenderer::fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours) {
@@ -240,26 +252,6 @@ void SurfaceRenderer::setTextures(const std::vector<QImage>& pictures) {
         texture->setWrapMode(QOpenGLTexture::Repeat);
         texture->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
     }
-}
-
-void SurfaceRenderer::setGlyphs(const std::vector<DrawVertex>& triangles) {
-    fillGlyphs(m_glyphs, triangles);
-}
-
-void SurfaceRenderer::setVeiled(const std::vector<DrawVertex>& triangles) {
-    fillGlyphs(m_veiled, triangles);
-}
-
-void SurfaceRenderer::fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles) {
-    std::vector<DrawVertex> vertices = triangles;
-    glyphs.count = static_cast<int>(triangles.size() / 3);
-    for (DrawVertex& vertex : vertices) {
-        const auto& [x, y, z] = vertex.position;
-        const Eigen::Vector3f p = normalized(Vec<3>(x, y, z));
-        vertex.position = {p.x(), p.y(), p.z()};
-    }
-    glyphs.vertices.bind();
-    glyphs.vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(DrawVertex)));
 }
 
 /// So neither huge nor tiny solids leave the floats' range: view' = view (x m_scale + m_centre) / m_scale,
@@ -291,6 +283,7 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("map", 2);
     program.setUniformValue("ramp", 3);
     program.setUniformValue("opacity", 1.0F);
+    program.setUniformValue("stripes", 0.0F);
     program.setUniformValue("clipPlane", kNoClip);
     if (!clip) return;
     const Vec<3> normal = view.topLeftCorner<3, 3>() * clip->normal;
@@ -326,37 +319,15 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
     }
 }
 
-void SurfaceRenderer::drawGlyphs(Triangles& glyphs) {
-    const QOpenGLVertexArrayObject::Binder binder(&glyphs.array);
-    for (const uint unit : {0U, 1U, 2U, 3U}) m_noTexture->bind(unit);
-    m_plain->setUniformValue("coloursOfTriangles", false);
-    m_plain->setUniformValue("flatShading", false);
-    m_plain->setUniformValue("dimming", 0.0F);
-    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3 * glyphs.count);
-}
-
-/// Only where the surface lies in front, and every pixel once, however many of them lie behind each other.
-/// What lies on the surface itself is not behind it.
-void SurfaceRenderer::drawVeiled() {
-    m_plain->setUniformValue("opacity", static_cast<float>(kCoveredOpacity));
-    m_plain->setUniformValue("ownFromBehind", 1.0F);
-    m_gl->glDepthFunc(GL_GREATER);
-    m_gl->glDepthMask(GL_FALSE);
-    for (const GLenum capability : kVeils) m_gl->glEnable(capability);
-    m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    m_gl->glStencilFunc(GL_EQUAL, 0, 0xFF);
-    m_gl->glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    m_gl->glPolygonOffset(-2, -2);
-    drawGlyphs(m_veiled);
-    for (const GLenum capability : kVeils) m_gl->glDisable(capability);
-    m_gl->glDepthMask(GL_TRUE);
-    m_gl->glDepthFunc(GL_LESS);
-}
-
-void SurfaceRenderer::drawOutline(const Sight& sight, const SurfaceStyle& style) {
+LineRenderer::Look SurfaceRenderer::lineLook(const Sight& sight, double width, const QColor& colour) const {
     const auto [view, projection] = matricesOf(sight);
-    m_outline.draw({toQt(view), toQt(projection), sight.orthographic, sight.pixels,
-                    static_cast<float>(kOutlineWidth * sight.pixelsPer), style.edgeColour});
+    return {toQt(view),
+            toQt(projection),
+            sight.orthographic,
+            sight.pixels,
+            static_cast<float>(width * sight.pixelsPer),
+            colour,
+            false};
 }
 
 void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool materials,
@@ -375,14 +346,25 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     m_gl->glPolygonOffset(-1, -1);
     drawLayer(program, m_layers[Section], false, 0);
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
+    const bool isMarked = std::ranges::any_of(m_marked, [](const Triangles& kind) { return kind.count > 0; });
+    if (isMarked) {
+        setUniforms(program, sight, style, {});
+        setUniforms(*m_plain, sight, style, {});
+        drawMarked(program, sight);
+    }
     if (m_veiled.count > 0) {
         setUniforms(*m_plain, sight, style, {});
         drawVeiled();
     }
-    if (m_layers[Section].count > 0) drawOutline(sight, style);
+    if (m_layers[Section].count > 0) m_outline.draw(lineLook(sight, kOutlineWidth, style.edgeColour));
     if (m_glyphs.count > 0) {
         setUniforms(*m_plain, sight, style, {});
-        drawGlyphs(m_glyphs);
+        drawGlyphs(m_glyphs, *m_plain);
+    }
+    if (style.rim.isValid()) {
+        LineRenderer::Look look = lineLook(sight, kRimWidth, style.rim);
+        look.behindAll = true;
+        m_rim.draw(look);
     }
     m_gl->glUseProgram(0);
     m_gl->glActiveTexture(GL_TEXTURE0);

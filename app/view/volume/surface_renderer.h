@@ -34,6 +34,7 @@ struct SurfaceStyle {
     QColor backColour = QColor(150, 92, 86);
     double ownFromBehind = 0;  // 0 … 1: how much of its own colour a face seen from behind keeps
     double mapOpacity = 0;     // 0 … 1: how much the colours of a map cover a surface that has its own
+    QColor rim;                // around all of it; none if it is no colour
 
     bool operator==(const SurfaceStyle&) const = default;
 };
@@ -58,6 +59,7 @@ class SurfaceRenderer {
     /// The outer surface, and the section where it is cut open.
     enum Layer { Outer, Section };
     static constexpr int kLayers = 2;
+    static constexpr int kMostKinds = 4;  // of what is marked
 
     /// False, with the reason in error(), if the context cannot run the shaders.
     bool initialize();
@@ -88,10 +90,15 @@ class SurfaceRenderer {
     void setRamp(const std::vector<QRgb>& colours);
     /// Lines around the section: both ends of each.
     void setOutline(const Points<3>& ends);
+    /// What the rim runs along, likewise.
+    void setRim(const Points<3>& ends);
     /// Things beside the surface: arrows, ellipsoids.
     void setGlyphs(const std::vector<DrawVertex>& triangles);
     /// What is seen through the surface, faintly, and not where nothing lies in front of it.
     void setVeiled(const std::vector<DrawVertex>& triangles);
+    /// Triangles of the surface that are seen through it likewise, of several kinds. Where one lies before
+    /// another, that one is seen in stripes: their colours do not mix.
+    void setMarked(const std::vector<std::vector<DrawVertex>>& kinds);
     /// Without `materials` no texture is drawn. The plane takes away the part of the outer surface that lies
     /// above it.
     void draw(const Sight& sight, const SurfaceStyle& style, bool materials,
@@ -115,21 +122,24 @@ class SurfaceRenderer {
     static void fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours);
     void createGlyphs(Triangles& glyphs);
     void fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles);
+    std::vector<std::array<float, 3>> placesOf(const Points<3>& points) const;
     /// The matrices in units of m_scale from m_centre on.
     std::pair<Eigen::Matrix4d, Eigen::Matrix4d> matricesOf(const Sight& sight) const;
     void setUniforms(QOpenGLShaderProgram& program, const Sight& sight, const SurfaceStyle& style,
                      const std::optional<CutPlane>& clip);
     void drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials, double mapOpacity);
-    void drawGlyphs(Triangles& glyphs);
+    void drawGlyphs(Triangles& glyphs, QOpenGLShaderProgram& program);
     void drawVeiled();
-    void drawOutline(const Sight& sight, const SurfaceStyle& style);
+    void drawMarked(QOpenGLShaderProgram& seen, const Sight& sight);
+    LineRenderer::Look lineLook(const Sight& sight, double width, const QColor& colour) const;
     Eigen::Vector3f normalized(const Vec<3>& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_plain, m_edged;
     std::array<Triangles, kLayers> m_layers;
     Triangles m_glyphs, m_veiled;
-    LineRenderer m_outline;
+    std::array<Triangles, kMostKinds> m_marked;
+    LineRenderer m_outline, m_rim;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;
     std::unique_ptr<QOpenGLTexture> m_noTexture, m_ramp;
     Vec<3> m_centre = Vec<3>::Zero();  // of what is drawn: the GPU's floats count from there, in m_scale

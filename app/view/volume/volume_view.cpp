@@ -232,7 +232,10 @@ void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     upload();
     m_times.prepare = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     const bool clips = showsSkin() && m_cut == CutKind::Exact;
-    m_renderer.draw(sight, style(), showsSkin() && m_picture.materials,
+    SurfaceStyle look = style();
+    if (background.alpha() < 255) look.rim = QColor();  // what is behind a picture is not known
+    if (look.rim.isValid()) uploadRim(sight);
+    m_renderer.draw(sight, look, showsSkin() && m_picture.materials,
                     clips ? std::optional(m_plane) : std::nullopt);
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/view/volume/camera.h"
+#include "app/view/volume/contour.h"
 #include "app/view/volume/navigation.h"
 #include "app/view/volume/ray_casting.h"
 #include "app/view/volume/skin_casting.h"
@@ -127,6 +128,7 @@ class VolumeView : public QOpenGLWidget {
     void uploadColours();
     void uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin);
     void uploadGlyphs();
+    void uploadRim(const Sight& sight);
     std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool skin) const;
     /// What a painting of the view depends on beside what is uploaded.
     struct Scene {
@@ -159,6 +161,8 @@ class VolumeView : public QOpenGLWidget {
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
     std::vector<std::array<int, 2>> m_outline;  // of the section: its points
+    Points<3> m_sectionEnds{3, 0};              // of the lines of the outline
+    Contour m_contour;                          // of m_outer, if it is asked for
     mutable std::optional<Points<3>> m_ridden;  // until the pose changes
     mutable RayCasting m_rays;
     mutable SkinCasting m_skinRays;
@@ -173,7 +177,7 @@ class VolumeView : public QOpenGLWidget {
     std::optional<Scene> m_painted;  // what is in the view's buffer
     int m_largestTile = 2048, m_drawnTriangles = 0;
     bool m_meshStale = true, m_poseStale = true, m_coloursStale = true, m_texturesStale = true;
-    bool m_glyphsStale = false, m_ready = false, m_hasNormals = false;
+    bool m_glyphsStale = false, m_ready = false, m_hasNormals = false, m_hasContour = false;
 };
 
 }  // namespace wend

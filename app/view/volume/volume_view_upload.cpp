@@ -1,5 +1,6 @@
 // What goes to the GPU when something has changed.
 #include <Eigen/Geometry>
+#include <map>
 
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/texture_file.h"
@@ -38,14 +39,16 @@ void VolumeView::uploadMeshes() {
     m_outline = borderOf(m_section.triangles);
     m_renderer.setMesh(SurfaceRenderer::Outer, m_outer);
     m_renderer.setMesh(SurfaceRenderer::Section, m_section);
+    m_hasContour = false;
     m_drawnTriangles = static_cast<int>(m_outer.triangles.size() + m_section.triangles.size());
     m_poseStale = m_coloursStale = true;
 }
 
 void VolumeView::uploadPose() {
     m_hasNormals = !m_style.flat;
-    m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
-                       showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
+    Points<3> outer = showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose);
+    m_renderer.setPose(SurfaceRenderer::Outer, m_outer, outer, m_hasNormals);
+    m_contour.takePoints(std::move(outer));
     const Points<3> section = drawnPoints(m_section, m_picture.pose);
     m_renderer.setPose(SurfaceRenderer::Section, m_section, section, true);
     Points<3> ends(3, static_cast<Eigen::Index>(2 * m_outline.size()));
@@ -53,7 +56,19 @@ void VolumeView::uploadPose() {
     for (const auto& edge : m_outline)
         for (const int point : edge) ends.col(next++) = section.col(point);
     m_renderer.setOutline(ends);
+    m_sectionEnds = std::move(ends);
     m_glyphsStale = true;
+}
+
+/// As the view has it; where a section ends the rim runs along that.
+void VolumeView::uploadRim(const Sight& sight) {
+    if (!std::exchange(m_hasContour, true)) m_contour.takeTriangles(m_outer.triangles);
+    const bool clips = showsSkin() && m_cut == CutKind::Exact;
+    const Points<3> contour =
+        m_contour.ends(sight.view, sight.orthographic, clips ? std::optional(m_plane) : std::nullopt);
+    Points<3> ends(3, contour.cols() + m_sectionEnds.cols());
+    ends << contour, m_sectionEnds;
+    m_renderer.setRim(ends);
 }
 
 std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool skin) const {
@@ -104,19 +119,22 @@ void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh
     m_renderer.setMap(layer, own);
 }
 
-/// What is marked is drawn with the surface where it is seen.
+/// What is marked is of one kind where it has one colour.
 void VolumeView::uploadGlyphs() {
     m_renderer.setGlyphs(m_glyphs);
-    std::vector<DrawVertex> veiled = m_veiled;
+    m_renderer.setVeiled(m_veiled);
+    std::map<QRgb, std::vector<DrawVertex>> marked;
     for (const int f : m_picture.marked) {
         const Facet<3>& facet = (*m_picture.facets)[static_cast<std::size_t>(f)];
         const Vec<3> a = m_picture.pose.col(facet.vertices[0]);
         const Vec<3> b = m_picture.pose.col(facet.vertices[1]), c = m_picture.pose.col(facet.vertices[2]);
         const Vec<3> normal = (b - a).cross(c - a).stableNormalized();
-        for (const Vec<3>& corner : {a, b, c})
-            veiled.push_back(drawVertex(corner, normal, m_picture.cellColours[facet.cells[0]]));
+        const QRgb colour = m_picture.cellColours[facet.cells[0]];
+        for (const Vec<3>& corner : {a, b, c}) marked[colour].push_back(drawVertex(corner, normal, colour));
     }
-    m_renderer.setVeiled(veiled);
+    std::vector<std::vector<DrawVertex>> kinds;
+    for (auto& [colour, triangles] : marked) kinds.push_back(std::move(triangles));
+    m_renderer.setMarked(kinds);
 }
 
 }  // namespace wend

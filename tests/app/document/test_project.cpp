@@ -365,6 +365,7 @@ class TestProject : public QObject {
         };
         row("empty", "", "p.wend: is empty");
         row("broken", "{\n  \"format\": \"wend\",\n  \"version\" 1\n}", "line 3, column 13");
+        row("a mesh", "OFF\n4 4 0\n", "is no project of Wend");
         row("truncated", "{'format': 'wend', 'version': 1, 'domain': {'image':", "is not valid JSON: line 1");
         const auto surfaceRow = [&](const char* name, const std::string& keys, const char* reason) {
             row(name, projectText("'domain': {'surface': 'b.obj', " + keys + "}"), reason);

@@ -32,6 +32,7 @@
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/panels/folding_section.h"
+#include "app/panels/handle_panel.h"
 #include "app/panels/look/theme.h"
 #include "app/panels/pin_list.h"
 #include "app/view/actions/toolbox.h"
@@ -54,6 +55,7 @@ class TestPanelFields : public QObject {
     void eitherPointCanBeTyped_data();
     void eitherPointCanBeTyped();
     void framesLeaveTheCutsNumbers();
+    void longNumbersWidenNoPanel();
     void enterGivesTheKeyboardBack_data();
     void enterGivesTheKeyboardBack();
     void escapeGivesTheKeyboardBack_data();
@@ -256,6 +258,21 @@ void TestPanelFields::eitherPointCanBeTyped() {
         type(*box, shown);
         QCOMPARE(box->value(), 1234.5);
     }
+}
+
+void TestPanelFields::longNumbersWidenNoPanel() {
+    QVERIFY(m_f->open() && m_f->holdEnds());
+    m_f->session().moveSelected<3>(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
+    QVERIFY(settle(m_f->session()));
+    auto* panel = m_f->window().findChild<HandlePanel*>();
+    auto* place = panel->findChild<QLabel*>(QStringLiteral("pinPlace"));
+    const QLocale locale;
+    const auto number = [&](double value) { return locale.toString(value, 'g', 5); };
+    QCOMPARE(place->text(), QStringLiteral("at %1, %2, %3").arg(number(2), number(-0.15596), number(0)));
+    const int width = panel->minimumSizeHint().width();
+    place->setText(QString(80, QLatin1Char('0')));
+    settleLayout(m_f->window());
+    QCOMPARE(panel->minimumSizeHint().width(), width);
 }
 
 void TestPanelFields::framesLeaveTheCutsNumbers() {

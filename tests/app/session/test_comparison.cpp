@@ -64,6 +64,8 @@ class TestComparison : public QObject {
     void lateMovesDoNotLead();
     void pinsAreDraggedInTheOtherHalf_data() { dimensions(); }
     void pinsAreDraggedInTheOtherHalf();
+    void influenceIsThatOfTheSamePin_data() { dimensions(); }
+    void influenceIsThatOfTheSamePin();
     void halvesShowTheSamePart();
     void tilesAreDropped();
     void tilesArePreviewed();
@@ -83,6 +85,8 @@ class TestComparison : public QObject {
     void goTogether();
     template <int Dim>
     void dragInTheOther();
+    template <int Dim>
+    void showInfluence();
     template <int Dim>
     void moveLate();
     template <int Dim>
@@ -245,6 +249,26 @@ void TestComparison::dragInTheOther() {
     const auto pins = session.template pins<Dim>();
     const Vec<Dim> reached = pins[1].centre;
     QVERIFY((reached - Bar<Dim>::end() - 0.5 * Bar<Dim>::way()).norm() < 0.1 * Bar<Dim>::way().norm());
+}
+
+/// In the other half, too, where nobody has selected anything.
+template <int Dim>
+void TestComparison::showInfluence() {
+    QVERIFY(begin<Dim>());
+    m_f->session().selection().set({1});
+    for (ShapeSession* session : {&m_f->session(), &other()}) {
+        session->setFieldWanted(ShapeSession::FieldKind::Influence);
+        QTRY_VERIFY(session->influence<Dim>().cols() > 0);
+        const double least = session->influence<Dim>().row(0).minCoeff(),
+                     most = session->influence<Dim>().row(0).maxCoeff();
+        QVERIFY2(least < 0.1 && most > 0.9, qPrintable(QString("%1 %2").arg(least).arg(most)));
+    }
+    m_f->session().selection().clear();
+    QCOMPARE(other().influence<Dim>().cols(), 0);
+}
+
+void TestComparison::influenceIsThatOfTheSamePin() {
+    BOTH(showInfluence);
 }
 
 void TestComparison::halvesShowTheSamePart() {

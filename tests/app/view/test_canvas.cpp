@@ -574,6 +574,7 @@ void TestCanvas::everyMeasureIsComplete() {
     QCOMPARE(names.removeDuplicates(), 0);
     QVERIFY(measuresOf(3).size() > measuresOf(2).size() && measureName(Measure::Area, 3) != names[1]);
     QCOMPARE(measureText(Measure::Influence, 50.04), QStringLiteral("50 %"));
+    QCOMPARE(measureText(Measure::Length, 1.9e-31), QStringLiteral("0"));
     QCOMPARE(measureText(Measure::Stiffness, 1), QStringLiteral("×1"));
     QCOMPARE(measureText(Measure::Stiffness, 31.62), QStringLiteral("×") + QLocale().toString(31.6));
     QCOMPARE(measureText(Measure::Stiffness, 1e6), QStringLiteral("×") + QLocale().toString(1000000));

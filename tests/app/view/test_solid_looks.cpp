@@ -7,6 +7,7 @@
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/surface_panel.h"
+#include "app/tools/pins/pin_picking.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/backdrop_choice.h"
 #include "app/view/actions/toolbox.h"
@@ -42,6 +43,8 @@ class TestSolidLooks : public QObject {
     void movedSolidsAreClosed();
     void solidAfterAMovedOneIsSeenWhole();
     void arrowsAreSeenBeforeEveryGround();
+    void mapsHaveARimOnDarkGround();
+    void pinsThatAreCutAwayAreFaint();
     void whatIsUnderThePointerFollowsTheMap();
 
   private:
@@ -324,6 +327,11 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
         const auto place = canvas().placeOf(worst);
         return reach(canvas().toWidget(place ? *place : centre));
     };
+    session().playback().setTime(0);
+    QTRY_COMPARE(session().frame()->time, 0.0);
+    QCOMPARE(sizeOfMark(), 0.0);  // at rest no place is the worst
+    session().playback().setTime(1);
+    QTRY_COMPARE(session().frame()->time, 1.0);
     const auto isCross = [](double size) { return size > 15 && size < 22; };
     const auto isRing = [](double size) { return size > 9 && size < 15; };
     solids().actions().front->trigger();
@@ -414,6 +422,61 @@ void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
             QVERIFY2(found >= 3, qPrintable(QString("%1: %2").arg(name).arg(found)));
         }
     common.systemLook->trigger();
+}
+
+/// In no colour of the material, as on pictures.
+void TestSolidLooks::mapsHaveARimOnDarkGround() {
+    open(project({}));
+    Actions& common = m_window->actions();
+    const auto besideTheBar = [&] {
+        const QImage seen = canvas().grabFramebuffer();
+        const int y = canvas().toWidget({0, -0.5, 0.5}).toPoint().y();
+        int lightest = 0;
+        for (int dy = -4; dy < 0; ++dy)
+            lightest = std::max(lightest, seen.pixelColor(canvas().width() / 2, y + dy).lightness());
+        return lightest;
+    };
+    common.darkLook->trigger();
+    const int ground = besideTheBar();
+    common.showMap->setChecked(true);
+    QVERIFY2(besideTheBar() > ground + 50, qPrintable(QString::number(besideTheBar())));
+    common.showMap->setChecked(false);
+    QCOMPARE(besideTheBar(), ground);
+    common.systemLook->trigger();
+}
+
+/// A pin on the cut-away half, one on the other, seen from the front with the near half gone.
+void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
+    open(project({}));
+    const auto addAt = [&](const Vec<3>& p) {
+        const auto touched = canvas().touch(canvas().toWidget(p));
+        QVERIFY(touched);
+        session().addPin<3>(std::optional(touched->place));
+        QVERIFY(settle(session()));
+    };
+    addAt({1, -0.5, 0.1});
+    const int front = static_cast<int>(session().document().design<3>().handles.size()) - 1;
+    const auto view = [&](int handle) {
+        const auto pins = session().pins<3>();
+        return *std::ranges::find(pins, handle, &PinView<3>::handle);
+    };
+    QVERIFY(!isMarkCovered<3>(canvas(), view(front)));
+    QVERIFY(!isMarkCovered<3>(canvas(), view(0)));  // an area of all
+    canvas().setCutKind(CutKind::Exact);
+    canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});
+    addAt({-1, 0.1, 0.1});  // on the face of the cut
+    QVERIFY(isMarkCovered<3>(canvas(), view(front)));
+    QVERIFY(!isMarkCovered<3>(canvas(), view(front + 1)));
+    QVERIFY(!isMarkCovered<3>(canvas(), view(0)));  // some of it is there
+    const QPointF mark = canvas().toWidget(view(front).centre);
+    QCOMPARE(markUnder<3>(canvas(), mark, false), front);  // where nothing else is
+    canvas().setCutPlane({Vec<3>(0, 2, 0), -Vec<3>::UnitY()});
+    QVERIFY(isMarkCovered<3>(canvas(), view(0)));
+    // Of whole cells some reach beyond the plane.
+    canvas().setCutKind(CutKind::WholeCells);
+    canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});
+    const auto touched = canvas().touch(canvas().toWidget({0.2, 0.1, 0.1}));
+    QVERIFY(touched && !canvas().SolidCanvas::isHidden(touched->point));
 }
 
 /// Also while the pointer rests.

@@ -1,6 +1,8 @@
 #include <xcb/xcb.h>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
+#include <QTextStream>
 #include <QWheelEvent>
 
 #include <array>
@@ -16,6 +18,7 @@
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/run/frame_export.h"
 #include "app/session/shape/held_border.h"
 #include "app/session/shape/shape_builder.h"
 #include "app/tools/measure_tool.h"
@@ -45,6 +48,7 @@ class TestSolidWindow : public QObject {
     void init();
     void cleanup() { m_f.reset(); }
     void opensSurfacesAndTetrahedra();
+    void verticesAreThoseThatCellsHave();
     void windowKeepsItsPlace();
     void clickPinsAndArrowMoves();
     void escapeRestoresAndUndoTakesBack();
@@ -132,6 +136,38 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
     QVERIFY(QTest::qWaitFor([&] { return m_f->domain().kind == DomainKind::Mesh; }, 20000));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().frame()->vertices, mesh.vertexCount());
+}
+
+/// Every triangle of the file has vertices of its own: the panel and what is noticed count the same ones, and
+/// so does the export.
+void TestSolidWindow::verticesAreThoseThatCellsHave() {
+    const Surface whole = box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 8);
+    QFile file(m_f->folder().filePath(QStringLiteral("soup.off")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QTextStream out(&file);
+    out << "OFF\n" << 3 * whole.triangleCount() << ' ' << whole.triangleCount() << " 0\n";
+    for (const auto& t : whole.triangles)
+        for (const int v : t)
+            out << whole.points(0, v) << ' ' << whole.points(1, v) << ' ' << whole.points(2, v) << '\n';
+    for (int t = 0; t < whole.triangleCount(); ++t)
+        out << "3 " << 3 * t << ' ' << 3 * t + 1 << ' ' << 3 * t + 2 << '\n';
+    out.flush();
+    file.close();
+    QVERIFY(m_f->openFile(file.fileName()));
+    setVertices(m_f->session().document(), 60);  // its surface needs more: that is noticed
+    QVERIFY(settle(m_f->session()));
+    const auto frame = m_f->session().frame<3>();
+    QVERIFY(frame->used < frame->vertices / 2);
+    const QString count = QLocale().toString(frame->used);
+    const auto labels = m_f->window().findChild<MeshPanel*>()->findChildren<QLabel*>();
+    QVERIFY(std::ranges::any_of(labels, [&](const QLabel* label) {
+        return label->text().startsWith(count + QStringLiteral(" vertices, "));
+    }));
+    QVERIFY(std::ranges::any_of(frame->built->notices, [&](const std::string& notice) {
+        return notice.starts_with("the mesh has " + std::to_string(frame->used) + " vertices, where 60");
+    }));
+    const FrameExport shape(m_f->session().document(), m_f->session().frame(), {}, 1);
+    QCOMPARE(shape.vertexCount(".vtu"), frame->used);
 }
 
 /// Where the user has moved it. Qt makes it anew when the first solid comes.

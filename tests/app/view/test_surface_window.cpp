@@ -43,6 +43,7 @@ class TestSurfaceWindow : public QObject {
     void cleanup() { m_f.reset(); }
     void badSurfacesAreShownAndRepaired();
     void singleFaultsAreFixedOneByOne();
+    void reasonIsSeenInANarrowWindow();
     void deskLeavesTheSolidToTools();
     void allAreFixedOnceThatIsKnown();
     void factsAreToldAndGapsAreOpened();
@@ -57,6 +58,7 @@ class TestSurfaceWindow : public QObject {
     bool saysThatThereIsNoSolid();
     bool edgesAreAsTheButtonSays();
     bool axesAreSeen();
+    bool hasSign();
     int greenPixels();
 
     std::unique_ptr<SolidFixture> m_f;
@@ -66,6 +68,18 @@ void TestSurfaceWindow::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+}
+
+/// Before what the banner says, in both appearances: drawn, since fonts may lack it.
+bool TestSurfaceWindow::hasSign() {
+    const auto* sign = m_f->window().banner().findChild<QLabel*>(QStringLiteral("bannerSign"));
+    std::array<QPixmap, 2> looks;
+    m_f->window().actions().lightLook->trigger();
+    looks[0] = sign->pixmap();
+    m_f->window().actions().darkLook->trigger();
+    looks[1] = sign->pixmap();
+    m_f->window().actions().systemLook->trigger();
+    return sign->text().isEmpty() && !looks[0].isNull() && looks[0].toImage() != looks[1].toImage();
 }
 
 void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
@@ -95,6 +109,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     };
     QVERIFY(QTest::qWaitFor([&] { return !panel->isHidden(); }, 20000));
     QVERIFY(!panel->isVisible());  // the cage carries it: what is wrong is no business of the other steps
+    QVERIFY(hasSign());
     for (QPushButton* button : m_f->window().banner().findChildren<QPushButton*>())
         if (button->text() == QStringLiteral("See Why")) QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(panel->isVisible() && m_f->window().tools().mode() == Mode::Mesh);
@@ -325,6 +340,20 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
 }
 
 /// A place of the surface is seen in place of the solid: whoever takes up a tool works on the solid again.
+/// Where the panels have no room beside the view, the one with the reason opens over it.
+void TestSurfaceWindow::reasonIsSeenInANarrowWindow() {
+    openHoles();
+    m_f->window().tools().setMode(Mode::Pins);
+    m_f->window().resize(1024, 640);
+    auto* panel = m_f->window().findChild<SurfacePanel*>();
+    QTRY_VERIFY(m_f->window().width() <= 1024 && !panel->isVisible());
+    QVERIFY(!m_f->window().findChild<DistortionPanel*>()->isVisible());
+    for (QPushButton* button : m_f->window().banner().findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("See Why")) QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(panel->isVisible() && m_f->window().tools().mode() == Mode::Mesh);
+    QTRY_VERIFY(!button(QStringLiteral("Fix this one"))->visibleRegion().isEmpty());
+}
+
 void TestSurfaceWindow::deskLeavesTheSolidToTools() {
     openHoles();
     const QString verdict = QStringLiteral("“Repair” does not help: the cage carries the surface as it is.");

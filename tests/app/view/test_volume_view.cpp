@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/view/volume/volume_view.h"
@@ -41,6 +42,8 @@ class TestVolumeView : public QObject {
     void faceOfACutHasAnOutline();
     void whatIsCoveredShinesThrough();
     void markedTrianglesShineThrough();
+    void marksOfTwoKindsDoNotMix();
+    void rimIsAroundTheShapeAlone();
     void smoothColoursChangeEvenly();
     void smoothColoursOfASkin();
 
@@ -729,6 +732,87 @@ void TestVolumeView::markedTrianglesShineThrough() {
     picture.marked = {};
     view.setPicture(picture, false);
     QCOMPARE(colour(-1), front);
+}
+
+/// A yellow sheet before a green one: both colours are seen, in stripes, and no olive between them; before
+/// one of its own kind it is plain.
+void TestVolumeView::marksOfTwoKindsDoNotMix() {
+    Points<3> points(3, 6);
+    points << 1, 1, 1, -1, -1, -1, -1, 1, 0, -1, 1, 0, -1, -1, 1.5, -1, -1, 1.5;
+    const QRgb yellow = qRgb(255, 170, 0), green = qRgb(46, 158, 92);
+    VolumePicture picture = pictureOfSurface(points, {{0, 1, 2}, {3, 4, 5}}, {yellow, green});
+    picture.marked = {0, 1};
+    picture.isOpen = true;
+    VolumeView view;
+    view.resize(300, 300);
+    view.setStyle(bare());
+    view.look(Camera::Axis::Right);
+    view.setPicture(picture, true);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view, 20000));
+    const auto count = [&view] {
+        std::array<int, 3> found{};  // yellow, green, neither
+        const QImage image = view.grabFramebuffer();
+        const Vec<3> place = view.camera().project({1, 0, -0.2}, view.size());
+        const QPoint middle = QPointF(place.x(), place.y()).toPoint();
+        for (int y = -15; y <= 15; ++y)
+            for (int x = -15; x <= 15; ++x) {
+                const QColor c = image.pixelColor(middle + QPoint(x, y));
+                const bool isYellow = c.red() > 1.3 * c.green(), isGreen = c.green() > 1.5 * c.red();
+                ++found[isYellow ? 0 : isGreen ? 1 : 2];
+            }
+        return found;
+    };
+    const auto mixed = count();
+    QVERIFY(mixed[0] > 300 && mixed[1] > 200);
+    QVERIFY2(mixed[2] < 250, qPrintable(QString::number(mixed[2])));  // where stripes meet
+    picture.cellColours[1] = yellow;
+    view.setPicture(picture, false);
+    QCOMPARE(count()[0], 31 * 31);
+}
+
+/// As light as asked for just beside the shape, also where it is cut, and nowhere on it.
+void TestVolumeView::rimIsAroundTheShapeAlone() {
+    VolumePicture picture = m_picture;
+    picture.cellColours.assign(picture.rest->cells.size(), qRgb(1, 1, 1));
+    m_view->look(Camera::Axis::Isometric);
+    m_view->setPicture(picture, true);
+    SurfaceStyle style = bare();
+    for (const auto& cut : {CutKind::None, CutKind::Exact, CutKind::WholeCells}) {
+        m_view->setCut(cut, {Vec<3>(0.31, 0, 0), Vec<3>(1, 0.2, 0.1).normalized()});
+        m_view->setStyle(style = bare());
+        const QImage without = m_view->grabFramebuffer();
+        style.rim = QColor(255, 255, 255, 89);
+        m_view->setStyle(style);
+        const QImage with = m_view->grabFramebuffer();
+        const QRgb ground = without.pixel(2, 2);
+        const auto isShape = [&](int x, int y) { return without.pixel(x, y) != ground; };
+        int beside = 0, rimmed = 0;
+        for (int y = 4; y < with.height() - 4; ++y)
+            for (int x = 4; x < with.width() - 4; ++x) {
+                const bool changed = with.pixel(x, y) != without.pixel(x, y);
+                bool isNear = false, isInside = true;
+                for (int dy = -3; dy <= 3; ++dy)
+                    for (int dx = -3; dx <= 3; ++dx) {
+                        isNear = isNear || isShape(x + dx, y + dy);
+                        isInside = isInside && isShape(x + dx, y + dy);
+                    }
+                QVERIFY(!changed || (isNear && !isInside));
+                const bool touches =
+                    isShape(x - 1, y) || isShape(x + 1, y) || isShape(x, y - 1) || isShape(x, y + 1);
+                if (isShape(x, y) || !touches) continue;
+                ++beside;
+                rimmed += changed;
+            }
+        QVERIFY(beside > 400);  // some of them beside a pixel that the shape hardly touches
+        QVERIFY2(rimmed > 0.9 * beside, qPrintable(QString("%1 of %2").arg(rimmed).arg(beside)));
+    }
+    // What is behind a picture with a clear background is not known.
+    QVERIFY(m_view->picture({200, 150}, true) ==
+            (m_view->setStyle(bare()), m_view->picture({200, 150}, true)));
+    m_view->setCut(CutKind::None, {});
+    m_view->setStyle({});
+    m_view->setPicture(m_picture, true);
 }
 
 /// From black to white along the bar, on its border and on a section: light is a factor, so that the grays of
