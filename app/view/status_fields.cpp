@@ -4,7 +4,9 @@
 #include <QLocale>
 #include <QResizeEvent>
 #include <QStatusBar>
+#include <QUndoStack>
 #include <algorithm>
+#include <utility>
 
 namespace wend {
 
@@ -89,6 +91,10 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
         setHint({});
         setPointer({});
     });
+    connect(session.document().undoStack(), &QUndoStack::indexChanged, this,
+            [this, last = 0](int steps) mutable {
+                if (steps < std::exchange(last, steps)) tell({});  // it was of what is taken back
+            });
     connect(&session, &ShapeSession::frameChanged, this, &StatusFields::showFrame);
     connect(&m_delay, &SeenDelay::seen, this, &StatusFields::showTime);
 }
