@@ -4600,8 +4600,8 @@
         <translation>Zwischen %1 und %2.</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ ×%1 gewachsen – %2?</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>×%1 gewachsen – %2?</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -6069,6 +6069,17 @@
     <message>
         <source>Select a pin first that holds a ball, a box or one side.</source>
         <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Weiche Kanten oder Schatten dieses Bildes reichen über den Ausschnitt hinaus und werden abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Take Them Along</source>
+        <translation>Mitnehmen</translation>
     </message>
 </context>
 <context>

@@ -4600,8 +4600,8 @@
         <translation>Entre %1 y %2.</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ Creció ×%1: pruebe %2</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>Creció ×%1: pruebe %2</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -6069,6 +6069,17 @@
     <message>
         <source>Select a pin first that holds a ball, a box or one side.</source>
         <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Los bordes suaves o las sombras de esta imagen salen del recorte y quedan cortados.</translation>
+    </message>
+    <message>
+        <source>Take Them Along</source>
+        <translation>Incluirlos</translation>
     </message>
 </context>
 <context>

@@ -4600,8 +4600,8 @@
         <translation>Entre %1 et %2.</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ Agrandi ×%1 – essayez %2</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>Agrandi ×%1 – essayez %2</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -6069,6 +6069,17 @@
     <message>
         <source>Select a pin first that holds a ball, a box or one side.</source>
         <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Des bords doux ou des ombres de cette image dépassent du détourage et sont coupés.</translation>
+    </message>
+    <message>
+        <source>Take Them Along</source>
+        <translation>Les inclure</translation>
     </message>
 </context>
 <context>

@@ -4593,8 +4593,8 @@
         <translation>%1と%2の中間です。</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ ×%1 に拡大 – %2を試す</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>×%1 に拡大 – %2を試す</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -6058,6 +6058,17 @@
     <message>
         <source>Select a pin first that holds a ball, a box or one side.</source>
         <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>この画像の柔らかい縁や影が切り抜きの外に広がっていて、切り落とされます。</translation>
+    </message>
+    <message>
+        <source>Take Them Along</source>
+        <translation>含める</translation>
     </message>
 </context>
 <context>

@@ -4593,8 +4593,8 @@
         <translation>介于%1与%2之间。</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ 已放大 ×%1 – 试试%2</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>已放大 ×%1 – 试试%2</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -6058,6 +6058,17 @@
     <message>
         <source>Select a pin first that holds a ball, a box or one side.</source>
         <translation>请先选择抓取球、块或单侧的图钉。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>这张图片的柔边或阴影超出了抠图范围，会被裁掉。</translation>
+    </message>
+    <message>
+        <source>Take Them Along</source>
+        <translation>一并保留</translation>
     </message>
 </context>
 <context>

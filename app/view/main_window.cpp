@@ -48,6 +48,7 @@
 #include "app/view/notices/busy_note.h"
 #include "app/view/notices/info_banner.h"
 #include "app/view/notices/shape_notices.h"
+#include "app/view/notices/soft_edge_offer.h"
 #include "app/view/notices/work_note.h"
 #include "app/view/properties.h"
 #include "app/view/properties_rail.h"
@@ -233,6 +234,7 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     new BorderOffer(m_session.document(), *m_banner, this);
+    new SoftEdgeOffer(m_session.document(), *m_banner, this);
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
         m_opening = name;
         showWork();

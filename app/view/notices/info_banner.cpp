@@ -1,23 +1,25 @@
 #include "app/view/notices/info_banner.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
 
+#include "app/panels/look/theme.h"
 #include "core/mesh/printable.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kHeight = 44;  // pixels
+constexpr int kHeight = 44, kSign = 20;  // pixels
 
 /// What nothing has gone wrong with.
 bool isOffer(InfoBanner::Topic topic) {
     using enum InfoBanner::Topic;
-    return topic == Remark || topic == Lost || topic == Mesh || topic == Border;
+    return topic == Remark || topic == Lost || topic == Mesh || topic == Border || topic == SoftEdges;
 }
 
 QString readable(const QString& text) {
@@ -29,7 +31,11 @@ QString readable(const QString& text) {
 }  // namespace
 
 InfoBanner::InfoBanner(QWidget* parent)
-    : QWidget(parent), m_sign(new QLabel(this)), m_text(new QLabel(this)), m_buttons(new QHBoxLayout) {
+    : QWidget(parent),
+      m_sign(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_close(new QToolButton(this)),
+      m_buttons(new QHBoxLayout) {
     setObjectName(QStringLiteral("infoBanner"));
     setAttribute(Qt::WA_StyledBackground);
     setMinimumHeight(kHeight);
@@ -37,11 +43,9 @@ InfoBanner::InfoBanner(QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);  // names from files are no HTML
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* close = new QToolButton(this);
-    close->setText(QStringLiteral("✕"));
-    close->setToolTip(tr("Close this message"));
-    close->setAccessibleName(tr("Close this message"));
-    connect(close, &QToolButton::clicked, this, [this] {
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+    connect(m_close, &QToolButton::clicked, this, [this] {
         if (!m_lines.isEmpty()) m_lines.removeLast();
         showNewest();
     });
@@ -51,7 +55,8 @@ InfoBanner::InfoBanner(QWidget* parent)
     row->addWidget(m_sign);
     row->addWidget(m_text, 1);
     row->addLayout(m_buttons);
-    row->addWidget(close);
+    row->addWidget(m_close);
+    showSigns();
     hide();
 }
 
@@ -73,11 +78,10 @@ void InfoBanner::showNewest() {
         delete item;
     }
     const Line newest = m_lines.isEmpty() ? Line{} : m_lines.last();
-    m_sign->setText(isOffer(newest.topic) ? QStringLiteral("ⓘ") : QStringLiteral("⚠"));
     if (const bool offers = isOffer(newest.topic); property("offers").toBool() != offers) {
         setProperty("offers", offers);
-        for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_sign)})
-            style()->unpolish(widget), style()->polish(widget);
+        style()->unpolish(this), style()->polish(this);
+        showSigns();
     }
     m_text->setText(newest.text);
     m_text->setAccessibleName(newest.text);
@@ -87,6 +91,21 @@ void InfoBanner::showNewest() {
         connect(button, &QPushButton::clicked, this, remedy.act);
     }
     setVisible(!m_lines.isEmpty());
+}
+
+/// Drawn, since not every font has letters like them.
+void InfoBanner::showSigns() {
+    const Theme theme = Theme::of(palette());
+    const bool offers = property("offers").toBool();
+    const QIcon sign = wendIcon(offers ? QStringLiteral("notice") : QStringLiteral("warning"),
+                                offers ? theme.accentText : theme.danger);
+    m_sign->setPixmap(sign.pixmap(QSize(kSign, kSign), devicePixelRatioF()));
+    m_close->setIcon(wendIcon(QStringLiteral("close"), palette()));
+}
+
+void InfoBanner::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) showSigns();
 }
 
 QString InfoBanner::text() const {

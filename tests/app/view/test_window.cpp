@@ -9,9 +9,11 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <cmath>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
@@ -27,6 +29,7 @@
 #include "app/view/files/file_workflow.h"
 #include "app/view/main_window.h"
 #include "app/view/notices/info_banner.h"
+#include "app/view/notices/soft_edge_offer.h"
 #include "app/view/properties.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
@@ -56,6 +59,7 @@ class TestWindow : public WindowTest {
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
     void bordersOfPhotographsAreOffered();
+    void softEdgesAreTakenAlong();
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
@@ -264,6 +268,11 @@ void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
     QCOMPARE(hint("Open"), QString("Open"));
     QCOMPARE(hint("Write"), QString("Write"));
     QCOMPARE(hint({}), QString("Written"));
+    // It goes with what it tells of.
+    changeSetting(m_window->session().document(), "domain.vertices", 400);
+    emit m_window->session().notice("Replaced; Undo brings it back");
+    m_window->session().document().undoStack()->undo();
+    QCOMPARE(m_window->statusBar()->currentMessage(), QString());
 }
 
 /// A low window leaves tools out: the button for them has an arrow of more than a few pixels.
@@ -337,6 +346,8 @@ void TestWindow::bordersOfPhotographsAreOffered() {
     };
     QVERIFY(opened(path));
     QVERIFY(banner.isVisible() && banner.property("offers").toBool());
+    const auto* sign = banner.findChild<QLabel*>(QStringLiteral("bannerSign"));
+    QVERIFY(sign->text().isEmpty() && !sign->pixmap().isNull());  // a letter would need a font that has it
     auto* hold = banner.findChild<QPushButton*>();
     QCOMPARE(hold->text(), QStringLiteral("Hold the Border"));
     QTest::mouseClick(hold, Qt::LeftButton);
@@ -356,6 +367,42 @@ void TestWindow::bordersOfPhotographsAreOffered() {
     QVERIFY(!banner.isVisible());
     m_window->session().document().undoStack()->setClean();
     QVERIFY(opened(writeCutOut(*m_folder)) && !banner.isVisible());
+}
+
+/// A glow that the cut-out leaves out may be taken along by a click, which is one step; a narrow soft edge is
+/// within anyway.
+void TestWindow::softEdgesAreTakenAlong() {
+    const auto disc = [this](const QString& name, double edge) {
+        QImage image(200, 200, QImage::Format_ARGB32);
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const double beyond = (std::hypot(x - 99.5, y - 99.5) - 40) / edge;
+                image.setPixelColor(x, y,
+                                    QColor(200, 60, 40, qRound(255 * std::exp(-std::max(0.0, beyond)))));
+            }
+        const QString path = m_folder->filePath(name);
+        return image.save(path) ? path : QString();
+    };
+    const QString sharp = disc(QStringLiteral("sharp.png"), 0.4), glow = disc(QStringLiteral("glow.png"), 12);
+    QVERIFY(!cutsSoftEdges(readImage(sharp.toStdString()), {}));
+    QVERIFY(cutsSoftEdges(readImage(glow.toStdString()), {}));
+    const Document& document = m_window->session().document();
+    InfoBanner& banner = m_window->banner();
+    m_window->openPath(glow);
+    QVERIFY(QTest::qWaitFor([&] { return banner.isVisible(); }, 20000));
+    auto* take = banner.findChild<QPushButton*>();
+    QCOMPARE(take->text(), QStringLiteral("Take Them Along"));
+    const auto width = [&] {
+        const auto frame = m_window->session().frame<2>();
+        return frame->pose.row(0).maxCoeff() - frame->pose.row(0).minCoeff();
+    };
+    QVERIFY(settle(m_window->session()));
+    const double before = width();
+    QTest::mouseClick(take, Qt::LeftButton);
+    QVERIFY(settle(m_window->session()) && !banner.isVisible());
+    QVERIFY(width() > before + 30);
+    m_window->session().document().undoStack()->undo();
+    QCOMPARE(document.domain().alpha.threshold, AlphaOutlineOptions().threshold);
 }
 
 void TestWindow::unreadableFilesLeaveALine() {
