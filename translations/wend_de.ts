@@ -4428,6 +4428,14 @@
         <source>There is no layer below it.</source>
         <translation>Unter ihr liegt keine Ebene.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>Was eine Datei über jede Zelle sagt, hat keinen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4449,10 +4457,6 @@
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>%1 wird geöffnet …</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4825,6 +4829,13 @@
     <message>
         <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
         <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, ST-Map, Netz oder Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 wird geöffnet …</translation>
     </message>
 </context>
 <context>

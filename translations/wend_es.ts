@@ -4428,6 +4428,14 @@
         <source>There is no layer below it.</source>
         <translation>No hay ninguna capa debajo.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nombrar</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>Lo que un archivo dice de cada celda no tiene nombre.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4449,10 +4457,6 @@
     <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>Abriendo %1…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4825,6 +4829,13 @@
     <message>
         <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
         <translation>Exportar lo que se ve: como imagen, secuencia, mapa ST, malla o vista</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>Abriendo %1…</translation>
     </message>
 </context>
 <context>

@@ -4428,6 +4428,14 @@
         <source>There is no layer below it.</source>
         <translation>Il n’y a pas de calque en dessous.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>Ce qu’un fichier dit de chaque cellule n’a pas de nom.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4449,10 +4457,6 @@
     <message>
         <source>Tools</source>
         <translation>Outils</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>Ouverture de %1…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4825,6 +4829,13 @@
     <message>
         <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
         <translation>Exporter ce qui est affiché&#x202f;: image, séquence, ST map, maillage ou vue</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>Ouverture de %1…</translation>
     </message>
 </context>
 <context>

@@ -4421,6 +4421,14 @@
         <source>There is no layer below it.</source>
         <translation>下にレイヤーがありません。</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>名前を変更(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>ファイルがセルごとに定めるものに名前はありません。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4442,10 +4450,6 @@
     <message>
         <source>Tools</source>
         <translation>ツール</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>%1 を開いています…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4817,6 +4821,13 @@
     <message>
         <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
         <translation>表示中のものを、画像、連番、ST マップ、メッシュ、ビューとして書き出します</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 を開いています…</translation>
     </message>
 </context>
 <context>

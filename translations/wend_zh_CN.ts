@@ -4421,6 +4421,14 @@
         <source>There is no layer below it.</source>
         <translation>下面没有图层。</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>文件对每个单元的设定没有名称。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4442,10 +4450,6 @@
     <message>
         <source>Tools</source>
         <translation>工具</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>正在打开 %1…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4817,6 +4821,13 @@
     <message>
         <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
         <translation>导出所显示的内容：图片、序列、ST 贴图、网格或视图</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>正在打开 %1…</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,7 @@ class TestWindow : public WindowTest {
     void closingAsks();
     void bordersOfPhotographsAreOffered();
     void softEdgesAreTakenAlong();
+    void openingIsToldUntilThePictureIsSeen();
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
@@ -367,6 +368,23 @@ void TestWindow::bordersOfPhotographsAreOffered() {
     QVERIFY(!banner.isVisible());
     m_window->session().document().undoStack()->setClean();
     QVERIFY(opened(writeCutOut(*m_folder)) && !banner.isVisible());
+}
+
+/// A large picture takes a while from its file to the screen: the note of it does not go before.
+void TestWindow::openingIsToldUntilThePictureIsSeen() {
+    const QString path = m_folder->filePath(QStringLiteral("large.png"));
+    QImage large(2000, 1500, QImage::Format_RGB888);
+    large.fill(QColor(40, 90, 60));
+    QVERIFY(large.save(path));
+    const auto* note = m_window->findChild<QLabel*>(QStringLiteral("busyNote"));
+    const ShapeCanvas& canvas = m_window->canvas();
+    bool isBlank = false;
+    const auto look = [&] { isBlank |= canvas.isPreparing() && !note->text().contains("large.png"); };
+    connect(&m_window->session().document(), &Document::opened, this, look);
+    m_window->openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return look(), canvas.screenPicture() != nullptr; }, 20000));
+    QVERIFY(!isBlank);
+    QTRY_COMPARE(note->text(), QString());
 }
 
 /// A glow that the cut-out leaves out may be taken along by a click, which is one step; a narrow soft edge is
