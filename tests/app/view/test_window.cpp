@@ -61,6 +61,7 @@ class TestWindow : public WindowTest {
     void bordersOfPhotographsAreOffered();
     void softEdgesAreTakenAlong();
     void openingIsToldUntilThePictureIsSeen();
+    void lightAndDarkHaveOneLayout();
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
@@ -368,6 +369,26 @@ void TestWindow::bordersOfPhotographsAreOffered() {
     QVERIFY(!banner.isVisible());
     m_window->session().document().undoStack()->setClean();
     QVERIFY(opened(writeCutOut(*m_folder)) && !banner.isVisible());
+}
+
+/// Colours change with the appearance; nothing moves.
+void TestWindow::lightAndDarkHaveOneLayout() {
+    open();
+    const auto places = [this] {
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QList<QRect> all;
+        for (const QToolBar* bar : m_window->findChildren<QToolBar*>())
+            for (const QWidget* one : bar->findChildren<QWidget*>())
+                if (one->isVisible()) all << QRect(one->mapTo(m_window.get(), QPoint()), one->size());
+        return all;
+    };
+    const QList<QRect> before = places();
+    QVERIFY(before.size() > 10);
+    for (QAction* look : {m_window->actions().darkLook, m_window->actions().lightLook}) {
+        look->trigger();
+        QCOMPARE(places(), before);
+    }
 }
 
 /// A large picture takes a while from its file to the screen: the note of it does not go before.
