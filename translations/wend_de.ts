@@ -3542,8 +3542,8 @@
         <translation>Welche Art von Datei geschrieben wird.</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
-        <translation>&amp;Leinwand anpassen</translation>
+        <source>Fit the Can&amp;vas</source>
+        <translation>Leinwand an&amp;passen</translation>
     </message>
     <message>
         <source>Fit the canvas</source>

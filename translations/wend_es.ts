@@ -3542,7 +3542,7 @@
         <translation>El tipo de archivo que se exporta.</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
+        <source>Fit the Can&amp;vas</source>
         <translation>A&amp;justar el lienzo</translation>
     </message>
     <message>

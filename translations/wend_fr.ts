@@ -3542,7 +3542,7 @@
         <translation>Le type de fichier à exporter.</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
+        <source>Fit the Can&amp;vas</source>
         <translation>Adapter &amp;la toile</translation>
     </message>
     <message>

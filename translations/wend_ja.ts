@@ -3539,8 +3539,8 @@
         <translation>書き出すファイルの種類。</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
-        <translation>キャンバスを合わせる(&amp;C)</translation>
+        <source>Fit the Can&amp;vas</source>
+        <translation>キャンバスを合わせる(&amp;V)</translation>
     </message>
     <message>
         <source>Fit the canvas</source>

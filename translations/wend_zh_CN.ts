@@ -3539,8 +3539,8 @@
         <translation>要导出的文件类型。</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
-        <translation>调整画布(&amp;C)</translation>
+        <source>Fit the Can&amp;vas</source>
+        <translation>调整画布(&amp;V)</translation>
     </message>
     <message>
         <source>Fit the canvas</source>
