@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kMessageMargin = 32;  // pixels that the bar leaves free beside words
 constexpr int kBetween = 6;         // numbers
+constexpr int kApart = 12;          // numbers and what is before them, however long they are
 constexpr int kIndent = 8;          // of a hint, from the window's edge
 constexpr int kTold = 10000;        // milliseconds
 
@@ -104,7 +105,8 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
     label->setAccessibleName(name);
     label->setToolTip(help);
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 12);
+    label->setContentsMargins(kApart, 0, 0, 0);
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + kApart);
     label->setProperty("role", "second");
     m_bar.addPermanentWidget(label);
     m_numbers << label;

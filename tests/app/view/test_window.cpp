@@ -62,6 +62,8 @@ class TestWindow : public WindowTest {
     void softEdgesAreTakenAlong();
     void openingIsToldUntilThePictureIsSeen();
     void lightAndDarkHaveOneLayout();
+    void ringOfAPointIsSeenOnDark();
+    void numbersStandApart();
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
@@ -389,6 +391,35 @@ void TestWindow::lightAndDarkHaveOneLayout() {
         look->trigger();
         QCOMPARE(places(), before);
     }
+}
+
+/// Under each of its dots lies a light one.
+void TestWindow::ringOfAPointIsSeenOnDark() {
+    open();
+    ShapeCanvas& canvas = m_window->canvas();
+    const auto frame = m_window->session().frame<2>();
+    const Vec<2> edge(120, frame->pose.row(1).minCoeff() + 4);
+    click(edge.x(), edge.y());
+    QVERIFY(settle(m_window->session()));
+    canvas.viewport().set(&Looks::backdrop, QColor(Qt::black));
+    QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
+    const QImage seen = canvas.grab().toImage();
+    const QPointF pin = canvas.toWidget(edge);
+    int light = 0;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x) {
+            const bool isRing = std::abs(std::hypot(x - pin.x(), y - pin.y()) - 44) < 3;
+            light += isRing && !canvas.touch({double(x), double(y)}) && qGray(seen.pixel(x, y)) > 140;
+        }
+    QVERIFY2(light > 20, qPrintable(QString::number(light)));
+}
+
+/// However long they are.
+void TestWindow::numbersStandApart() {
+    open();
+    QLabel* worst = m_window->statusBar()->findChild<QLabel*>(QStringLiteral("worstField"));
+    worst->setText(QStringLiteral("worst stretch 0.000012345"));
+    QVERIFY(worst->sizeHint().width() >= worst->fontMetrics().horizontalAdvance(worst->text()) + 12);
 }
 
 /// A large picture takes a while from its file to the screen: the note of it does not go before.
