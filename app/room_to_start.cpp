@@ -1,9 +1,11 @@
 // Under a limit on addresses (ulimit -v), libraries end the process while they are being initialized:
 // OpenBLAS starts threads then, and what it does when it gets none is a signal. So whether
 // there is room is tried before the first of their constructors runs; only the linker's own failures come
-// earlier. Threads share one arena of malloc then: each of their own would reserve 128 MB of addresses, at a
-// time that nobody knows.
+// earlier. Nor may the room go to what nobody needs, at a time that nobody knows: each thread of OpenBLAS
+// takes a buffer of 128 MB, and asks for it for ever where there is none; each thread's own arena of malloc
+// reserves as much.
 
+#include <alloca.h>
 #include <malloc.h>
 #include <unistd.h>
 
@@ -21,8 +23,27 @@ void say(const char* text) {
     if (write(STDERR_FILENO, text, std::strlen(text)) < 0) _exit(1);
 }
 
-void requireRoom(int argc, char** argv, char**) {
+/// OpenBLAS reads its setting while it is being initialized, from the environment that the process was
+/// started with: so the process starts again with it. Where that fails it goes on as it is.
+void useOneBlasThread(char** argv, char** environment) {
+    static char setting[] = "OPENBLAS_NUM_THREADS=1";
+    const std::size_t nameLength = sizeof setting - 2;
+    std::size_t count = 0;
+    while (environment[count] != nullptr) ++count;
+    auto** next = static_cast<char**>(alloca((count + 2) * sizeof(char*)));
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (std::strcmp(environment[i], setting) == 0) return;
+        if (std::strncmp(environment[i], setting, nameLength) != 0) next[kept++] = environment[i];
+    }
+    next[kept++] = setting;
+    next[kept] = nullptr;
+    execve("/proc/self/exe", argv, next);
+}
+
+void requireRoom(int argc, char** argv, char** environment) {
     if (!wend::limitsAddresses()) return;
+    useOneBlasThread(argv, environment);
     mallopt(M_ARENA_MAX, 1);
     if (wend::hasAddressRoom(kRoom)) return;
     say("wend: ");

@@ -36,7 +36,7 @@
         <translation>Ziffern beim Ziehen</translation>
     </message>
     <message>
-        <source>set the number, Enter takes it</source>
+        <source>set the number; Enter confirms it</source>
         <translation>setzen die Zahl, Eingabe übernimmt sie</translation>
     </message>
     <message>
@@ -84,7 +84,7 @@
         <translation>Rechte oder mittlere Taste</translation>
     </message>
     <message>
-        <source>turns the view; with Shift it moves</source>
+        <source>turns the view; with Shift, moves it</source>
         <translation>dreht die Ansicht; mit Umschalt verschiebt sie</translation>
     </message>
     <message>
@@ -171,23 +171,23 @@
         <translation>zur Zeit %1 ist die Form bei %2 zu steif, um sich weiter zu setzen: Die Schritte würden zu kurz; eine größere Toleranz hilft</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1, in cell %2; move it less far or along another path, or release what holds the shape there</source>
         <translation>die Form würde sich bei %1, in Zelle %2, überschlagen; weniger weit oder anders führen, oder lösen, was die Form dort hält</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1; move it less far or along another path, or release what holds the shape there</source>
         <translation>die Form würde sich bei %1 überschlagen; weniger weit oder anders führen, oder lösen, was die Form dort hält</translation>
     </message>
     <message>
-        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <source>it moves too fast near %1: the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>bei %1 ist es zu schnell, die Schritte würden zu kurz; der Bewegung mehr Zeit geben oder eine größere Toleranz erlauben</translation>
     </message>
     <message>
-        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <source>the shape near %1 is stretched or squeezed so much that no velocity can be computed; move it less far, or make the material or the mesh more even there</source>
         <translation>die Form ist bei %1 so gedehnt oder gestaucht, dass sich keine Geschwindigkeit berechnen lässt; weniger weit führen, oder Material oder Netz dort gleichmäßiger machen</translation>
     </message>
     <message>
-        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <source>it moves so fast near %1 that numbers overflow; move it less far, or give its motion more time</source>
         <translation>bei %1 ist es so schnell, dass Zahlen überlaufen; weniger weit führen oder der Bewegung mehr Zeit geben</translation>
     </message>
     <message>
@@ -259,7 +259,7 @@
         <translation>die Punkte %1 und %2 sind derselbe, %3</translation>
     </message>
     <message>
-        <source>point %1, %2, is outside of the shape</source>
+        <source>point %1, %2, is outside the shape</source>
         <translation>Punkt %1, %2, liegt außerhalb der Form</translation>
     </message>
     <message>
@@ -367,7 +367,7 @@
         <translation>eine Textdatei</translation>
     </message>
     <message>
-        <source>no picture that Wend knows</source>
+        <source>not a picture that Wend knows</source>
         <translation>kein Bild, das Wend kennt</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>ihre %1 Teile teilen sich Zellen des Käfigs und bewegen sich gemeinsam als %2: Kleinere Zellen halten mehr von ihnen getrennt</translation>
     </message>
     <message>
-        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <source>the cage consists of %1 bodies that are not connected: each needs a handle of its own to follow</source>
         <translation>der Käfig besteht aus %1 Körpern, die nicht zusammenhängen: Jeder braucht einen eigenen Pin, um zu folgen</translation>
     </message>
     <message>
@@ -595,7 +595,7 @@
         <translation>%1: Die Oberfläche bleibt, wie sie ist, und erzwingt es an ihren Dreiecken %2</translation>
     </message>
     <message>
-        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, so that later vertices have other numbers</source>
         <translation>%1 Eckpunkte der Oberfläche gehören zu keinem Tetraeder: Netze aus Tetraedern werden ohne sie geschrieben, und dahinter mit anderen Nummern</translation>
     </message>
     <message>
@@ -603,15 +603,15 @@
         <translation>%1 Eckpunkte gehören zu keiner Zelle. Sie bleiben in dem, was geschrieben wird: Manche Löser wollen sie vorher entfernt haben</translation>
     </message>
     <message>
-        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <source>parts that touch vertex to vertex are connected: %1 vertices move with others at the same place</source>
         <translation>Teile, die sich Eckpunkt an Eckpunkt berühren, hängen zusammen: %1 Eckpunkte bewegen sich mit anderen an ihrer Stelle</translation>
     </message>
     <message>
-        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>a part of %1 hangs only on %2 near %3: what turns freely there may be flung far away unless handles hold it</source>
         <translation>ein Teil aus %1 hängt allein an %2 bei %3: Was sich dort frei dreht, kann weit fortgeschleudert werden, wenn Pins es nicht halten</translation>
     </message>
     <message>
-        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>%1 parts hang only on a vertex or an edge, the first, of %2, on %3 near %4: what turns freely there may be flung far away unless handles hold it</source>
         <translation>%1 Teile hängen nur an einem Eckpunkt oder einer Kante, das erste, aus %2, an %3 bei %4: Was sich dort frei dreht, kann weit fortgeschleudert werden, wenn Pins es nicht halten</translation>
     </message>
     <message>
@@ -667,7 +667,7 @@
         <translation>%1; ein Detailgrad von %2 öffnet die weiteste</translation>
     </message>
     <message>
-        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, so that later vertices have other numbers</source>
         <translation>1 Punkt der Oberfläche gehört zu keinem Tetraeder: Tetraedernetze werden ohne ihn geschrieben und haben dahinter andere Nummern</translation>
     </message>
     <message>
@@ -710,7 +710,7 @@
 <context>
     <name>CropTool</name>
     <message>
-        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <source>Drag a rectangle around what exports keep, then drag its inside or its sides; Shift keeps the proportions, Delete or a double-click removes it</source>
         <translation>Ein Rechteck um das ziehen, was Exporte behalten; sein Inneres oder seine Seiten ziehen; Umschalt hält die Proportionen, Entf oder ein Doppelklick nimmt es weg</translation>
     </message>
 </context>
@@ -737,7 +737,7 @@
         <translation>Die Enden einer Kurve müssen bleiben.</translation>
     </message>
     <message>
-        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <source>Drag the curve&apos;s point, Shift keeps it straight, Ctrl moves one direction only; Delete removes it, a right-click shows more</source>
         <translation>Den Punkt der Kurve ziehen, mit Umschalt gerade, mit Strg nur eine Richtung; Entf löscht ihn, ein Rechtsklick zeigt mehr</translation>
     </message>
 </context>
@@ -751,7 +751,7 @@
 <context>
     <name>DepthTool</name>
     <message>
-        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <source>Brush over what lies in front or behind; Ctrl clears it, Shift swaps front and back, [ and ] change the size</source>
         <translation>Überstreichen, was vorn oder hinten liegt; Strg nimmt es zurück, Umschalt kehrt es um, [ und ] ändern die Größe</translation>
     </message>
     <message>
@@ -763,7 +763,7 @@
         <translation>Nach hinten malen</translation>
     </message>
     <message>
-        <source>Take back depth</source>
+        <source>Clear depth</source>
         <translation>Tiefe zurücknehmen</translation>
     </message>
 </context>
@@ -879,11 +879,11 @@
 <context>
     <name>FillTool</name>
     <message>
-        <source>Click to take up what is painted there</source>
+        <source>Click to pick up what is painted there</source>
         <translation>Klicken, um aufzunehmen, was dort gemalt ist</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <source>Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up</source>
         <translation>Klicken füllt, was dort zusammenhängt; Umschalt füllt alles, Strg nimmt Farbe weg, Alt nimmt auf</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>Teil</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
+        <source>No part of the shape lies in this outline.</source>
         <translation>In diesem Umriss liegt nichts von der Form.</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>Einen Teil auswählen, von dem etwas weggenommen werden soll.</translation>
     </message>
     <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <source>A handle must hold something; Delete removes it.</source>
         <translation>Ein Griff kann nicht nichts halten: Entf entfernt ihn.</translation>
     </message>
 </context>
@@ -937,7 +937,7 @@
         <translation>In %1 übergehen lassen</translation>
     </message>
     <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <source>Drag over the shape to blend evenly from what is there to what is chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels</source>
         <translation>Über die Form ziehen: was dort ist, geht gleichmäßig in das über, was rechts gewählt ist; Umschalt in Schritten von 45°, Alt nimmt auf, Esc bricht ab</translation>
     </message>
 </context>
@@ -992,7 +992,7 @@
         <translation>Scherung</translation>
     </message>
     <message>
-        <source>Way from rest</source>
+        <source>Distance from rest</source>
         <translation>Weg seit der Ruhe</translation>
     </message>
     <message>
@@ -1027,7 +1027,7 @@
         <translation>Länge %1, in Ruhe %2</translation>
     </message>
     <message>
-        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <source>Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears</source>
         <translation>Zwei Punkte messen eine Länge, ein dritter den Winkel; Strg nimmt Netzpunkte, Esc löscht</translation>
     </message>
 </context>
@@ -1049,15 +1049,15 @@
 <context>
     <name>Options</name>
     <message>
-        <source>number of frames, at equal times from the start to the last time</source>
+        <source>number of frames, evenly spaced from the start to the last time</source>
         <translation>Zahl der Bilder, zu gleichen Abständen vom Anfang bis zur letzten Zeit</translation>
     </message>
     <message>
-        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <source>whether distortion, φ, directions and velocity are written with meshes, in formats that carry values</source>
         <translation>ob Verzerrung, φ, Richtungen und Geschwindigkeit mit Netzen gehen, in Formaten, die Werte tragen</translation>
     </message>
     <message>
-        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <source>how numbers are stored in mesh files that offer a choice (ply, stl, msh, vtk, vtu)</source>
         <translation>wie Zahlen in Netzdateien stehen, die mehrere Arten kennen (ply, stl, msh, vtk, vtu)</translation>
     </message>
     <message>
@@ -1073,11 +1073,11 @@
         <translation>wie das Bild abgetastet wird</translation>
     </message>
     <message>
-        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <source>bits per channel in pictures: as in the source, 8 or 16, or half or full floating point; values stay what they are</source>
         <translation>Bits eines Kanals in Bildern: wie im Original, 8 oder 16, oder eine halbe oder ganze Gleitkommazahl; Werte bleiben, was sie sind</translation>
     </message>
     <message>
-        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <source>what pictures show around the shape: nothing, its border drawn outwards, the source as it was, or a colour</source>
         <translation>was Bilder neben der Form zeigen: nichts, ihren fortgesetzten Rand, das Original, wie es war, oder eine Farbe</translation>
     </message>
     <message>
@@ -1141,7 +1141,7 @@
         <translation>&amp;Rand</translation>
     </message>
     <message>
-        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <source>The outline grows by this much, so that soft edges are kept whole.</source>
         <translation>Um so viel wird der Umriss erweitert, damit weiche Kanten ganz mitkommen.</translation>
     </message>
     <message>
@@ -1161,7 +1161,7 @@
         <translation>Bildrand</translation>
     </message>
     <message>
-        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <source>Holds the frame of a photograph, so that no gap opens at its edge: it stays where it is, or its sides slide along themselves. Pins on it still move.</source>
         <translation>Hält den Rand eines Fotos fest, damit daneben keine Lücke entsteht: Er bleibt, wo er ist, oder seine Seiten gleiten an sich entlang. Pins auf ihm bewegen sich trotzdem.</translation>
     </message>
     <message>
@@ -1197,7 +1197,7 @@
         <translation>&amp;Größtes Volumen</translation>
     </message>
     <message>
-        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <source>Larger tetrahedra are split; in the file&apos;s units, cubed. Half the volume makes about twice as many. At a surface that is kept, some may stay larger.</source>
         <translation>Größere Tetraeder werden geteilt; in Einheiten der Datei hoch drei. Die Hälfte ergibt etwa doppelt so viele. An einer Oberfläche, die bleibt, können einige größer bleiben.</translation>
     </message>
     <message>
@@ -1209,7 +1209,7 @@
         <translation>Oberfläche ver&amp;feinern</translation>
     </message>
     <message>
-        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <source>Allows the surface&apos;s triangles to be split where they are larger than the tetrahedra inside. If off, the surface is kept exactly as it is.</source>
         <translation>Lässt Dreiecke der Oberfläche teilen, wo sie größer sind als die Tetraeder im Innern. Aus: die Oberfläche bleibt genau, wie sie ist.</translation>
     </message>
     <message>
@@ -1225,7 +1225,7 @@
         <translation>Größtes Loch</translation>
     </message>
     <message>
-        <source>“Repair” fills holes of at most so many edges.</source>
+        <source>“Repair” fills holes of at most this many edges.</source>
         <translation>„Reparieren“ füllt Löcher von höchstens so vielen Kanten.</translation>
     </message>
     <message>
@@ -1257,7 +1257,7 @@
         <translation>&amp;Genaues Verhältnis</translation>
     </message>
     <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
         <translation>Was erhalten bleibt, als Zahl φ, wie sie in der Projektdatei steht: 0,002 erhält Fläche oder Volumen, 0,464 Länge, 1,571 ist starr, 2,678 erhält Winkel (2,498 in einem Körper).</translation>
     </message>
     <message>
@@ -1273,7 +1273,7 @@
         <translation>Glättungslän&amp;ge</translation>
     </message>
     <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads, as a fraction of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
         <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
     </message>
     <message>
@@ -1389,7 +1389,7 @@
         <translation>Durchsichtig</translation>
     </message>
     <message>
-        <source>The border, drawn out</source>
+        <source>The border, drawn outwards</source>
         <translation>Der fortgesetzte Rand</translation>
     </message>
     <message>
@@ -1405,7 +1405,7 @@
         <translation>Schwarz</translation>
     </message>
     <message>
-        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <source>How far apart growing the outline keeps parts and limbs, so that they do not become one.</source>
         <translation>So weit hält das Vergrößern Teile und Glieder auseinander, damit sie nicht eins werden.</translation>
     </message>
     <message>
@@ -1453,7 +1453,7 @@
         <translation> fps</translation>
     </message>
     <message>
-        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with hardly visible losses</source>
         <translation>ob WebP-Bilder und -Filme jedes Pixel behalten oder mit kaum sichtbaren Verlusten nur einen Bruchteil so groß sind</translation>
     </message>
     <message>
@@ -1473,7 +1473,7 @@
         <translation>Federt zurück</translation>
     </message>
     <message>
-        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: where it ends depends on the path. Fully: it is as it was.</source>
         <translation>Ein Pin geht herum und wieder zurück: Wie weit kommt auch die Form zurück? Gar nicht: Wo sie endet, hängt vom Weg ab. Ganz: Sie ist, wie sie war.</translation>
     </message>
     <message>
@@ -1484,19 +1484,19 @@
 <context>
     <name>OutlineTool</name>
     <message>
-        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend, too; Ctrl takes it away, Esc cancels</source>
         <translation>Umfahren, was sich mit biegen soll; mit Strg wird es weggenommen. Esc bricht ab</translation>
     </message>
     <message>
-        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend, too; Ctrl takes it away, [ and ] change the size</source>
         <translation>Überstreichen, was sich mit biegen soll, [ und ] ändern die Größe; Strg nimmt weg</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend, too; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Auf eine Farbe klicken, die sich mit biegen soll; Strg nimmt sie weg, [ und ] nehmen weniger oder mehr Farben</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <source>Draw a line along which to part the shape; Esc cancels</source>
         <translation>Eine Linie zeichnen, an der die Form getrennt wird; Esc bricht ab</translation>
     </message>
     <message>
@@ -1504,7 +1504,7 @@
         <translation>Von der Form bliebe nichts übrig.</translation>
     </message>
     <message numerus="yes">
-        <source>%n pins lay beside the new outline and were removed.</source>
+        <source>Pins outside the new outline were removed: %n.</source>
         <translation>
             <numerusform>%n Pin lag neben dem neuen Umriss und wurde entfernt.</numerusform>
             <numerusform>%n Pins lagen neben dem neuen Umriss und wurden entfernt.</numerusform>
@@ -1523,7 +1523,7 @@
         <translation>Zum Umriss hinzufügen</translation>
     </message>
     <message>
-        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <source>The tolerance, or [ and ], changes what was taken; click another colour to take it too, with Ctrl to take it away</source>
         <translation>Die Toleranz, auch [ und ], ändert, was genommen wurde; ein Klick auf eine andere Farbe nimmt sie dazu, mit Strg weg</translation>
     </message>
     <message>
@@ -1531,30 +1531,30 @@
         <translation>Das war eine Linie. Umfahren Sie einen Teil des Bildes.</translation>
     </message>
     <message>
-        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <source>From now on the outline is as you draw it, and has no margin to change. Choose “Cut-out” as the outline to go back to the one that was found.</source>
         <translation>Der Umriss ist von nun an, wie Sie ihn zeichnen, und hat keinen Rand mehr. „Ausschnitt“ als Umriss bringt den gefundenen zurück.</translation>
     </message>
     <message>
-        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend; Ctrl takes it away, Esc cancels</source>
         <translation>Umfahren, was sich biegen soll; mit Strg wird es weggenommen. Esc bricht ab</translation>
     </message>
     <message>
-        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <source>Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl takes away, Backspace removes the last corner, Esc cancels</source>
         <translation>Ecke für Ecke klicken, Umschalt in Schritten von 45°, ein Doppelklick schließt; Strg nimmt weg, die Rücktaste nimmt eine Ecke zurück, Esc bricht ab</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend; Ctrl takes it away, [ and ] change the size</source>
         <translation>Überstreichen, was sich biegen soll, [ und ] ändern die Größe; Strg nimmt weg</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Auf eine Farbe klicken, die sich biegen soll; Strg nimmt sie weg, [ und ] nehmen weniger oder mehr Farben</translation>
     </message>
 </context>
 <context>
     <name>PaintTool</name>
     <message>
-        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <source>There is no direction to follow: the numbers on the right were used.</source>
         <translation>Es gibt keine Richtung, der zu folgen wäre: die Zahlen rechts wurden genommen.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>Geglättet</translation>
     </message>
     <message>
-        <source>Take paint off %1</source>
+        <source>Erase paint from %1</source>
         <translation>Farbe von %1 nehmen</translation>
     </message>
     <message>
@@ -1610,23 +1610,23 @@
         <translation>%1 auf %2 malen</translation>
     </message>
     <message>
-        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>Entlang der Richtung kämmen, in der es steif sein soll; Strg nimmt weg, Umschalt glättet, Klick mit Umschalt zieht eine Linie, Alt-Klick nimmt auf, Esc gibt den Strich auf</translation>
     </message>
     <message>
-        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>Malen, was rechts gewählt ist; Strg nimmt weg, Umschalt glättet, Klick mit Umschalt zieht eine Linie, Alt-Klick nimmt auf, Esc gibt den Strich auf</translation>
     </message>
     <message>
-        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <source>Stiffness ×1 is the same as everywhere and changes nothing: choose on the right how many times stiffer it should be</source>
         <translation>Steifigkeit ×1 ist wie überall und ändert hier nichts: rechts wählen, wievielmal steifer es sein soll</translation>
     </message>
     <message>
-        <source>Take paint off</source>
+        <source>Erase paint</source>
         <translation>Farbe wegnehmen</translation>
     </message>
     <message>
-        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <source>Erases paint from all visible layers: brush over what should be like the rest again; Shift-click draws a line, Esc cancels the stroke</source>
         <translation>Nimmt Farbe von allen sichtbaren Ebenen: überstreichen, was wieder wie überall sein soll; Klick mit Umschalt zieht eine Linie, Esc gibt den Strich auf</translation>
     </message>
     <message>
@@ -1656,19 +1656,19 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click on the pin whose path you want to draw</source>
+        <source>Click the pin whose path you want to draw</source>
         <translation>Auf den Pin klicken, dessen Weg gezeichnet werden soll</translation>
     </message>
     <message>
-        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <source>Click where the selected pin should go, point by point; drag for a smooth point</source>
         <translation>Punkt für Punkt dorthin klicken, wohin der gewählte Pin gehen soll; Ziehen setzt einen glatten Punkt</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
         <translation>Ziehen für einen glatten Punkt: Umschalt in Schritten von 45°, Alt nur auf dieser Seite</translation>
     </message>
     <message>
-        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>Klicken für eine Ecke, ziehen für einen glatten Punkt, Umschalt in Schritten von 45°; Enter beendet, Rücktaste nimmt einen Punkt zurück, Esc bricht ab</translation>
     </message>
 </context>
@@ -1710,11 +1710,11 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <source>Drag as far as the pin should hold; Esc cancels</source>
         <translation>So weit ziehen, wie der Pin halten soll; Esc gibt es auf</translation>
     </message>
     <message>
-        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <source>Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number</source>
         <translation>Den Punkt ziehen dreht, mit Umschalt um je 15°, das Quadrat skaliert; Ziffern setzen die Zahl</translation>
     </message>
     <message>
@@ -1730,11 +1730,11 @@
         <translation>%1: hält ab %2 s</translation>
     </message>
     <message>
-        <source>%1: let go at %2 s</source>
+        <source>%1: released at %2 s</source>
         <translation>%1: losgelassen bei %2 s</translation>
     </message>
     <message>
-        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <source>Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl records it; digits set the number</source>
         <translation>Irgendwo ziehen dreht, was gewählt ist, mit Umschalt um je 15°, mit Strg wird es aufgenommen; Ziffern setzen die Zahl</translation>
     </message>
     <message>
@@ -1746,7 +1746,7 @@
         <translation>Ein Punkt lässt sich nicht skalieren – mit Alt ziehen weitet ihn</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
         <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
     </message>
     <message>
@@ -1796,22 +1796,22 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <source>Recording until you let go; Esc cancels</source>
         <translation>Wird aufgenommen, wie es geschieht, bis Sie loslassen; Esc gibt es auf</translation>
     </message>
 </context>
 <context>
     <name>RegionTool</name>
     <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel; Umschalt nimmt ihren Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <source>Drag from a point on the surface towards the side to hold: all that lies beyond the point</source>
         <translation>Von einem Punkt der Oberfläche in die Richtung ziehen, die gehalten wird: alles jenseits des Punkts</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader; Umschalt nimmt seinen Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
     </message>
     <message>
@@ -1941,7 +1941,7 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <source>Brush over what should be meshed finer; Shift makes it coarser, Ctrl evens it out again, [ and ] change the size</source>
         <translation>Überstreichen, was feiner vernetzt werden soll; Umschalt macht es gröber, Strg wieder gleichmäßig, [ und ] ändern die Größe</translation>
     </message>
     <message>
@@ -2026,7 +2026,7 @@
         <translation>&amp;Kugel fassen</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <source>Take hold of all that lies in a ball around a point on the surface</source>
         <translation>Alles, was in einer Kugel um einen Punkt der Oberfläche liegt, fassen</translation>
     </message>
     <message>
@@ -2034,7 +2034,7 @@
         <translation>&amp;Quader fassen</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <source>Take hold of all that lies in a block around a point on the surface</source>
         <translation>Alles, was in einem Quader um einen Punkt der Oberfläche liegt, fassen</translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@
         <translation>&amp;Eine Seite fassen</translation>
     </message>
     <message>
-        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <source>Take hold of all that lies beyond a plane through a point on the surface</source>
         <translation>Alles, was jenseits einer Ebene durch einen Punkt der Oberfläche liegt, fassen</translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@
         <translation>&amp;Feinheitspinsel</translation>
     </message>
     <message>
-        <source>Brush where the mesh is to be finer or coarser</source>
+        <source>Brush where the mesh should be finer or coarser</source>
         <translation>Aufmalen, wo das Netz feiner oder gröber sein soll</translation>
     </message>
     <message>
@@ -2066,7 +2066,7 @@
         <translation>&amp;Kämmen</translation>
     </message>
     <message>
-        <source>Comb the direction along which it is stiff</source>
+        <source>Comb the direction along which the shape is stiff</source>
         <translation>Die Richtung kämmen, in der es steif ist</translation>
     </message>
     <message>
@@ -2074,7 +2074,7 @@
         <translation>&amp;Verlauf</translation>
     </message>
     <message>
-        <source>Drag: what is there changes evenly into what is chosen</source>
+        <source>Drag to blend evenly from what is there to what is chosen</source>
         <translation>Ziehen: was dort ist, geht gleichmäßig in das Gewählte über</translation>
     </message>
     <message>
@@ -2082,7 +2082,7 @@
         <translation>&amp;Füllen</translation>
     </message>
     <message>
-        <source>Fill with what is chosen all that hangs together</source>
+        <source>Fill a connected area with what is chosen</source>
         <translation>Alles, was zusammenhängt, mit dem Gewählten füllen</translation>
     </message>
     <message>
@@ -2090,7 +2090,7 @@
         <translation>&amp;Pipette</translation>
     </message>
     <message>
-        <source>Take up what is painted under the pointer</source>
+        <source>Pick up what is painted under the pointer</source>
         <translation>Aufnehmen, was unter dem Zeiger gemalt ist</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Umriss mit dem &amp;Lasso</translation>
     </message>
     <message>
-        <source>Draw around what shall bend, or shall not</source>
+        <source>Draw around what should bend, or should not</source>
         <translation>Umfahren, was sich biegen soll oder was nicht</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation>Umriss als &amp;Vieleck</translation>
     </message>
     <message>
-        <source>Set the corners of what shall bend, or shall not</source>
+        <source>Set the corners of what should bend, or should not</source>
         <translation>Die Ecken dessen setzen, was sich biegen soll oder nicht</translation>
     </message>
     <message>
@@ -2118,7 +2118,7 @@
         <translation>Umriss mit dem &amp;Pinsel</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, or shall not</source>
+        <source>Brush over what should bend, or should not</source>
         <translation>Überstreichen, was sich biegen soll oder was nicht</translation>
     </message>
     <message>
@@ -2126,7 +2126,7 @@
         <translation>Umriss nach &amp;Farbe</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend, or shall not</source>
+        <source>Click a colour that should bend, or should not</source>
         <translation>Auf eine Farbe klicken, die sich biegen soll oder nicht</translation>
     </message>
     <message>
@@ -2134,7 +2134,7 @@
         <translation>&amp;Zertrennen</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted</source>
+        <source>Draw a line along which to part the shape</source>
         <translation>Eine Linie zeichnen, an der die Form getrennt wird</translation>
     </message>
     <message>
@@ -2154,7 +2154,7 @@
         <translation>&amp;Radierer</translation>
     </message>
     <message>
-        <source>Take paint off: what is brushed is as everywhere again</source>
+        <source>Erase paint: what you brush over is like the rest again</source>
         <translation>Farbe wegnehmen: Überstrichenes ist wieder wie überall</translation>
     </message>
     <message>
@@ -2162,7 +2162,7 @@
         <translation>&amp;Zuschneiden</translation>
     </message>
     <message>
-        <source>Draw a rectangle around what exports keep of the picture</source>
+        <source>Draw a rectangle around the part of the picture that exports keep</source>
         <translation>Ein Rechteck um das ziehen, was Exporte vom Bild behalten</translation>
     </message>
     <message>
@@ -2178,7 +2178,7 @@
         <translation>&amp;Verschieben</translation>
     </message>
     <message>
-        <source>Drag the view to another place; in every step the space bar does so</source>
+        <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>Die Ansicht verschieben; in jedem Schritt tut es die Leertaste</translation>
     </message>
 </context>
@@ -2205,7 +2205,7 @@
         <translation>Das Projekt unter anderem Namen speichern</translation>
     </message>
     <message>
-        <source>Write the picture as it is bent now, at its full size</source>
+        <source>Write the bent picture at its full size</source>
         <translation>Das Bild, wie es jetzt gebogen ist, in voller Größe schreiben</translation>
     </message>
     <message>
@@ -2257,11 +2257,11 @@
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>Take back the last step</source>
+        <source>Undo the last step</source>
         <translation>Den letzten Schritt zurücknehmen</translation>
     </message>
     <message>
-        <source>Do again what was taken back</source>
+        <source>Redo what was undone</source>
         <translation>Zurückgenommenes wiederholen</translation>
     </message>
     <message>
@@ -2365,11 +2365,11 @@
         <translation>Den ganzen Bildschirm nutzen</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>Wie der &amp;Schreibtisch</translation>
     </message>
     <message>
-        <source>Light or dark as the desktop is</source>
+        <source>Light or dark, like the desktop</source>
         <translation>Hell oder dunkel, wie der Schreibtisch ist</translation>
     </message>
     <message>
@@ -2401,7 +2401,7 @@
         <translation>&amp;Schleife</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Start over at the end</source>
         <translation>Am Ende von vorn beginnen</translation>
     </message>
     <message>
@@ -2421,7 +2421,7 @@
         <translation>&amp;Tasten und Maus</translation>
     </message>
     <message>
-        <source>What pointer and keys do</source>
+        <source>What the mouse and the keys do</source>
         <translation>Was Zeiger und Tasten tun</translation>
     </message>
     <message>
@@ -2501,7 +2501,7 @@
         <translation>Das Ende der Bewegung zeigen</translation>
     </message>
     <message>
-        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <source>Let the shape relax at the end, with the pins where they are</source>
         <translation>Die Form am Ende zur Ruhe hin entspannen, mit den Pins, wo sie sind</translation>
     </message>
     <message>
@@ -2533,7 +2533,7 @@
         <translation>Ein Körper hat keine Pixel: exportieren Sie die Ansicht.</translation>
     </message>
     <message>
-        <source>Of a picture, export the picture itself.</source>
+        <source>For a picture, export the picture itself.</source>
         <translation>Exportieren Sie von einem Bild das Bild selbst.</translation>
     </message>
     <message>
@@ -2541,7 +2541,7 @@
         <translation>&amp;Steifigkeitsmarken</translation>
     </message>
     <message>
-        <source>Show where it is stiff, and along which direction</source>
+        <source>Show where the shape is stiff, and along which direction</source>
         <translation>Zeigen, wo es steif ist und in welcher Richtung</translation>
     </message>
     <message>
@@ -2561,7 +2561,7 @@
         <translation>&amp;Schritte…</translation>
     </message>
     <message>
-        <source>See what was done, and go back to any of it</source>
+        <source>See what was done, and go back to any step</source>
         <translation>Sehen, was getan wurde, und zu jedem Schritt zurückgehen</translation>
     </message>
     <message>
@@ -2625,7 +2625,7 @@
         <translation>&amp;Erhalt vergleichen</translation>
     </message>
     <message>
-        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <source>Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape</source>
         <translation>Daneben zeigen, was bei anderem Erhalt aus denselben Pins wird; oder eine Kachel von Erhalt auf die Form ziehen</translation>
     </message>
     <message>
@@ -2637,7 +2637,7 @@
         <translation>Auf&amp;nehmen</translation>
     </message>
     <message>
-        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <source>Record every drag as it happens, in real time; Ctrl does so for one drag</source>
         <translation>Jedes Ziehen wird aufgenommen, wie es geschieht, in Echtzeit; Strg tut das für ein Mal</translation>
     </message>
     <message>
@@ -2649,7 +2649,7 @@
         <translation>&amp;Zwiebelhaut</translation>
     </message>
     <message>
-        <source>Show what was a little before and what comes a little after</source>
+        <source>Show the shape as it was a little before and as it is a little after</source>
         <translation>Zeigen, was kurz davor war und was kurz danach kommt</translation>
     </message>
     <message>
@@ -2661,7 +2661,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>How fast it plays, and by which clock drags are recorded</source>
+        <source>How fast the motion plays, and how fast time goes while drags are recorded</source>
         <translation>Wie schnell abgespielt und nach welcher Uhr aufgenommen wird</translation>
     </message>
     <message>
@@ -2673,7 +2673,7 @@
         <translation>Weniger Be&amp;wegung</translation>
     </message>
     <message>
-        <source>Nothing moves in the window but what shows something</source>
+        <source>Turn off animations that are only for show</source>
         <translation>Im Fenster bewegt sich nur, was etwas zeigt</translation>
     </message>
     <message>
@@ -2681,11 +2681,11 @@
         <translation>T&amp;ipps</translation>
     </message>
     <message>
-        <source>Say beside the shape what to do first</source>
+        <source>Show beside the shape what to do first</source>
         <translation>Sagt neben der Form, was zuerst zu tun ist</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>Die Bewegung abspielen oder anhalten; auch durch Antippen der Leertaste</translation>
     </message>
     <message>
@@ -2693,7 +2693,7 @@
         <translation>&amp;Eigenschaften</translation>
     </message>
     <message>
-        <source>Show the properties at the right, or leave their room to the shape</source>
+        <source>Show the properties on the right, or give their room to the shape</source>
         <translation>Die Eigenschaften rechts zeigen oder ihren Platz der Form lassen</translation>
     </message>
     <message>
@@ -2701,7 +2701,7 @@
         <translation>&amp;Größe der Zeichen</translation>
     </message>
     <message>
-        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <source>How large pins, rings and curves are drawn, so that they are easy to see and to hit</source>
         <translation>Wie groß Pins, Ringe und Kurven über der Form sind, für das Auge und für die Hand</translation>
     </message>
     <message>
@@ -2728,7 +2728,7 @@
         <translation>&amp;Weiß</translation>
     </message>
     <message>
-        <source>White behind the shape: dark edges are seen on it</source>
+        <source>White behind the shape, to see dark edges</source>
         <translation>Weiß hinter der Form: Darauf sieht man dunkle Ränder</translation>
     </message>
     <message>
@@ -2744,7 +2744,7 @@
         <translation>&amp;Schwarz</translation>
     </message>
     <message>
-        <source>Black behind the shape: light edges are seen on it</source>
+        <source>Black behind the shape, to see light edges</source>
         <translation>Schwarz hinter der Form: Darauf sieht man helle Ränder</translation>
     </message>
 </context>
@@ -2758,7 +2758,7 @@
 <context>
     <name>wend::BorderOffer</name>
     <message>
-        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
         <translation>Dieses Bild füllt seinen Rahmen. Mit festgehaltenem Rand biegt es sich im Inneren, und an den Kanten entsteht keine Lücke.</translation>
     </message>
     <message>
@@ -2809,7 +2809,7 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ], or by dragging to the right with Alt and the right button.</source>
         <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ], oder mit Alt und der rechten Taste nach rechts ziehen.</translation>
     </message>
     <message>
@@ -2821,7 +2821,7 @@
         <translation>Härte</translation>
     </message>
     <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <source>How much of the brush paints fully; beyond that it fades out. Also by Shift with [ and ], or by dragging upwards with Alt and the right button.</source>
         <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ], oder mit Alt und der rechten Taste nach oben ziehen.</translation>
     </message>
     <message>
@@ -2849,7 +2849,7 @@
         <translation>Ordnung</translation>
     </message>
     <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <source>What you brush over lies in front if this is greater than 0, behind if it is less</source>
         <translation>Was überstrichen wird, liegt vorn, wo sie größer als 0 ist, hinten, wo sie kleiner ist</translation>
     </message>
     <message>
@@ -2857,7 +2857,7 @@
         <translation>Kanten</translation>
     </message>
     <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <source>How long the mesh&apos;s edges are where you brush, compared with elsewhere</source>
         <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
     </message>
 </context>
@@ -2903,7 +2903,7 @@
         <translation>Zeigt wieder eine einzige Form.</translation>
     </message>
     <message>
-        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <source>What this half keeps, or how it is without paint, with the same pins and motions.</source>
         <translation>Was diese Hälfte erhält, oder wie sie ohne Bemalung ist, mit denselben Pins und Bewegungen.</translation>
     </message>
     <message>
@@ -2918,7 +2918,7 @@
         <translation>&amp;Kurve</translation>
     </message>
     <message>
-        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <source>Turn the last path of the selected pin into a Bézier curve</source>
         <translation>Aus dem letzten Weg des gewählten Pins eine Bézierkurve machen</translation>
     </message>
     <message>
@@ -2930,7 +2930,7 @@
         <translation>Punkt &amp;einfügen</translation>
     </message>
     <message>
-        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <source>Split the curve at the pointer, or after the chosen point; its shape stays</source>
         <translation>Die Kurve teilen, wo auf sie gezeigt wurde oder hinter dem gewählten Punkt; ihre Form bleibt</translation>
     </message>
     <message>
@@ -2954,7 +2954,7 @@
         <translation>&amp;Frei</translation>
     </message>
     <message>
-        <source>Let both directions at the point go their own way</source>
+        <source>Let the two directions at the point be independent</source>
         <translation>Beide Richtungen am Punkt gehen ihren eigenen Weg</translation>
     </message>
     <message>
@@ -2978,7 +2978,7 @@
         <translation>A&amp;utomatisch</translation>
     </message>
     <message>
-        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <source>Lead the curve smoothly through the point, guided by its neighbours</source>
         <translation>Die Kurve nach ihren Nachbarn glatt durch den Punkt führen</translation>
     </message>
     <message>
@@ -2986,7 +2986,7 @@
         <translation>Alt+3</translation>
     </message>
     <message>
-        <source>Select one pin that was dragged along a way.</source>
+        <source>Select one pin that was dragged along a path.</source>
         <translation>Erst einen Pin auswählen, der einen Weg gezogen wurde.</translation>
     </message>
     <message>
@@ -2994,7 +2994,7 @@
         <translation>Erst einen Pin auswählen, der einer Kurve folgt.</translation>
     </message>
     <message>
-        <source>Click a point of the curve first; two must stay.</source>
+        <source>Click a point of the curve first; two must remain.</source>
         <translation>Erst einen Punkt der Kurve anklicken; zwei müssen bleiben.</translation>
     </message>
     <message>
@@ -3009,7 +3009,7 @@
 <context>
     <name>wend::CurvePanel</name>
     <message>
-        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <source>Turns the drawn path into a Bézier curve with points to drag.</source>
         <translation>Macht aus dem gezogenen Weg eine Bézierkurve mit Punkten zum Ziehen.</translation>
     </message>
     <message>
@@ -3081,7 +3081,7 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
         <translation>Wie die Bewegung zur gezeigten Zeit beginnt und endet: gleichmäßig oder sanft.</translation>
     </message>
     <message>
@@ -3143,11 +3143,11 @@
         <translation>Andere Seite</translation>
     </message>
     <message>
-        <source>Turns the plane so that it stands across this axis.</source>
+        <source>Turns the plane so that it is perpendicular to this axis.</source>
         <translation>Stellt die Ebene quer zu dieser Achse.</translation>
     </message>
     <message>
-        <source>Takes away the other side of the plane.</source>
+        <source>Cuts away the other side of the plane.</source>
         <translation>Nimmt die andere Seite der Ebene weg.</translation>
     </message>
     <message>
@@ -3163,7 +3163,7 @@
         <translation>Normale des Schnitts</translation>
     </message>
     <message>
-        <source>The direction that the plane looks in, as x, y and z.</source>
+        <source>The direction that the plane faces, as x, y and z.</source>
         <translation>Die Richtung, in die die Ebene schaut, als x, y und z.</translation>
     </message>
     <message>
@@ -3183,7 +3183,7 @@
         <translation>Abs&amp;tand</translation>
     </message>
     <message>
-        <source>There is no solid yet that could be cut.</source>
+        <source>There is no solid to cut yet.</source>
         <translation>Es gibt noch keinen Körper, der sich schneiden ließe.</translation>
     </message>
 </context>
@@ -3226,7 +3226,7 @@
         <translation>&amp;Zahl …</translation>
     </message>
     <message>
-        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <source>Give what is around the selected pins an order: the greater number lies in front</source>
         <translation>Dem, was um die gewählten Pins ist, eine Ordnung geben: Größeres liegt vorn</translation>
     </message>
     <message>
@@ -3234,7 +3234,7 @@
         <translation>&amp;Tiefe</translation>
     </message>
     <message>
-        <source>A solid has its depth by itself.</source>
+        <source>A solid has depth of its own.</source>
         <translation>Ein Körper hat seine Tiefe von selbst.</translation>
     </message>
     <message>
@@ -3296,11 +3296,11 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
         <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
     </message>
     <message>
-        <source>The solid is seen and exported with its own surface again.</source>
+        <source>Shows and exports the solid with its own surface again.</source>
         <translation>Der Körper wird wieder mit seiner eigenen Oberfläche gezeigt und exportiert.</translation>
     </message>
     <message>
@@ -3319,7 +3319,7 @@
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <source>Keep the range of the colours, to compare different shapes and energies.</source>
         <translation>Den Bereich der Farben festhalten, um Formen und Energien zu vergleichen.</translation>
     </message>
     <message>
@@ -3359,11 +3359,11 @@
         <translation>Summe von det F + 1/det F − 2 über die Form: null, wenn alle Volumen erhalten sind.</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
         <translation>Das Tetraeder, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
     </message>
     <message>
-        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <source>The triangle that is farthest from rest in what the map shows.</source>
         <translation>Das Dreieck, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
     </message>
     <message>
@@ -3423,7 +3423,7 @@
         <translation>Glatte Farben</translation>
     </message>
     <message>
-        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
         <translation>Lässt die Farben einer Karte gleichmäßig von Zelle zu Zelle übergehen. Aus hat jede Zelle die eine Farbe ihres Werts.</translation>
     </message>
     <message>
@@ -3439,19 +3439,19 @@
         <translation>Überkreuzt sich</translation>
     </message>
     <message>
-        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
         <translation>Wie oft die Oberfläche sich durchdringt, sobald die Pose ruht: Stellen, jede aus Paaren von Dreiecken. Ein Klick zeigt die nächste; die Karte zeigt sie rot.</translation>
     </message>
     <message>
-        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
         <translation>Wo der Umriss sich überkreuzt, sobald die Pose ruht: Ein Teil liegt über einem anderen. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
     </message>
     <message>
-        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>Tetraeder mit mehr als dem Zehnfachen ihres Volumens oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
     </message>
     <message>
-        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>Dreiecke mit mehr als dem Zehnfachen ihrer Fläche oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
     </message>
     <message>
@@ -3481,7 +3481,7 @@
         </translation>
     </message>
     <message>
-        <source>That is looked for once the pose rests.</source>
+        <source>This is checked once the pose is at rest.</source>
         <translation>Danach wird gesucht, sobald die Pose ruht.</translation>
     </message>
     <message>
@@ -3500,11 +3500,11 @@
         <translation>Was erhalten bleibt</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Was die Form behält, wo sie nachgeben muss: vom Volumen über Längen und starre Teile bis zum Aussehen der Einzelheiten. Zwischen zwei Namen ist es etwas von beidem.</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Was die Form behält, wo sie nachgeben muss: von der Fläche über Längen und starre Teile bis zum Aussehen der Einzelheiten. Zwischen zwei Namen ist es etwas von beidem.</translation>
     </message>
 </context>
@@ -3562,7 +3562,7 @@
         <translation>Wie im Bild</translation>
     </message>
     <message>
-        <source>As the format holds it best</source>
+        <source>As it suits the format best</source>
         <translation>Wie das Format es am besten hält</translation>
     </message>
     <message>
@@ -3586,7 +3586,7 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <source>As it moves, the shape leaves the picture and is cut off there: %1.</source>
         <translation>Unterwegs verlässt die Form das Bild und wird dort abgeschnitten: %1.</translation>
     </message>
     <message>
@@ -3740,18 +3740,18 @@
         <translation>Wend</translation>
     </message>
     <message numerus="yes">
-        <source>%n of these frames exist. Replace them?</source>
+        <source>Replace the frames that already exist (%n)?</source>
         <translation>
             <numerusform>%n dieser Bilder gibt es schon. Ersetzen?</numerusform>
             <numerusform>%n dieser Bilder gibt es schon. Ersetzen?</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <source>What it holds now will be lost, and the project will no longer open as it is.</source>
         <translation>Was sie jetzt enthält, geht verloren, und das Projekt öffnet sich nicht mehr so, wie es ist.</translation>
     </message>
     <message>
-        <source>What they hold now is lost.</source>
+        <source>What they hold now will be lost.</source>
         <translation>Was sie jetzt enthalten, geht verloren.</translation>
     </message>
     <message>
@@ -3759,7 +3759,7 @@
         <translation>Ersetzen</translation>
     </message>
     <message>
-        <source>Write Material</source>
+        <source>Export Material</source>
         <translation>Material schreiben</translation>
     </message>
     <message>
@@ -3830,7 +3830,7 @@
         <translation>Angaben zur Datei</translation>
     </message>
     <message>
-        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <source>The surface as it is in its file. Lengths are in the file&apos;s units, which few files name.</source>
         <translation>Die Oberfläche, wie die Datei sie hat. Längen sind in der Einheit der Datei, die wenige nennen.</translation>
     </message>
     <message>
@@ -3850,11 +3850,11 @@
         <translation>Spalte in einem Teil, die der Käfig schließt: Was auf beiden Seiten liegt, bewegt sich zusammen.</translation>
     </message>
     <message>
-        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <source>Goes to the tetrahedron with the largest ratio.</source>
         <translation>Blickt auf das Tetraeder mit dem größten Verhältnis.</translation>
     </message>
     <message>
-        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <source>Goes through the gaps that the cage closes, one after another.</source>
         <translation>Blickt nacheinander auf die Spalte, die der Käfig schließt.</translation>
     </message>
     <message>
@@ -3862,7 +3862,7 @@
         <translation>Macht den Käfig so fein, dass der breiteste dieser Spalte offen bleibt.</translation>
     </message>
     <message>
-        <source>The file is looked at …</source>
+        <source>Looking at the file …</source>
         <translation>Die Datei wird angesehen …</translation>
     </message>
     <message>
@@ -3988,11 +3988,11 @@
         <translation>Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
-        <source>If you do not save, they are lost.</source>
+        <source>If you do not save, they will be lost.</source>
         <translation>Ohne Speichern gehen sie verloren.</translation>
     </message>
     <message>
-        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <source>Your changes cannot be recovered if the program crashes: please save. %1</source>
         <translation>Falls das Programm abstürzt, gibt es keine Kopie Ihrer Änderungen: bitte speichern. %1</translation>
     </message>
     <message>
@@ -4048,11 +4048,11 @@
         <translation>„%1“ neu laden?</translation>
     </message>
     <message>
-        <source>Your changes since it was saved are lost.</source>
+        <source>Your changes since it was saved will be lost.</source>
         <translation>Ihre Änderungen seit dem Speichern gehen verloren.</translation>
     </message>
     <message>
-        <source>Saving replaces those changes; reloading drops yours.</source>
+        <source>Saving replaces those changes; reloading discards yours.</source>
         <translation>Speichern ersetzt jene Änderungen; neu laden verwirft Ihre.</translation>
     </message>
     <message>
@@ -4076,7 +4076,7 @@
         <translation>Speichern, was Sie aus „%1“ gemacht haben?</translation>
     </message>
     <message>
-        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>Es wird ein eigenes Projekt; die Datei selbst bleibt, wie sie ist. Ohne Speichern geht das Gemachte verloren.</translation>
     </message>
 </context>
@@ -4113,7 +4113,7 @@
         <translation>Entspannen</translation>
     </message>
     <message>
-        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <source>The pins stay where they are, and what lies between them releases its tension. This takes one second at the end of the film.</source>
         <translation>Die Pins bleiben, wo sie sind, und was dazwischen liegt, lässt seine Spannung los. Das nimmt eine Sekunde am Ende des Films ein.</translation>
     </message>
     <message>
@@ -4148,7 +4148,7 @@
         <translation>Genauer Schritt</translation>
     </message>
     <message>
-        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <source>Moves, rotates or scales what is selected by exact numbers.</source>
         <translation>Bewegt, dreht oder skaliert das Gewählte um genaue Zahlen.</translation>
     </message>
     <message>
@@ -4176,11 +4176,11 @@
         <translation>Achse</translation>
     </message>
     <message>
-        <source>The axis of the turn, through the middle of what is selected.</source>
+        <source>The axis of the rotation, through the middle of what is selected.</source>
         <translation>Die Drehachse, durch die Mitte des Gewählten.</translation>
     </message>
     <message>
-        <source>Does this step; it becomes part of the motion.</source>
+        <source>Applies this step; it becomes part of the motion.</source>
         <translation>Führt diesen Schritt aus; er wird Teil der Bewegung.</translation>
     </message>
     <message>
@@ -4222,7 +4222,7 @@
         <translation>Welche Sprache das Fenster spricht</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>Wie der &amp;Schreibtisch</translation>
     </message>
     <message>
@@ -4237,7 +4237,7 @@
 <context>
     <name>wend::LayerPanel</name>
     <message>
-        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <source>The material is the same everywhere: brush over the shape to change a part.</source>
         <translation>Es ist überall gleich: Über die Form malen, um einen Teil zu ändern.</translation>
     </message>
     <message>
@@ -4273,7 +4273,7 @@
         <translation>Weg</translation>
     </message>
     <message>
-        <source>Takes the chosen layer away.</source>
+        <source>Removes the chosen layer.</source>
         <translation>Entfernt die gewählte Ebene.</translation>
     </message>
     <message>
@@ -4285,7 +4285,7 @@
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the layer is along its direction; ×1 is the same as everywhere.</source>
         <translation>Wievielmal steifer die Ebene in ihrer Richtung ist; ×1 ist wie überall.</translation>
     </message>
     <message>
@@ -4293,7 +4293,7 @@
         <translation>Steife Richtung</translation>
     </message>
     <message>
-        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <source>At rest; it turns with the shape. A change is for all regions of the layer.</source>
         <translation>In Ruhe; sie dreht sich mit der Form. Eine andere gilt für alle Bereiche der Ebene.</translation>
     </message>
     <message>
@@ -4333,7 +4333,7 @@
         <translation>Ohne Namen</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <source>Where the material differs. The topmost layer wins; drag a layer to move it. A click shows its values, a double-click changes its name, its eye or the space bar switches it off.</source>
         <translation>Wo das Material ein anderes ist. Die oberste gewinnt: Ebenen lassen sich an ihren Platz ziehen. Ein Klick zeigt ihre Werte, ein Doppelklick ändert den Namen, das Auge oder die Leertaste schaltet sie aus.</translation>
     </message>
     <message>
@@ -4341,7 +4341,7 @@
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <source>Imports the material from pictures made in a paint program, and exports it as such.</source>
         <translation>Holt das Material aus Bildern eines Malprogramms und schreibt es als solche.</translation>
     </message>
     <message>
@@ -4349,7 +4349,7 @@
         <translation>Neu lesen</translation>
     </message>
     <message>
-        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <source>Takes the pictures as they are now, after they have been saved in a paint program.</source>
         <translation>Nimmt die Bilder, wie sie jetzt sind: nachdem sie in einem Malprogramm gespeichert wurden.</translation>
     </message>
     <message>
@@ -4409,15 +4409,15 @@
         <translation>Steifigkeit ×1 hat keine Richtung: erst wählen, wievielmal steifer es ist.</translation>
     </message>
     <message>
-        <source>What a file says of each cell stays lowest.</source>
+        <source>What a file gives cell by cell stays lowest.</source>
         <translation>Was eine Datei von jeder Zelle sagt, bleibt zuunterst.</translation>
     </message>
     <message>
-        <source>It is the lowest layer already.</source>
+        <source>This is already the lowest layer.</source>
         <translation>Es ist schon die unterste Ebene.</translation>
     </message>
     <message>
-        <source>It is the topmost layer already.</source>
+        <source>This is already the topmost layer.</source>
         <translation>Es ist schon die oberste Ebene.</translation>
     </message>
     <message>
@@ -4494,11 +4494,11 @@
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>The page before</source>
+        <source>The previous page</source>
         <translation>Die Seite davor</translation>
     </message>
     <message>
-        <source>This stands on no page.</source>
+        <source>No page has these words.</source>
         <translation>Das steht auf keiner Seite.</translation>
     </message>
     <message>
@@ -4506,58 +4506,58 @@
         <translation>Handbuch durchsuchen</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <source>Enter goes to the next place with these words, on this page or another.</source>
         <translation>Die Eingabetaste geht zur nächsten Stelle mit diesen Worten, auf dieser Seite oder einer anderen.</translation>
     </message>
 </context>
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Bring In What Is &amp;Kept…</source>
+        <source>Import What Is &amp;Kept…</source>
         <translation>&amp;Erhalt holen …</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz erhält Flächen, Weiß Winkel</translation>
     </message>
     <message>
-        <source>Bring In &amp;Stiffness…</source>
+        <source>Import &amp;Stiffness…</source>
         <translation>&amp;Steifigkeit holen …</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <source>A grey picture over the whole, as a layer: black is the same as everywhere, white is 1000 times stiffer</source>
         <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz ist wie überall, Weiß 1000-mal steifer</translation>
     </message>
     <message>
-        <source>Bring In &amp;Directions…</source>
+        <source>Import &amp;Directions…</source>
         <translation>&amp;Richtungen holen …</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <source>A grey picture over the whole, as a layer, of the direction of stiffness: black is level, middle grey upright</source>
         <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz liegt, mittleres Grau steht, und was steif ist, ist es in dieser Richtung</translation>
     </message>
     <message>
-        <source>Bring In Values of &amp;Cells…</source>
+        <source>Import Values of &amp;Cells…</source>
         <translation>Werte der &amp;Zellen holen …</translation>
     </message>
     <message>
-        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>φ und B jeder Zelle aus einer Netzdatei, die sie enthält, etwa einer exportierten</translation>
     </message>
     <message>
-        <source>Write What Is K&amp;ept…</source>
+        <source>Export What Is K&amp;ept…</source>
         <translation>E&amp;rhalt schreiben …</translation>
     </message>
     <message>
-        <source>As a gray picture, to go on with in a paint program</source>
+        <source>As a grey picture, to be edited in a paint program</source>
         <translation>Als graues Bild, zum Weitermalen in einem Malprogramm</translation>
     </message>
     <message>
-        <source>Write S&amp;tiffness…</source>
+        <source>Export S&amp;tiffness…</source>
         <translation>S&amp;teifigkeit schreiben …</translation>
     </message>
     <message>
-        <source>Write Di&amp;rections…</source>
+        <source>Export Di&amp;rections…</source>
         <translation>R&amp;ichtungen schreiben …</translation>
     </message>
     <message>
@@ -4569,7 +4569,7 @@
         <translation>Zuerst ein Bild öffnen.</translation>
     </message>
     <message>
-        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <source>For a solid, these are values of cells; they are exported with its mesh.</source>
         <translation>Bei einem Körper sind es Werte der Zellen; sie werden mit seinem Netz geschrieben.</translation>
     </message>
     <message>
@@ -4581,7 +4581,7 @@
         <translation>Bilder (%1)</translation>
     </message>
     <message>
-        <source>Bring in %1</source>
+        <source>Import %1</source>
         <translation>%1 holen</translation>
     </message>
     <message>
@@ -4589,7 +4589,7 @@
         <translation>Werte der Zellen (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
-        <source>The layers are switched off: what is brought in stands below them.</source>
+        <source>The layers were switched off: what was imported lies below them.</source>
         <translation>Die Ebenen sind ausgeschaltet: Was geholt wurde, steht unter ihnen.</translation>
     </message>
 </context>
@@ -4675,14 +4675,14 @@
         <translation>Das Ganze</translation>
     </message>
     <message numerus="yes">
-        <source>Selected: %n vertices</source>
+        <source>Selected vertices: %n</source>
         <translation>
             <numerusform>Ausgewählt: %n Punkt</numerusform>
             <numerusform>Ausgewählt: %n Punkte</numerusform>
         </translation>
     </message>
     <message>
-        <source>Point at the solid for the values there.</source>
+        <source>Point at the solid to see the values there.</source>
         <translation>Auf den Körper zeigen, um die Werte dort zu sehen.</translation>
     </message>
     <message>
@@ -4768,7 +4768,7 @@
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <source>What sets how fine the mesh is: how many vertices it has in total, or how large a tetrahedron may be.</source>
         <translation>Was sagt, wie fein das Netz ist: wie viele Punkte es im Ganzen hat, oder wie groß ein Tetraeder sein darf.</translation>
     </message>
     <message>
@@ -4792,7 +4792,7 @@
         <translation>Zellgrößen</translation>
     </message>
     <message>
-        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <source>Paints where the mesh should be finer or coarser, or sets it by regions in numbers.</source>
         <translation>Malt, wo das Netz feiner oder gröber sein soll, oder sagt es durch Gebiete in Zahlen.</translation>
     </message>
     <message>
@@ -4819,7 +4819,7 @@
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <source>How large the picture is shown; a click shows its pixels as they are.</source>
         <translation>Wie groß das Bild zu sehen ist; ein Klick zeigt seine Pixel, wie sie sind.</translation>
     </message>
     <message>
@@ -4827,7 +4827,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, ST-Map, Netz oder Ansicht</translation>
     </message>
 </context>
@@ -4880,7 +4880,7 @@
         <translation>längs des Strichs</translation>
     </message>
     <message>
-        <source>along the pin&apos;s way</source>
+        <source>along the pin&apos;s path</source>
         <translation>längs des Pin-Wegs</translation>
     </message>
     <message>
@@ -4888,11 +4888,11 @@
         <translation>Richtung in Zahlen</translation>
     </message>
     <message>
-        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the painted part is along its direction; ×1 is the same as everywhere.</source>
         <translation>Wievielmal steifer der gemalte Teil in seiner Richtung ist; ×1 ist wie überall.</translation>
     </message>
     <message>
-        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the path of the selected pin where it is nearest.</source>
         <translation>Die Richtung in Ruhe, die sich mit der Form dreht: die des Strichs, die schon da ist, eine Achse, Zahlen oder der Weg des gewählten Pins, wo er am nächsten ist.</translation>
     </message>
     <message>
@@ -4923,7 +4923,7 @@
         <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
-        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <source>What you draw will bend, too; Ctrl takes it away instead</source>
         <translation>Was gezeichnet wird, soll sich auch biegen; mit Strg wird es weggenommen</translation>
     </message>
     <message>
@@ -4931,7 +4931,7 @@
         <translation>&amp;Wegnehmen</translation>
     </message>
     <message>
-        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <source>What you draw will not bend; Ctrl adds it instead</source>
         <translation>Was gezeichnet wird, soll sich nicht biegen; mit Strg kommt es hinzu</translation>
     </message>
     <message>
@@ -4939,7 +4939,7 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <source>Diameter of the brush on the screen; also [ and ]</source>
         <translation>Wie breit der Pinsel ist, auf dem Bildschirm; auch [ und ]</translation>
     </message>
     <message>
@@ -4955,7 +4955,7 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>Wie weit Farben auseinander liegen dürfen, auch für den letzten Klick; auch [ und ]</translation>
     </message>
 </context>
@@ -4990,7 +4990,7 @@
         <translation>Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>Only the solid, on nothing.</source>
+        <source>Only the solid, without a background.</source>
         <translation>Nur der Körper, ohne Grund.</translation>
     </message>
     <message>
@@ -5022,7 +5022,7 @@
         <translation>Die Farben der Karte und ihre Werte.</translation>
     </message>
     <message>
-        <source>Show a map first: only then there is something to explain.</source>
+        <source>Show a map first: only then is there something to explain.</source>
         <translation>Erst eine Karte zeigen: nur dann gibt es etwas zu erklären.</translation>
     </message>
     <message>
@@ -5093,7 +5093,7 @@
         <translation>&amp;Verbergen</translation>
     </message>
     <message>
-        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <source>The selected pins still hold, but are neither drawn nor picked</source>
         <translation>Die gewählten Pins halten weiter, werden aber weder gezeichnet noch getroffen</translation>
     </message>
     <message>
@@ -5153,7 +5153,7 @@
         <translation>S&amp;piegeln</translation>
     </message>
     <message>
-        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <source>Set pins at the mirror images of the selected ones, across the middle of the shape, with mirrored motions</source>
         <translation>Pins dorthin setzen, wo die gewählten in einem Spiegel durch die Mitte der Form liegen, mit gespiegelten Bewegungen</translation>
     </message>
     <message>
@@ -5269,7 +5269,7 @@
         <translation>Be&amp;wegen</translation>
     </message>
     <message>
-        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <source>Drag pins to move them; in a solid, also by the arrows</source>
         <translation>Pins ziehen bewegt sie; bei einem Körper auch seine Pfeile</translation>
     </message>
     <message>
@@ -5281,7 +5281,7 @@
         <translation>&amp;Drehen</translation>
     </message>
     <message>
-        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <source>Drag to rotate the selected pins; in a solid, by the rings</source>
         <translation>Ziehen dreht die gewählten Pins; bei einem Körper an seinen Ringen</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@
         <translation>S&amp;kalieren</translation>
     </message>
     <message>
-        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <source>Drag to scale the selected pins; in a solid, by the ring</source>
         <translation>Ziehen skaliert die gewählten Pins; bei einem Körper an seinem Ring</translation>
     </message>
     <message>
@@ -5309,7 +5309,7 @@
         <translation>&amp;Pins auswählen</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <source>What the pin tool and the select tool draw around pins to select them</source>
         <translation>Was mit dem Pin- oder Auswahlwerkzeug neben Pins gezogen wird, um sie auszuwählen</translation>
     </message>
     <message>
@@ -5341,7 +5341,7 @@
         <translation>Ei&amp;nrasten</translation>
     </message>
     <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <source>New pins sit on corners of the mesh instead of where you click</source>
         <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
     </message>
     <message>
@@ -5349,7 +5349,7 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ].</source>
         <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ].</translation>
     </message>
     <message>
@@ -5364,7 +5364,7 @@
         <translation>Pins</translation>
     </message>
     <message>
-        <source>Does not hold at the time that is shown.</source>
+        <source>Does not hold at the time shown.</source>
         <translation>Hält zur gezeigten Zeit nicht.</translation>
     </message>
     <message>
@@ -5372,7 +5372,7 @@
         <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock protects from changes; a right-click groups, links and mirrors.</source>
         <translation>Hier Pins wählen; F2 benennt um, Entf entfernt, Eingabe geht zum Bild, wo die Pfeiltasten sie bewegen. Das Auge verbirgt, das Schloss schützt vor Änderungen; ein Rechtsklick gruppiert, verknüpft und spiegelt.</translation>
     </message>
     <message>
@@ -5493,7 +5493,7 @@
         <translation>Zug reicht</translation>
     </message>
     <message>
-        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads. Near: close to the pin, sharp. Far: soft and wide.</source>
         <translation>Wie weit sich der Zug eines Pins verteilt. Nah: dicht am Pin, scharf. Weit: weich und breit.</translation>
     </message>
     <message>
@@ -5516,11 +5516,11 @@
 <context>
     <name>wend::RegionList</name>
     <message>
-        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <source>The mesh is equally fine everywhere: brush over what should be finer or coarser.</source>
         <translation>Das Netz ist überall gleich fein: überstreichen, was feiner oder gröber sein soll.</translation>
     </message>
     <message>
-        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <source>Nothing has an order of its own: brush over what should lie in front or behind.</source>
         <translation>Nichts hat eine eigene Ordnung: überstreichen, was vorn oder hinten liegen soll.</translation>
     </message>
     <message>
@@ -5532,7 +5532,7 @@
         <translation>Was vorn liegt</translation>
     </message>
     <message>
-        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <source>The strokes and regions so far; where two overlap, the upper one counts. A click shows where it lies and its number, a double-click changes its name.</source>
         <translation>Die Striche und Gebiete, die es gibt; von zweien an einem Ort gilt das obere. Ein Klick zeigt, wo es liegt, und seine Zahl, ein Doppelklick ändert den Namen.</translation>
     </message>
     <message>
@@ -5548,11 +5548,11 @@
         <translation>Ordnung</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: less is finer, more is coarser.</source>
         <translation>Wie lang Kanten dort sind, gegen anderswo: weniger ist feiner, mehr ist gröber.</translation>
     </message>
     <message>
-        <source>Greater than 0 lies in front, less behind.</source>
+        <source>Greater than 0 lies in front, less than 0 behind.</source>
         <translation>Größer als 0 liegt vorn, kleiner hinten.</translation>
     </message>
     <message>
@@ -5560,7 +5560,7 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes the chosen region away.</source>
+        <source>Removes the chosen region.</source>
         <translation>Nimmt das gewählte Gebiet weg.</translation>
     </message>
     <message>
@@ -5698,7 +5698,7 @@
         <translation>Gebiet ändern</translation>
     </message>
     <message numerus="yes">
-        <source>%n vertices</source>
+        <source>Vertices: %n</source>
         <translation>
             <numerusform>%n Punkt</numerusform>
             <numerusform>%n Punkte</numerusform>
@@ -5713,7 +5713,7 @@
         <translation>Ra&amp;dius</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
         <translation>Wie weit der Pin die Form um sich hält: 0 hält einen Punkt, mehr einen Kreis, bei einem Körper eine Kugel. In den Einheiten der Form; bei einem Bild in dessen Pixeln. Den Pin mit Alt ziehen tut dasselbe.</translation>
     </message>
 </context>
@@ -5731,7 +5731,7 @@
 <context>
     <name>wend::ShapeNotices</name>
     <message>
-        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <source>“Refine surface” in the panel “Mesh” allows the surface&apos;s triangles to be split.</source>
         <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
     </message>
     <message>
@@ -5739,11 +5739,11 @@
         <translation>Mit Pin halten</translation>
     </message>
     <message>
-        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <source>A part is joined to the rest at a single point, and may swing around it unless a pin holds it.</source>
         <translation>Ein Teil hängt nur an einem Punkt am Rest und kann um ihn schwingen, wenn kein Pin ihn hält.</translation>
     </message>
     <message numerus="yes">
-        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <source>%n parts are joined to the rest at single points, and may swing around them unless pins hold them.</source>
         <translation>
             <numerusform>%n Teil hängt nur an einem Punkt am Rest und kann um ihn schwingen, wenn kein Pin ihn hält.</numerusform>
             <numerusform>%n Teile hängen nur an Punkten am Rest und können um sie schwingen, wenn keine Pins sie halten.</numerusform>
@@ -5792,7 +5792,7 @@
         <translation>%1 kann nicht weiter: %2</translation>
     </message>
     <message>
-        <source>There is no pin: this place lies outside of the shape.</source>
+        <source>No pin was set: this place lies outside the shape.</source>
         <translation>Kein Pin: Diese Stelle liegt außerhalb der Form.</translation>
     </message>
     <message>
@@ -5800,7 +5800,7 @@
         <translation>Abgebrochen: alles ist wie vor der letzten Änderung.</translation>
     </message>
     <message>
-        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <source>Meshing was cancelled. Any change, such as fewer vertices, starts it again.</source>
         <translation>Das Vernetzen wurde abgebrochen. Jede Änderung vernetzt neu, etwa weniger Punkte.</translation>
     </message>
     <message>
@@ -5816,19 +5816,19 @@
         <translation>%1 weiten</translation>
     </message>
     <message>
-        <source>%1 does not hold the shape at the time that is shown.</source>
+        <source>%1 does not hold the shape at the time shown.</source>
         <translation>%1 hält die Form zur gezeigten Zeit nicht.</translation>
     </message>
     <message>
-        <source>What came after is replaced by this; Undo brings it back.</source>
+        <source>This replaces what came after; Undo brings it back.</source>
         <translation>Was danach kam, ist hierdurch ersetzt; Rückgängig bringt es zurück.</translation>
     </message>
     <message>
-        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <source>No pin was set where the mirror image lies outside the shape.</source>
         <translation>Wo ein Spiegelbild außerhalb der Form liegt, ist kein Pin.</translation>
     </message>
     <message>
-        <source>There is a pin already where the mirror image would be.</source>
+        <source>There is already a pin where the mirror image would be.</source>
         <translation>Wo das Spiegelbild wäre, ist schon ein Pin.</translation>
     </message>
     <message>
@@ -5880,11 +5880,11 @@
         <translation>Verknüpfung von %1 lösen</translation>
     </message>
     <message>
-        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <source>%1 is locked. A right-click or the list of pins unlocks it.</source>
         <translation>%1 ist gesperrt. Ein Rechtsklick oder die Liste der Pins entsperrt ihn.</translation>
     </message>
     <message>
-        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <source>%1 are locked. A right-click or the list of pins unlocks them.</source>
         <translation>%1 sind gesperrt. Ein Rechtsklick oder die Liste der Pins entsperrt sie.</translation>
     </message>
     <message>
@@ -5932,7 +5932,7 @@
         <translation>%1 drehen</translation>
     </message>
     <message>
-        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <source>This replaces what %1 did later; Undo brings it back.</source>
         <translation>Was %1 später tat, ist hierdurch ersetzt; Rückgängig bringt es zurück.</translation>
     </message>
     <message>
@@ -5955,7 +5955,7 @@
         <translation>Wie es geöffnet wurde</translation>
     </message>
     <message>
-        <source>What was done; a click goes back to that step, or forth.</source>
+        <source>What was done; a click goes back or forward to that step.</source>
         <translation>Was getan wurde; ein Klick geht zu diesem Schritt zurück oder vor.</translation>
     </message>
     <message>
@@ -5974,7 +5974,7 @@
         <translation>Länge der Kanten</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
         <translation>Wie lang Kanten dort sind, gegen anderswo: 0,5 ist halb so lang, also feiner; 2 ist doppelt so lang, also gröber.</translation>
     </message>
     <message>
@@ -5982,7 +5982,7 @@
         <translation>Wo Zellen feiner oder gröber sind</translation>
     </message>
     <message>
-        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
         <translation>Was der nächste Strich tut, und die Striche und Gebiete, die es gibt; von zweien an einer Stelle gilt das untere. Ein Klick zeigt die Zahlen zum Ändern.</translation>
     </message>
     <message>
@@ -5998,7 +5998,7 @@
         <translation>Gebiet hinzufügen</translation>
     </message>
     <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
         <translation>Eine Kugel, ein Quader oder ein Halbraum in der Mitte, oder das Gebiet, das der gewählte Griff hält; die Zahlen lassen sich dann ändern.</translation>
     </message>
     <message>
@@ -6006,7 +6006,7 @@
         <translation>Größen entfernen</translation>
     </message>
     <message>
-        <source>Takes the chosen stroke or region away.</source>
+        <source>Removes the chosen stroke or region.</source>
         <translation>Nimmt den gewählten Strich oder das Gebiet weg.</translation>
     </message>
     <message>
@@ -6014,7 +6014,7 @@
         <translation>Weicher Rand</translation>
     </message>
     <message>
-        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
         <translation>Über welche Breite die Größe in die ringsum übergeht, in Einheiten der Datei.</translation>
     </message>
     <message>
@@ -6070,7 +6070,7 @@
         <translation>Darunter: die Faktoren in %1.</translation>
     </message>
     <message>
-        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
         <translation>Die Dreiecke der Oberfläche bleiben, und nur das Innere ändert sich. „Oberfläche verfeinern“ im Feld „Netz“ lässt auch sie teilen.</translation>
     </message>
     <message>
@@ -6078,7 +6078,7 @@
         <translation>&amp;Kanten</translation>
     </message>
     <message>
-        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
     </message>
 </context>
@@ -6089,7 +6089,7 @@
         <translation>Weiche Kanten oder Schatten dieses Bildes reichen über den Ausschnitt hinaus und werden abgeschnitten.</translation>
     </message>
     <message>
-        <source>Take Them Along</source>
+        <source>Include Them</source>
         <translation>Mitnehmen</translation>
     </message>
 </context>
@@ -6256,11 +6256,11 @@
         <translation>Rechteck, Lasso und Pinsel nehmen oder wählen auch, was verdeckt ist</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
+        <source>Embed a detailed, perhaps textured surface from a file in the solid</source>
         <translation>Eine feine, vielleicht texturierte Oberfläche aus einer Datei im Körper mitreiten lassen</translation>
     </message>
     <message>
-        <source>See and export the solid with its own surface again</source>
+        <source>Show and export the solid with its own surface again</source>
         <translation>Den Körper wieder mit seiner eigenen Oberfläche zeigen und exportieren</translation>
     </message>
     <message>
@@ -6311,7 +6311,7 @@
 <context>
     <name>wend::SolidCanvas</name>
     <message>
-        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <source>there is not enough memory for a picture of %1 x %2 pixels</source>
         <translation>der Speicher reicht nicht für ein Bild von %1 x %2 Pixeln</translation>
     </message>
     <message>
@@ -6334,7 +6334,7 @@
 <context>
     <name>wend::SolidWorkshop</name>
     <message>
-        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) still works with them.</source>
         <translation>Körper brauchen OpenGL 3.3, das dieses System nicht hat. Die Befehlszeile (wend run) arbeitet trotzdem mit ihnen.</translation>
     </message>
     <message>
@@ -6413,7 +6413,7 @@
         <translation>%1 verwerfen</translation>
     </message>
     <message>
-        <source>Forgets these changes for good.</source>
+        <source>Deletes these changes for good.</source>
         <translation>Vergisst diese Änderungen endgültig.</translation>
     </message>
 </context>
@@ -6476,7 +6476,7 @@
         <translation>Schlimmste Stelle</translation>
     </message>
     <message>
-        <source>How far the worst place is from rest, by what the map shows</source>
+        <source>How far the worst place is from rest in what the map shows</source>
         <translation>Wie weit die schlimmste Stelle von der Ruhe entfernt ist, nach dem, was die Karte zeigt</translation>
     </message>
     <message>
@@ -6485,7 +6485,7 @@
         <translation>am stärksten: %1</translation>
     </message>
     <message>
-        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
         <translation>Beim Ziehen: wie lange nach der Hand kommt, was zu sehen ist. In Ruhe: was die Berechnung gedauert hat</translation>
     </message>
 </context>
@@ -6504,7 +6504,7 @@
         <translation>Oberfläche reparieren</translation>
     </message>
     <message>
-        <source>Triangles of missing points</source>
+        <source>Triangles with missing points</source>
         <translation>Dreiecke mit fehlenden Punkten</translation>
     </message>
     <message>
@@ -6524,7 +6524,7 @@
         <translation>Dreiecke ohne Fläche</translation>
     </message>
     <message>
-        <source>Double triangles</source>
+        <source>Duplicate triangles</source>
         <translation>Doppelte Dreiecke</translation>
     </message>
     <message>
@@ -6564,7 +6564,7 @@
         <translation>Sie würde: %1.</translation>
     </message>
     <message>
-        <source>No simple step puts this one right.</source>
+        <source>No simple step fixes this one.</source>
         <translation>Kein einfacher Schritt bringt diesen Fehler in Ordnung.</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@
         <translation>Einen Fehler beheben</translation>
     </message>
     <message>
-        <source>No simple steps put all of these right.</source>
+        <source>No simple steps fix all of these.</source>
         <translation>Keine einfachen Schritte bringen sie alle in Ordnung.</translation>
     </message>
     <message>
@@ -6588,7 +6588,7 @@
         <translation>Alle Fehler einer Art beheben</translation>
     </message>
     <message>
-        <source>Looking for what puts all of these right …</source>
+        <source>Looking for what fixes all of these …</source>
         <translation>Sucht, was sie alle in Ordnung bringt …</translation>
     </message>
 </context>
@@ -6623,7 +6623,7 @@
         <translation>Schreibt die Nummern aller fehlerhaften Dreiecke und Kanten in eine Datei.</translation>
     </message>
     <message>
-        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <source>Merges coincident points, drops degenerate and duplicate triangles, orients the others and fills small holes.</source>
         <translation>Fasst Punkte am selben Ort zusammen, entfernt entartete und doppelte Dreiecke, richtet sie aus und füllt kleine Löcher.</translation>
     </message>
     <message>
@@ -6635,7 +6635,7 @@
         <translation>Was falsch ist</translation>
     </message>
     <message>
-        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <source>The kinds of faults, and how often each occurs.</source>
         <translation>Die Arten von Fehlern, und wie oft jede vorkommt.</translation>
     </message>
     <message>
@@ -6643,7 +6643,7 @@
         <translation>Vorige Stelle</translation>
     </message>
     <message>
-        <source>Looks at the previous place where this is wrong.</source>
+        <source>Goes to the previous place where this is wrong.</source>
         <translation>Sieht die vorige Stelle an, an der dies falsch ist.</translation>
     </message>
     <message>
@@ -6651,11 +6651,11 @@
         <translation>Nächste Stelle</translation>
     </message>
     <message>
-        <source>Looks at the next place where this is wrong.</source>
+        <source>Goes to the next place where this is wrong.</source>
         <translation>Sieht die nächste Stelle an, an der dies falsch ist.</translation>
     </message>
     <message>
-        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <source>Colours the triangles that are wrong and shows them: what hides them is left out.</source>
         <translation>Färbt die fehlerhaften Dreiecke und sieht sie an: was sie verdeckt, wird weggelassen.</translation>
     </message>
     <message>
@@ -6683,7 +6683,7 @@
         <translation>Käfig bauen</translation>
     </message>
     <message>
-        <source>Takes the cage away: without repair there is no solid then.</source>
+        <source>Removes the cage: without a repair there is then no solid.</source>
         <translation>Nimmt den Käfig weg: ohne Reparatur gibt es dann keinen Körper.</translation>
     </message>
     <message>
@@ -6707,7 +6707,7 @@
         <translation>Diesen beheben</translation>
     </message>
     <message>
-        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <source>Fixes only what is shown: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>Bringt nur in Ordnung, was betrachtet wird: Was hinzukommt, ist grün; was wegfällt oder gedreht wird, gelb.</translation>
     </message>
     <message>
@@ -6715,7 +6715,7 @@
         <translation>Alle beheben</translation>
     </message>
     <message>
-        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <source>Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no more edges than chosen below.</source>
         <translation>Bringt von dieser Art alles in Ordnung, was einfache Schritte können, in einem Schritt, der sich rückgängig machen lässt; von Löchern die mit höchstens so vielen Kanten, wie unten gewählt sind.</translation>
     </message>
     <message>
@@ -6868,7 +6868,7 @@
         <translation>%1: %2 bis %3 s, %4</translation>
     </message>
     <message>
-        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Noch bewegt sich nichts. Ziehen Sie einen Pin, oder nehmen Sie es mit Strg auf: Dann steht hier, Pin für Pin, was Sie getan haben.</translation>
     </message>
     <message>
@@ -6888,7 +6888,7 @@
         <translation>Bewegungen entfernen</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; Umschalt, Strg oder ein Rahmen um sie wählt mehrere. Ein Rechtsklick stellt ein, wie sie beginnen und enden. Die Enden der Linie sagen, wann der Pin hält</translation>
     </message>
 </context>
@@ -6907,7 +6907,7 @@
         <translation>Nur was festgesteckt ist, hält. &lt;b&gt;Klicken Sie auf einen Huf&lt;/b&gt; der Giraffe, um ihn festzustecken.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too, with a click each. Ctrl+Z undoes a pin.</source>
         <translation>&lt;b&gt;Stecken Sie auch die anderen Hufe fest&lt;/b&gt;, je mit einem Klick. Strg+Z nimmt einen Pin zurück.</translation>
     </message>
     <message>
@@ -6931,7 +6931,7 @@
         <translation>Ihr Ziehen ist schon ein Film: &lt;b&gt;K&lt;/b&gt; spielt ihn ab. Ein Klick in den Streifen unten führt zu einer Zeit, und von dort ziehen Sie weiter.</translation>
     </message>
     <message>
-        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
         <translation>Zuletzt führt &lt;b&gt;Strg+5&lt;/b&gt; zum Schritt &lt;i&gt;Export&lt;/i&gt;: ein Bild, eine Bildfolge, eine Karte der Verzerrung oder das Netz.</translation>
     </message>
     <message>
@@ -6969,7 +6969,7 @@
         <translation>Abbrechen (Esc)</translation>
     </message>
     <message>
-        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <source>Stops what is being computed and goes back to the last complete state</source>
         <translation>Beendet, was berechnet wird, und geht zum letzten vollständigen Stand zurück</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@
         <translation>Cifras al arrastrar</translation>
     </message>
     <message>
-        <source>set the number, Enter takes it</source>
+        <source>set the number; Enter confirms it</source>
         <translation>fijan el valor, Intro lo acepta</translation>
     </message>
     <message>
@@ -84,7 +84,7 @@
         <translation>Botón derecho o central</translation>
     </message>
     <message>
-        <source>turns the view; with Shift it moves</source>
+        <source>turns the view; with Shift, moves it</source>
         <translation>gira la vista; con Mayús, la desplaza</translation>
     </message>
     <message>
@@ -171,23 +171,23 @@
         <translation>en el tiempo %1 la forma es demasiado rígida cerca de %2 para asentarse más: los pasos serían demasiado cortos; permita una tolerancia mayor</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1, in cell %2; move it less far or along another path, or release what holds the shape there</source>
         <translation>la forma se plegaría cerca de %1, en la celda %2; llévela menos lejos o de otro modo, o suelte lo que la sujeta allí</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1; move it less far or along another path, or release what holds the shape there</source>
         <translation>la forma se plegaría cerca de %1; llévela menos lejos o de otro modo, o suelte lo que la sujeta allí</translation>
     </message>
     <message>
-        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <source>it moves too fast near %1: the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>va demasiado rápido cerca de %1, los pasos serían demasiado cortos; dé más tiempo al movimiento o permita una tolerancia mayor</translation>
     </message>
     <message>
-        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <source>the shape near %1 is stretched or squeezed so much that no velocity can be computed; move it less far, or make the material or the mesh more even there</source>
         <translation>la forma está tan estirada o comprimida cerca de %1 que no se puede calcular ninguna velocidad; llévela menos lejos, o haga allí más uniformes el material o la malla</translation>
     </message>
     <message>
-        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <source>it moves so fast near %1 that numbers overflow; move it less far, or give its motion more time</source>
         <translation>va tan rápido cerca de %1 que los números se desbordan; llévelo menos lejos o dé más tiempo al movimiento</translation>
     </message>
     <message>
@@ -259,7 +259,7 @@
         <translation>los puntos %1 y %2 son el mismo, %3</translation>
     </message>
     <message>
-        <source>point %1, %2, is outside of the shape</source>
+        <source>point %1, %2, is outside the shape</source>
         <translation>el punto %1, %2, está fuera de la forma</translation>
     </message>
     <message>
@@ -367,7 +367,7 @@
         <translation>un archivo de texto</translation>
     </message>
     <message>
-        <source>no picture that Wend knows</source>
+        <source>not a picture that Wend knows</source>
         <translation>una imagen que Wend no conoce</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>sus %1 partes comparten celdas de la jaula y se mueven juntas como %2: celdas menores separan más de ellas</translation>
     </message>
     <message>
-        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <source>the cage consists of %1 bodies that are not connected: each needs a handle of its own to follow</source>
         <translation>la jaula está en %1 cuerpos que no están unidos: cada uno necesita su propio alfiler para seguir</translation>
     </message>
     <message>
@@ -595,7 +595,7 @@
         <translation>%1: la superficie se mantiene como es y lo fuerza, en sus triángulos %2</translation>
     </message>
     <message>
-        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, so that later vertices have other numbers</source>
         <translation>%1 vértices de la superficie no pertenecen a ningún tetraedro: las mallas de tetraedros se escriben sin ellos y, por tanto, con otros números detrás</translation>
     </message>
     <message>
@@ -603,15 +603,15 @@
         <translation>%1 vértices no pertenecen a ninguna celda. Permanecen en lo que se escribe: algunos programas de cálculo los quieren fuera antes</translation>
     </message>
     <message>
-        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <source>parts that touch vertex to vertex are connected: %1 vertices move with others at the same place</source>
         <translation>las partes que se tocan vértice con vértice van unidas: %1 vértices se mueven con otros en su lugar</translation>
     </message>
     <message>
-        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>a part of %1 hangs only on %2 near %3: what turns freely there may be flung far away unless handles hold it</source>
         <translation>una parte de %1 cuelga solo de %2 cerca de %3: lo que gira allí libremente puede salir despedido, salvo que lo sujeten alfileres</translation>
     </message>
     <message>
-        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>%1 parts hang only on a vertex or an edge, the first, of %2, on %3 near %4: what turns freely there may be flung far away unless handles hold it</source>
         <translation>%1 partes cuelgan solo de un vértice o una arista, la primera, de %2, de %3 cerca de %4: lo que gira allí libremente puede salir despedido, salvo que lo sujeten alfileres</translation>
     </message>
     <message>
@@ -667,7 +667,7 @@
         <translation>%1; un detalle de %2 abre el más ancho</translation>
     </message>
     <message>
-        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, so that later vertices have other numbers</source>
         <translation>1 vértice de la superficie no pertenece a ningún tetraedro: las mallas de tetraedros se escriben sin él y con otros números detrás</translation>
     </message>
     <message>
@@ -710,7 +710,7 @@
 <context>
     <name>CropTool</name>
     <message>
-        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <source>Drag a rectangle around what exports keep, then drag its inside or its sides; Shift keeps the proportions, Delete or a double-click removes it</source>
         <translation>Trace un rectángulo alrededor de lo que conservan las exportaciones; arrastre su interior o sus lados; Mayús mantiene las proporciones, Supr o un doble clic lo quita</translation>
     </message>
 </context>
@@ -737,7 +737,7 @@
         <translation>Los extremos de una curva deben quedarse.</translation>
     </message>
     <message>
-        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <source>Drag the curve&apos;s point, Shift keeps it straight, Ctrl moves one direction only; Delete removes it, a right-click shows more</source>
         <translation>Arrastre el punto de la curva, en línea recta con Mayús, con Ctrl una sola dirección; Supr lo elimina, el clic derecho ofrece más</translation>
     </message>
 </context>
@@ -751,7 +751,7 @@
 <context>
     <name>DepthTool</name>
     <message>
-        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <source>Brush over what lies in front or behind; Ctrl clears it, Shift swaps front and back, [ and ] change the size</source>
         <translation>Pase el pincel sobre lo que quede delante o detrás; Ctrl lo anula, Mayús lo invierte, [ y ] cambian el tamaño</translation>
     </message>
     <message>
@@ -763,7 +763,7 @@
         <translation>Pintar detrás</translation>
     </message>
     <message>
-        <source>Take back depth</source>
+        <source>Clear depth</source>
         <translation>Borrar profundidad</translation>
     </message>
 </context>
@@ -879,11 +879,11 @@
 <context>
     <name>FillTool</name>
     <message>
-        <source>Click to take up what is painted there</source>
+        <source>Click to pick up what is painted there</source>
         <translation>Haga clic para tomar una muestra de lo pintado ahí</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <source>Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up</source>
         <translation>Haga clic para rellenar la zona contigua; Mayús rellena todo, Ctrl quita pintura, Alt toma una muestra</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>Parte</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
+        <source>No part of the shape lies in this outline.</source>
         <translation>En este contorno no hay nada de la forma.</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>Seleccione una sola parte de la que quitar.</translation>
     </message>
     <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <source>A handle must hold something; Delete removes it.</source>
         <translation>Un agarre no puede quedar vacío: elimínelo con Supr.</translation>
     </message>
 </context>
@@ -937,7 +937,7 @@
         <translation>Degradado hacia %1</translation>
     </message>
     <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <source>Drag over the shape to blend evenly from what is there to what is chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels</source>
         <translation>Arrastre sobre la forma: lo que hay pasa gradualmente a lo elegido a la derecha; Mayús en pasos de 45°, Alt toma una muestra, Esc cancela</translation>
     </message>
 </context>
@@ -992,7 +992,7 @@
         <translation>Tamaño de celda</translation>
     </message>
     <message>
-        <source>Way from rest</source>
+        <source>Distance from rest</source>
         <translation>Distancia al reposo</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
 <context>
     <name>MeasureTool</name>
     <message>
-        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <source>Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears</source>
         <translation>Haga clic en dos puntos para una longitud, en un tercero para el ángulo; Ctrl toma vértices, Esc borra</translation>
     </message>
     <message>
@@ -1109,7 +1109,7 @@
         <translation>Mar&amp;gen</translation>
     </message>
     <message>
-        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <source>The outline grows by this much, so that soft edges are kept whole.</source>
         <translation>El contorno se amplía en esta medida para que los bordes suaves queden dentro por completo.</translation>
     </message>
     <message>
@@ -1129,7 +1129,7 @@
         <translation>Borde de la imagen</translation>
     </message>
     <message>
-        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <source>Holds the frame of a photograph, so that no gap opens at its edge: it stays where it is, or its sides slide along themselves. Pins on it still move.</source>
         <translation>Sujeta el marco de una foto para que no se abran huecos junto a él: se queda en su sitio o sus lados se deslizan sobre sí mismos. Los alfileres puestos en él se mueven de todos modos.</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>Vo&amp;lumen máximo</translation>
     </message>
     <message>
-        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <source>Larger tetrahedra are split; in the file&apos;s units, cubed. Half the volume makes about twice as many. At a surface that is kept, some may stay larger.</source>
         <translation>Los tetraedros mayores se dividen; en unidades del archivo al cubo. Con la mitad salen aproximadamente el doble. Junto a una superficie conservada, algunos pueden quedar más grandes.</translation>
     </message>
     <message>
@@ -1177,7 +1177,7 @@
         <translation>Refinar s&amp;uperficie</translation>
     </message>
     <message>
-        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <source>Allows the surface&apos;s triangles to be split where they are larger than the tetrahedra inside. If off, the surface is kept exactly as it is.</source>
         <translation>Permite dividir los triángulos de la superficie mayores que los tetraedros interiores. Si no, la superficie se conserva tal cual.</translation>
     </message>
     <message>
@@ -1193,7 +1193,7 @@
         <translation>Hueco máximo</translation>
     </message>
     <message>
-        <source>“Repair” fills holes of at most so many edges.</source>
+        <source>“Repair” fills holes of at most this many edges.</source>
         <translation>«Reparar» tapa los huecos de hasta este número de aristas.</translation>
     </message>
     <message>
@@ -1225,7 +1225,7 @@
         <translation>Valor e&amp;xacto</translation>
     </message>
     <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
         <translation>Qué se conserva, como el número φ que figura en el proyecto: 0,002 conserva el área o el volumen, 0,464 la longitud, 1,571 es rígido, 2,678 conserva los ángulos (2,498 en un sólido).</translation>
     </message>
     <message>
@@ -1241,7 +1241,7 @@
         <translation>&amp;Longitud de suavizado</translation>
     </message>
     <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads, as a fraction of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
         <translation>Hasta dónde se reparte el tirón de un alfiler, en proporción al tamaño de la forma. Pequeña: junto al alfiler, marcado. Grande: amplio y suave.</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>ninguno</translation>
     </message>
     <message>
-        <source>number of frames, at equal times from the start to the last time</source>
+        <source>number of frames, evenly spaced from the start to the last time</source>
         <translation>número de fotogramas, a intervalos iguales del principio al final</translation>
     </message>
     <message>
@@ -1261,7 +1261,7 @@
         <translation>&amp;Fotogramas</translation>
     </message>
     <message>
-        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <source>whether distortion, φ, directions and velocity are written with meshes, in formats that carry values</source>
         <translation>si la distorsión, φ, las direcciones y la velocidad acompañan a las mallas, en los formatos que admiten valores</translation>
     </message>
     <message>
@@ -1277,7 +1277,7 @@
         <translation>Solo la forma</translation>
     </message>
     <message>
-        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <source>how numbers are stored in mesh files that offer a choice (ply, stl, msh, vtk, vtu)</source>
         <translation>cómo se escriben los números en las mallas que admiten varias formas (ply, stl, msh, vtk, vtu)</translation>
     </message>
     <message>
@@ -1349,7 +1349,7 @@
         <translation>Ajustado a la forma</translation>
     </message>
     <message>
-        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <source>bits per channel in pictures: as in the source, 8 or 16, or half or full floating point; values stay what they are</source>
         <translation>bits por canal de las imágenes: como el original, 8 o 16, o en coma flotante, media o completa; los valores no cambian</translation>
     </message>
     <message>
@@ -1377,7 +1377,7 @@
         <translation>32 bits en coma flotante</translation>
     </message>
     <message>
-        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <source>what pictures show around the shape: nothing, its border drawn outwards, the source as it was, or a colour</source>
         <translation>qué muestran las imágenes junto a la forma: nada, su borde prolongado, el original tal cual o un color</translation>
     </message>
     <message>
@@ -1389,7 +1389,7 @@
         <translation>Transparente</translation>
     </message>
     <message>
-        <source>The border, drawn out</source>
+        <source>The border, drawn outwards</source>
         <translation>El borde, prolongado</translation>
     </message>
     <message>
@@ -1405,7 +1405,7 @@
         <translation>Negro</translation>
     </message>
     <message>
-        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <source>How far apart growing the outline keeps parts and limbs, so that they do not become one.</source>
         <translation>Al crecer, las partes y los miembros quedan separados así, para que no se unan.</translation>
     </message>
     <message>
@@ -1453,7 +1453,7 @@
         <translation> fps</translation>
     </message>
     <message>
-        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with hardly visible losses</source>
         <translation>si las imágenes y películas WebP conservan cada píxel o ocupan una fracción del tamaño con pérdidas apenas visibles</translation>
     </message>
     <message>
@@ -1473,7 +1473,7 @@
         <translation>Vuelve a su forma</translation>
     </message>
     <message>
-        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: where it ends depends on the path. Fully: it is as it was.</source>
         <translation>Un alfiler da una vuelta y regresa: ¿cuánto regresa también la forma? Nada: su final depende del camino. Del todo: queda como estaba.</translation>
     </message>
     <message>
@@ -1484,19 +1484,19 @@
 <context>
     <name>OutlineTool</name>
     <message>
-        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend, too; Ctrl takes it away, Esc cancels</source>
         <translation>Rodee lo que también deba deformarse; con Ctrl se quita. Esc cancela</translation>
     </message>
     <message>
-        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend, too; Ctrl takes it away, [ and ] change the size</source>
         <translation>Pase el pincel sobre lo que también deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend, too; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Haga clic en un color que también deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <source>Draw a line along which to part the shape; Esc cancels</source>
         <translation>Trace una línea por la que separar la forma; Esc cancela</translation>
     </message>
     <message>
@@ -1504,7 +1504,7 @@
         <translation>No quedaría nada de la forma.</translation>
     </message>
     <message numerus="yes">
-        <source>%n pins lay beside the new outline and were removed.</source>
+        <source>Pins outside the new outline were removed: %n.</source>
         <translation>
             <numerusform>%n alfiler quedaba fuera del nuevo contorno y se ha eliminado.</numerusform>
             <numerusform>%n alfileres quedaban fuera del nuevo contorno y se han eliminado.</numerusform>
@@ -1523,7 +1523,7 @@
         <translation>Añadir al contorno</translation>
     </message>
     <message>
-        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <source>The tolerance, or [ and ], changes what was taken; click another colour to take it too, with Ctrl to take it away</source>
         <translation>La tolerancia, también [ y ], cambia lo que se tomó; haga clic en otro color, con Ctrl se quita</translation>
     </message>
     <message>
@@ -1531,23 +1531,23 @@
         <translation>Eso era una línea. Rodee una parte de la imagen.</translation>
     </message>
     <message>
-        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <source>From now on the outline is as you draw it, and has no margin to change. Choose “Cut-out” as the outline to go back to the one that was found.</source>
         <translation>El contorno es desde ahora como usted lo dibuja y no tiene margen. «Recorte» como contorno recupera el encontrado.</translation>
     </message>
     <message>
-        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend; Ctrl takes it away, Esc cancels</source>
         <translation>Rodee lo que deba deformarse; con Ctrl se quita. Esc cancela</translation>
     </message>
     <message>
-        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <source>Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl takes away, Backspace removes the last corner, Esc cancels</source>
         <translation>Haga clic esquina a esquina, Mayús en pasos de 45°, el doble clic cierra; Ctrl quita, Retroceso deshace una esquina, Esc cancela</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend; Ctrl takes it away, [ and ] change the size</source>
         <translation>Pase el pincel sobre lo que deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Haga clic en un color que deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
     </message>
 </context>
@@ -1590,7 +1590,7 @@
         <translation>Suavizado</translation>
     </message>
     <message>
-        <source>Take paint off %1</source>
+        <source>Erase paint from %1</source>
         <translation>Quitar pintura de %1</translation>
     </message>
     <message>
@@ -1606,27 +1606,27 @@
         <translation>Pintar %1 en %2</translation>
     </message>
     <message>
-        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <source>There is no direction to follow: the numbers on the right were used.</source>
         <translation>No hay dirección que seguir: se han tomado los números de la derecha.</translation>
     </message>
     <message>
-        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>Peine en el sentido en que deba ser rígida; Ctrl quita, Mayús suaviza, Mayús+clic traza una línea, Alt+clic toma una muestra, Esc cancela el trazo</translation>
     </message>
     <message>
-        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>Pinte lo elegido a la derecha; Ctrl quita, Mayús suaviza, Mayús+clic traza una línea, Alt+clic toma una muestra, Esc cancela el trazo</translation>
     </message>
     <message>
-        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <source>Stiffness ×1 is the same as everywhere and changes nothing: choose on the right how many times stiffer it should be</source>
         <translation>La rigidez ×1 es como en todas partes y aquí no cambia nada: elija a la derecha cuántas veces más rígido debe ser</translation>
     </message>
     <message>
-        <source>Take paint off</source>
+        <source>Erase paint</source>
         <translation>Quitar pintura</translation>
     </message>
     <message>
-        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <source>Erases paint from all visible layers: brush over what should be like the rest again; Shift-click draws a line, Esc cancels the stroke</source>
         <translation>Quita la pintura de todas las capas visibles: pase el pincel sobre lo que deba volver a ser como en todas partes; Mayús-clic traza una línea, Esc abandona el trazo</translation>
     </message>
     <message>
@@ -1656,19 +1656,19 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click on the pin whose path you want to draw</source>
+        <source>Click the pin whose path you want to draw</source>
         <translation>Haga clic en el alfiler cuya trayectoria quiere dibujar</translation>
     </message>
     <message>
-        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <source>Click where the selected pin should go, point by point; drag for a smooth point</source>
         <translation>Haga clic punto por punto donde deba ir el alfiler seleccionado; arrastre para un punto suave</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
         <translation>Arrastre para un punto suave: Mayús en pasos de 45°, Alt solo de este lado</translation>
     </message>
     <message>
-        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>Clic para una esquina, arrastre para un punto suave, Mayús en pasos de 45°; Intro termina, Retroceso quita un punto, Esc abandona</translation>
     </message>
 </context>
@@ -1710,11 +1710,11 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <source>Drag as far as the pin should hold; Esc cancels</source>
         <translation>Arrastre hasta donde el alfiler deba sujetar; Esc cancela</translation>
     </message>
     <message>
-        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <source>Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number</source>
         <translation>Arrastre el punto para rotar, con Mayús de 15° en 15°, o el cuadrado para escalar; las cifras fijan el valor</translation>
     </message>
     <message>
@@ -1730,11 +1730,11 @@
         <translation>%1: sujeta desde %2 s</translation>
     </message>
     <message>
-        <source>%1: let go at %2 s</source>
+        <source>%1: released at %2 s</source>
         <translation>%1: soltado en %2 s</translation>
     </message>
     <message>
-        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <source>Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl records it; digits set the number</source>
         <translation>Arrastre en cualquier lugar para rotar lo seleccionado, Mayús de 15° en 15°, Ctrl lo graba; los dígitos fijan el número</translation>
     </message>
     <message>
@@ -1746,7 +1746,7 @@
         <translation>Un punto no se puede escalar: arrastre con Alt para ensancharlo</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
         <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
     </message>
     <message>
@@ -1796,22 +1796,22 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <source>Recording until you let go; Esc cancels</source>
         <translation>Se graba tal cual hasta que suelte; Esc lo abandona</translation>
     </message>
 </context>
 <context>
     <name>RegionTool</name>
     <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>Arrastre desde un punto de la superficie para sujetar una esfera; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <source>Drag from a point on the surface towards the side to hold: all that lies beyond the point</source>
         <translation>Arrastre desde un punto de la superficie hacia lo que quiera sujetar: todo lo que haya más allá del punto</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>Arrastre desde un punto de la superficie para sujetar una caja; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
     </message>
     <message>
@@ -1941,7 +1941,7 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <source>Brush over what should be meshed finer; Shift makes it coarser, Ctrl evens it out again, [ and ] change the size</source>
         <translation>Pase el pincel donde la malla deba ser más fina; Mayús la hace más gruesa, Ctrl la deja uniforme, [ y ] cambian el tamaño</translation>
     </message>
     <message>
@@ -2026,7 +2026,7 @@
         <translation>Agarrar una es&amp;fera</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <source>Take hold of all that lies in a ball around a point on the surface</source>
         <translation>Agarrar todo lo que haya en una esfera en torno a un punto de la superficie</translation>
     </message>
     <message>
@@ -2034,7 +2034,7 @@
         <translation>Agarrar una ca&amp;ja</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <source>Take hold of all that lies in a block around a point on the surface</source>
         <translation>Agarrar todo lo que haya en una caja en torno a un punto de la superficie</translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@
         <translation>Agarrar u&amp;n lado</translation>
     </message>
     <message>
-        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <source>Take hold of all that lies beyond a plane through a point on the surface</source>
         <translation>Agarrar todo lo que haya más allá de un plano que pasa por un punto de la superficie</translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@
         <translation>Contorno con la&amp;zo</translation>
     </message>
     <message>
-        <source>Draw around what shall bend, or shall not</source>
+        <source>Draw around what should bend, or should not</source>
         <translation>Rodear lo que deba deformarse, o no</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Contorno con políg&amp;ono</translation>
     </message>
     <message>
-        <source>Set the corners of what shall bend, or shall not</source>
+        <source>Set the corners of what should bend, or should not</source>
         <translation>Poner las esquinas de lo que deba deformarse, o no</translation>
     </message>
     <message>
@@ -2066,7 +2066,7 @@
         <translation>Co&amp;ntorno con pincel</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, or shall not</source>
+        <source>Brush over what should bend, or should not</source>
         <translation>Pasar el pincel sobre lo que deba deformarse, o no</translation>
     </message>
     <message>
@@ -2074,7 +2074,7 @@
         <translation>Contorno por &amp;color</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend, or shall not</source>
+        <source>Click a colour that should bend, or should not</source>
         <translation>Hacer clic en un color que deba deformarse, o no</translation>
     </message>
     <message>
@@ -2082,7 +2082,7 @@
         <translation>Sepa&amp;rar</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted</source>
+        <source>Draw a line along which to part the shape</source>
         <translation>Trazar una línea por la que se separa la forma</translation>
     </message>
     <message>
@@ -2090,7 +2090,7 @@
         <translation>Pincel de de&amp;talle</translation>
     </message>
     <message>
-        <source>Brush where the mesh is to be finer or coarser</source>
+        <source>Brush where the mesh should be finer or coarser</source>
         <translation>Pintar dónde la malla debe ser más fina o más gruesa</translation>
     </message>
     <message>
@@ -2106,7 +2106,7 @@
         <translation>P&amp;einar</translation>
     </message>
     <message>
-        <source>Comb the direction along which it is stiff</source>
+        <source>Comb the direction along which the shape is stiff</source>
         <translation>Peinar la dirección en la que es rígida</translation>
     </message>
     <message>
@@ -2114,7 +2114,7 @@
         <translation>&amp;Degradado</translation>
     </message>
     <message>
-        <source>Drag: what is there changes evenly into what is chosen</source>
+        <source>Drag to blend evenly from what is there to what is chosen</source>
         <translation>Arrastrar: lo que hay pasa gradualmente a lo elegido</translation>
     </message>
     <message>
@@ -2122,7 +2122,7 @@
         <translation>&amp;Rellenar</translation>
     </message>
     <message>
-        <source>Fill with what is chosen all that hangs together</source>
+        <source>Fill a connected area with what is chosen</source>
         <translation>Rellenar con lo elegido toda la zona contigua</translation>
     </message>
     <message>
@@ -2130,7 +2130,7 @@
         <translation>C&amp;uentagotas</translation>
     </message>
     <message>
-        <source>Take up what is painted under the pointer</source>
+        <source>Pick up what is painted under the pointer</source>
         <translation>Tomar una muestra de lo pintado bajo el puntero</translation>
     </message>
     <message>
@@ -2154,7 +2154,7 @@
         <translation>Bo&amp;rrador</translation>
     </message>
     <message>
-        <source>Take paint off: what is brushed is as everywhere again</source>
+        <source>Erase paint: what you brush over is like the rest again</source>
         <translation>Quitar pintura: lo que recorra el pincel vuelve a ser como en todas partes</translation>
     </message>
     <message>
@@ -2162,7 +2162,7 @@
         <translation>&amp;Recortar</translation>
     </message>
     <message>
-        <source>Draw a rectangle around what exports keep of the picture</source>
+        <source>Draw a rectangle around the part of the picture that exports keep</source>
         <translation>Trazar un rectángulo alrededor de lo que las exportaciones conservan de la imagen</translation>
     </message>
     <message>
@@ -2178,7 +2178,7 @@
         <translation>Desp&amp;lazar</translation>
     </message>
     <message>
-        <source>Drag the view to another place; in every step the space bar does so</source>
+        <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>Arrastrar la vista a otro lugar; en cada paso lo hace la barra espaciadora</translation>
     </message>
 </context>
@@ -2213,7 +2213,7 @@
         <translation>&amp;Imagen…</translation>
     </message>
     <message>
-        <source>Write the picture as it is bent now, at its full size</source>
+        <source>Write the bent picture at its full size</source>
         <translation>Exportar la imagen tal como está deformada, a tamaño completo</translation>
     </message>
     <message>
@@ -2301,11 +2301,11 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Take back the last step</source>
+        <source>Undo the last step</source>
         <translation>Deshacer el último paso</translation>
     </message>
     <message>
-        <source>Do again what was taken back</source>
+        <source>Redo what was undone</source>
         <translation>Rehacer lo que se deshizo</translation>
     </message>
     <message>
@@ -2313,7 +2313,7 @@
         <translation>&amp;Historial…</translation>
     </message>
     <message>
-        <source>See what was done, and go back to any of it</source>
+        <source>See what was done, and go back to any step</source>
         <translation>Ver lo que se ha hecho y volver a cualquier paso</translation>
     </message>
     <message>
@@ -2377,7 +2377,7 @@
         <translation>Marcas de &amp;rigidez</translation>
     </message>
     <message>
-        <source>Show where it is stiff, and along which direction</source>
+        <source>Show where the shape is stiff, and along which direction</source>
         <translation>Mostrar dónde es rígida y en qué dirección</translation>
     </message>
     <message>
@@ -2453,11 +2453,11 @@
         <translation>Usar toda la pantalla</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>Como el &amp;escritorio</translation>
     </message>
     <message>
-        <source>Light or dark as the desktop is</source>
+        <source>Light or dark, like the desktop</source>
         <translation>Claro u oscuro, como el escritorio</translation>
     </message>
     <message>
@@ -2489,7 +2489,7 @@
         <translation>&amp;Bucle</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Start over at the end</source>
         <translation>Volver a empezar al final</translation>
     </message>
     <message>
@@ -2513,7 +2513,7 @@
         <translation>Mostrar el final del movimiento</translation>
     </message>
     <message>
-        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <source>Let the shape relax at the end, with the pins where they are</source>
         <translation>Dejar que la forma se relaje hacia su reposo al final, con los alfileres donde están</translation>
     </message>
     <message>
@@ -2529,7 +2529,7 @@
         <translation>&amp;Teclado y ratón</translation>
     </message>
     <message>
-        <source>What pointer and keys do</source>
+        <source>What the mouse and the keys do</source>
         <translation>Qué hacen el puntero y las teclas</translation>
     </message>
     <message>
@@ -2589,7 +2589,7 @@
         <translation>Un sólido no tiene píxeles: exporte la vista.</translation>
     </message>
     <message>
-        <source>Of a picture, export the picture itself.</source>
+        <source>For a picture, export the picture itself.</source>
         <translation>De una imagen, exporte la propia imagen.</translation>
     </message>
     <message>
@@ -2625,7 +2625,7 @@
         <translation>Comparar energía&amp;s</translation>
     </message>
     <message>
-        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <source>Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape</source>
         <translation>Mostrar al lado otra energía con los mismos alfileres; o arrastrar una miniatura de Conservar a la forma</translation>
     </message>
     <message>
@@ -2637,7 +2637,7 @@
         <translation>&amp;Grabar</translation>
     </message>
     <message>
-        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <source>Record every drag as it happens, in real time; Ctrl does so for one drag</source>
         <translation>Cada arrastre se guarda tal cual, en tiempo real; Ctrl lo hace para uno solo</translation>
     </message>
     <message>
@@ -2649,7 +2649,7 @@
         <translation>&amp;Papel cebolla</translation>
     </message>
     <message>
-        <source>Show what was a little before and what comes a little after</source>
+        <source>Show the shape as it was a little before and as it is a little after</source>
         <translation>Mostrar lo que hubo poco antes y lo que viene poco después</translation>
     </message>
     <message>
@@ -2661,7 +2661,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>How fast it plays, and by which clock drags are recorded</source>
+        <source>How fast the motion plays, and how fast time goes while drags are recorded</source>
         <translation>A qué velocidad se reproduce y con qué reloj se graba</translation>
     </message>
     <message>
@@ -2673,7 +2673,7 @@
         <translation>Menos &amp;movimiento</translation>
     </message>
     <message>
-        <source>Nothing moves in the window but what shows something</source>
+        <source>Turn off animations that are only for show</source>
         <translation>En la ventana solo se mueve lo que muestra algo</translation>
     </message>
     <message>
@@ -2681,11 +2681,11 @@
         <translation>&amp;Consejos</translation>
     </message>
     <message>
-        <source>Say beside the shape what to do first</source>
+        <source>Show beside the shape what to do first</source>
         <translation>Dice junto a la forma qué hacer primero</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>Reproducir el movimiento o pausarlo; también al pulsar brevemente la barra espaciadora</translation>
     </message>
     <message>
@@ -2693,7 +2693,7 @@
         <translation>&amp;Propiedades</translation>
     </message>
     <message>
-        <source>Show the properties at the right, or leave their room to the shape</source>
+        <source>Show the properties on the right, or give their room to the shape</source>
         <translation>Mostrar las propiedades a la derecha o dejar su sitio a la forma</translation>
     </message>
     <message>
@@ -2701,7 +2701,7 @@
         <translation>Tam&amp;año de las marcas</translation>
     </message>
     <message>
-        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <source>How large pins, rings and curves are drawn, so that they are easy to see and to hit</source>
         <translation>El tamaño de alfileres, anillos y curvas sobre la forma, para el ojo y para la mano</translation>
     </message>
     <message>
@@ -2728,7 +2728,7 @@
         <translation>&amp;Blanco</translation>
     </message>
     <message>
-        <source>White behind the shape: dark edges are seen on it</source>
+        <source>White behind the shape, to see dark edges</source>
         <translation>Blanco detrás de la forma: se ven los bordes oscuros</translation>
     </message>
     <message>
@@ -2744,7 +2744,7 @@
         <translation>&amp;Negro</translation>
     </message>
     <message>
-        <source>Black behind the shape: light edges are seen on it</source>
+        <source>Black behind the shape, to see light edges</source>
         <translation>Negro detrás de la forma: se ven los bordes claros</translation>
     </message>
 </context>
@@ -2758,7 +2758,7 @@
 <context>
     <name>wend::BorderOffer</name>
     <message>
-        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
         <translation>Esta imagen llena su marco. Con el borde sujeto se deforma por dentro y no se abren huecos en los lados.</translation>
     </message>
     <message>
@@ -2809,7 +2809,7 @@
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ], or by dragging to the right with Alt and the right button.</source>
         <translation>El diámetro del pincel en pantalla; también con las teclas [ y ], o arrastrando a la derecha con Alt y el botón derecho.</translation>
     </message>
     <message>
@@ -2821,7 +2821,7 @@
         <translation>Dureza</translation>
     </message>
     <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <source>How much of the brush paints fully; beyond that it fades out. Also by Shift with [ and ], or by dragging upwards with Alt and the right button.</source>
         <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ], o arrastrando hacia arriba con Alt y el botón derecho.</translation>
     </message>
     <message>
@@ -2849,7 +2849,7 @@
         <translation>Orden</translation>
     </message>
     <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <source>What you brush over lies in front if this is greater than 0, behind if it is less</source>
         <translation>Lo que recorre el pincel queda delante si es mayor que 0 y detrás si es menor</translation>
     </message>
     <message>
@@ -2857,7 +2857,7 @@
         <translation>Aristas</translation>
     </message>
     <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <source>How long the mesh&apos;s edges are where you brush, compared with elsewhere</source>
         <translation>Longitud de las aristas de la malla donde pasa el pincel, respecto a las demás</translation>
     </message>
 </context>
@@ -2903,7 +2903,7 @@
         <translation>Vuelve a mostrar una sola forma.</translation>
     </message>
     <message>
-        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <source>What this half keeps, or how it is without paint, with the same pins and motions.</source>
         <translation>Lo que conserva esta mitad, o cómo es sin pintura, con los mismos alfileres y movimientos.</translation>
     </message>
     <message>
@@ -2922,7 +2922,7 @@
         <translation>Editar tra&amp;yectoria</translation>
     </message>
     <message>
-        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <source>Turn the last path of the selected pin into a Bézier curve</source>
         <translation>Convertir la última trayectoria del alfiler seleccionado en una curva de Bézier</translation>
     </message>
     <message>
@@ -2934,7 +2934,7 @@
         <translation>&amp;Insertar punto</translation>
     </message>
     <message>
-        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <source>Split the curve at the pointer, or after the chosen point; its shape stays</source>
         <translation>Dividir la curva donde se señaló o tras el punto elegido; su forma se mantiene</translation>
     </message>
     <message>
@@ -2958,7 +2958,7 @@
         <translation>&amp;Libre</translation>
     </message>
     <message>
-        <source>Let both directions at the point go their own way</source>
+        <source>Let the two directions at the point be independent</source>
         <translation>Dejar que cada dirección del punto vaya por su lado</translation>
     </message>
     <message>
@@ -2982,7 +2982,7 @@
         <translation>A&amp;utomático</translation>
     </message>
     <message>
-        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <source>Lead the curve smoothly through the point, guided by its neighbours</source>
         <translation>Llevar la curva con suavidad por el punto según sus vecinos</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
         <translation>Alt+3</translation>
     </message>
     <message>
-        <source>Select one pin that was dragged along a way.</source>
+        <source>Select one pin that was dragged along a path.</source>
         <translation>Seleccione un alfiler que se haya arrastrado por una trayectoria.</translation>
     </message>
     <message>
@@ -2998,7 +2998,7 @@
         <translation>Seleccione un alfiler que siga una curva.</translation>
     </message>
     <message>
-        <source>Click a point of the curve first; two must stay.</source>
+        <source>Click a point of the curve first; two must remain.</source>
         <translation>Haga clic primero en un punto de la curva; deben quedar dos.</translation>
     </message>
     <message>
@@ -3013,7 +3013,7 @@
         <translation>Editar trayectoria</translation>
     </message>
     <message>
-        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <source>Turns the drawn path into a Bézier curve with points to drag.</source>
         <translation>Convierte la trayectoria trazada en una curva de Bézier con puntos que se arrastran.</translation>
     </message>
     <message>
@@ -3081,7 +3081,7 @@
         <translation>Aceleración</translation>
     </message>
     <message>
-        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
         <translation>Cómo empieza y acaba el movimiento del momento mostrado: uniforme o suave.</translation>
     </message>
     <message>
@@ -3135,11 +3135,11 @@
         <translation>Otro lado</translation>
     </message>
     <message>
-        <source>Turns the plane so that it stands across this axis.</source>
+        <source>Turns the plane so that it is perpendicular to this axis.</source>
         <translation>Coloca el plano perpendicular a este eje.</translation>
     </message>
     <message>
-        <source>Takes away the other side of the plane.</source>
+        <source>Cuts away the other side of the plane.</source>
         <translation>Quita el otro lado del plano.</translation>
     </message>
     <message>
@@ -3155,7 +3155,7 @@
         <translation>Normal del corte</translation>
     </message>
     <message>
-        <source>The direction that the plane looks in, as x, y and z.</source>
+        <source>The direction that the plane faces, as x, y and z.</source>
         <translation>Dirección hacia la que mira el plano, en x, y y z.</translation>
     </message>
     <message>
@@ -3179,7 +3179,7 @@
         <translation>Distan&amp;cia</translation>
     </message>
     <message>
-        <source>There is no solid yet that could be cut.</source>
+        <source>There is no solid to cut yet.</source>
         <translation>Todavía no hay ningún sólido que cortar.</translation>
     </message>
     <message>
@@ -3226,7 +3226,7 @@
         <translation>&amp;Número…</translation>
     </message>
     <message>
-        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <source>Give what is around the selected pins an order: the greater number lies in front</source>
         <translation>Dar un orden a lo que rodea los alfileres seleccionados: el mayor queda delante</translation>
     </message>
     <message>
@@ -3234,7 +3234,7 @@
         <translation>&amp;Profundidad</translation>
     </message>
     <message>
-        <source>A solid has its depth by itself.</source>
+        <source>A solid has depth of its own.</source>
         <translation>Un sólido ya tiene su profundidad.</translation>
     </message>
     <message>
@@ -3300,7 +3300,7 @@
         <translation>Elegir piel</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
         <translation>Toma de un archivo una superficie detallada, quizá con texturas: sigue al sólido, es lo que muestra la vista y lo que reciben los formatos de superficie.</translation>
     </message>
     <message>
@@ -3308,7 +3308,7 @@
         <translation>Eliminar piel</translation>
     </message>
     <message>
-        <source>The solid is seen and exported with its own surface again.</source>
+        <source>Shows and exports the solid with its own surface again.</source>
         <translation>El sólido vuelve a mostrarse y exportarse con su propia superficie.</translation>
     </message>
     <message>
@@ -3323,7 +3323,7 @@
         <translation>Fijar los colores</translation>
     </message>
     <message>
-        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <source>Keep the range of the colours, to compare different shapes and energies.</source>
         <translation>Mantener el rango de colores para comparar formas y energías.</translation>
     </message>
     <message>
@@ -3383,11 +3383,11 @@
         <translation>Suma sobre la forma de σ₁σ₂ + 1/(σ₁σ₂) − 2: cero si se conservan todas las áreas.</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
         <translation>El tetraedro más alejado del reposo según lo que muestra el mapa.</translation>
     </message>
     <message>
-        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <source>The triangle that is farthest from rest in what the map shows.</source>
         <translation>El triángulo más alejado del reposo según lo que muestra el mapa.</translation>
     </message>
     <message>
@@ -3423,7 +3423,7 @@
         <translation>Colores suaves</translation>
     </message>
     <message>
-        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
         <translation>Hace que los colores de un mapa pasen gradualmente de celda a celda. Si no, cada celda tiene el único color de su valor.</translation>
     </message>
     <message>
@@ -3439,19 +3439,19 @@
         <translation>Se cruza</translation>
     </message>
     <message>
-        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
         <translation>Cuántas veces la superficie se atraviesa cuando la pose está quieta: lugares, cada uno de pares de triángulos. Un clic muestra el siguiente; el mapa los marca en rojo.</translation>
     </message>
     <message>
-        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
         <translation>Dónde el contorno se cruza cuando la pose está quieta: una parte queda sobre otra. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
     </message>
     <message>
-        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>Tetraedros de más de diez veces su volumen, o de menos de una décima parte. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
     </message>
     <message>
-        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>Triángulos de más de diez veces su área, o de menos de una décima parte. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
     </message>
     <message>
@@ -3481,7 +3481,7 @@
         </translation>
     </message>
     <message>
-        <source>That is looked for once the pose rests.</source>
+        <source>This is checked once the pose is at rest.</source>
         <translation>Se busca en cuanto la pose está en reposo.</translation>
     </message>
     <message>
@@ -3500,11 +3500,11 @@
         <translation>Qué se conserva</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Qué conserva la forma donde tiene que ceder: desde su volumen, pasando por las longitudes y las partes rígidas, hasta el aspecto de sus detalles. Entre dos nombres hay algo de ambos.</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Qué conserva la forma donde tiene que ceder: desde su área, pasando por las longitudes y las partes rígidas, hasta el aspecto de sus detalles. Entre dos nombres hay algo de ambos.</translation>
     </message>
 </context>
@@ -3562,7 +3562,7 @@
         <translation>Como en la imagen</translation>
     </message>
     <message>
-        <source>As the format holds it best</source>
+        <source>As it suits the format best</source>
         <translation>Lo mejor que permita el formato</translation>
     </message>
     <message>
@@ -3586,7 +3586,7 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <source>As it moves, the shape leaves the picture and is cut off there: %1.</source>
         <translation>En su recorrido, la forma sale de la imagen y ahí se corta: %1.</translation>
     </message>
     <message>
@@ -3724,18 +3724,18 @@
         <translation>Wend</translation>
     </message>
     <message numerus="yes">
-        <source>%n of these frames exist. Replace them?</source>
+        <source>Replace the frames that already exist (%n)?</source>
         <translation>
             <numerusform>%n de estos fotogramas ya existe. ¿Reemplazarlo?</numerusform>
             <numerusform>%n de estos fotogramas ya existen. ¿Reemplazarlos?</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <source>What it holds now will be lost, and the project will no longer open as it is.</source>
         <translation>Su contenido actual se perderá y el proyecto ya no se abrirá como está ahora.</translation>
     </message>
     <message>
-        <source>What they hold now is lost.</source>
+        <source>What they hold now will be lost.</source>
         <translation>Su contenido actual se perderá.</translation>
     </message>
     <message>
@@ -3759,7 +3759,7 @@
         <translation>Exportado: %1</translation>
     </message>
     <message>
-        <source>Write Material</source>
+        <source>Export Material</source>
         <translation>Exportar material</translation>
     </message>
     <message>
@@ -3830,7 +3830,7 @@
         <translation>Datos del archivo</translation>
     </message>
     <message>
-        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <source>The surface as it is in its file. Lengths are in the file&apos;s units, which few files name.</source>
         <translation>La superficie tal como está en el archivo. Las longitudes están en la unidad del archivo, que pocos indican.</translation>
     </message>
     <message>
@@ -3850,11 +3850,11 @@
         <translation>Huecos en una misma parte que la jaula cierra: ambos lados se mueven juntos.</translation>
     </message>
     <message>
-        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <source>Goes to the tetrahedron with the largest ratio.</source>
         <translation>Mira el tetraedro con la mayor razón.</translation>
     </message>
     <message>
-        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <source>Goes through the gaps that the cage closes, one after another.</source>
         <translation>Mira uno tras otro los huecos que cierra la jaula.</translation>
     </message>
     <message>
@@ -3862,7 +3862,7 @@
         <translation>Afina la jaula para que el más ancho de estos huecos quede abierto.</translation>
     </message>
     <message>
-        <source>The file is looked at …</source>
+        <source>Looking at the file …</source>
         <translation>Se examina el archivo…</translation>
     </message>
     <message>
@@ -4000,7 +4000,7 @@
         <translation>Buscar %1</translation>
     </message>
     <message>
-        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <source>Your changes cannot be recovered if the program crashes: please save. %1</source>
         <translation>No hay copia de sus cambios por si el programa falla: guárdelos. %1</translation>
     </message>
     <message>
@@ -4032,11 +4032,11 @@
         <translation>¿Recargar «%1»?</translation>
     </message>
     <message>
-        <source>Your changes since it was saved are lost.</source>
+        <source>Your changes since it was saved will be lost.</source>
         <translation>Se perderán los cambios que ha hecho desde que se guardó.</translation>
     </message>
     <message>
-        <source>Saving replaces those changes; reloading drops yours.</source>
+        <source>Saving replaces those changes; reloading discards yours.</source>
         <translation>Guardar reemplaza esos cambios; recargar descarta los suyos.</translation>
     </message>
     <message>
@@ -4056,7 +4056,7 @@
         <translation>¿Guardar los cambios de «%1»?</translation>
     </message>
     <message>
-        <source>If you do not save, they are lost.</source>
+        <source>If you do not save, they will be lost.</source>
         <translation>Si no los guarda, se perderán.</translation>
     </message>
     <message>
@@ -4076,7 +4076,7 @@
         <translation>¿Guardar lo que ha hecho con «%1»?</translation>
     </message>
     <message>
-        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>Se convierte en un proyecto propio; el archivo queda como está. Si no lo guarda, lo hecho se perderá.</translation>
     </message>
 </context>
@@ -4113,7 +4113,7 @@
         <translation>Relajar</translation>
     </message>
     <message>
-        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <source>The pins stay where they are, and what lies between them releases its tension. This takes one second at the end of the film.</source>
         <translation>Los alfileres quedan donde están y lo que hay entre ellos suelta su tensión. Ocupa un segundo al final de la película.</translation>
     </message>
     <message>
@@ -4152,7 +4152,7 @@
         <translation>Paso exacto</translation>
     </message>
     <message>
-        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <source>Moves, rotates or scales what is selected by exact numbers.</source>
         <translation>Mueve, rota o escala la selección con valores exactos.</translation>
     </message>
     <message>
@@ -4180,11 +4180,11 @@
         <translation>Eje</translation>
     </message>
     <message>
-        <source>The axis of the turn, through the middle of what is selected.</source>
+        <source>The axis of the rotation, through the middle of what is selected.</source>
         <translation>El eje de giro, por el centro de la selección.</translation>
     </message>
     <message>
-        <source>Does this step; it becomes part of the motion.</source>
+        <source>Applies this step; it becomes part of the motion.</source>
         <translation>Ejecuta este paso; pasa a formar parte del movimiento.</translation>
     </message>
     <message>
@@ -4222,7 +4222,7 @@
         <translation>Qué idioma habla la ventana</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>Como el &amp;escritorio</translation>
     </message>
     <message>
@@ -4237,7 +4237,7 @@
 <context>
     <name>wend::LayerPanel</name>
     <message>
-        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <source>The material is the same everywhere: brush over the shape to change a part.</source>
         <translation>Es igual en todas partes: pinte sobre la forma para cambiar una parte.</translation>
     </message>
     <message>
@@ -4273,7 +4273,7 @@
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Takes the chosen layer away.</source>
+        <source>Removes the chosen layer.</source>
         <translation>Elimina la capa elegida.</translation>
     </message>
     <message>
@@ -4285,7 +4285,7 @@
         <translation>Rigidez</translation>
     </message>
     <message>
-        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the layer is along its direction; ×1 is the same as everywhere.</source>
         <translation>Cuántas veces es más rígida la capa en su dirección; ×1 es como en todas partes.</translation>
     </message>
     <message>
@@ -4293,7 +4293,7 @@
         <translation>Dirección rígida</translation>
     </message>
     <message>
-        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <source>At rest; it turns with the shape. A change is for all regions of the layer.</source>
         <translation>En reposo; gira con la forma. Cambiarla vale para todas las regiones de la capa.</translation>
     </message>
     <message>
@@ -4333,7 +4333,7 @@
         <translation>Sin nombre</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <source>Where the material differs. The topmost layer wins; drag a layer to move it. A click shows its values, a double-click changes its name, its eye or the space bar switches it off.</source>
         <translation>Dónde el material es otro. Prevalece la capa de más arriba: arrastre una capa a su lugar. Un clic muestra sus valores, un doble clic cambia su nombre, su ojo o la barra espaciadora la desactiva.</translation>
     </message>
     <message>
@@ -4341,7 +4341,7 @@
         <translation>Imágenes</translation>
     </message>
     <message>
-        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <source>Imports the material from pictures made in a paint program, and exports it as such.</source>
         <translation>Importa el material desde imágenes de un programa de pintura, y lo exporta igual.</translation>
     </message>
     <message>
@@ -4349,7 +4349,7 @@
         <translation>Volver a leer</translation>
     </message>
     <message>
-        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <source>Takes the pictures as they are now, after they have been saved in a paint program.</source>
         <translation>Toma las imágenes como están ahora, tras guardarlas en un programa de pintura.</translation>
     </message>
     <message>
@@ -4409,15 +4409,15 @@
         <translation>La rigidez ×1 no tiene dirección: elija primero cuántas veces más rígido es.</translation>
     </message>
     <message>
-        <source>What a file says of each cell stays lowest.</source>
+        <source>What a file gives cell by cell stays lowest.</source>
         <translation>Lo que un archivo dice de cada celda se queda abajo del todo.</translation>
     </message>
     <message>
-        <source>It is the lowest layer already.</source>
+        <source>This is already the lowest layer.</source>
         <translation>Ya es la capa más baja.</translation>
     </message>
     <message>
-        <source>It is the topmost layer already.</source>
+        <source>This is already the topmost layer.</source>
         <translation>Ya es la capa más alta.</translation>
     </message>
     <message>
@@ -4494,11 +4494,11 @@
         <translation>Atrás</translation>
     </message>
     <message>
-        <source>The page before</source>
+        <source>The previous page</source>
         <translation>La página anterior</translation>
     </message>
     <message>
-        <source>This stands on no page.</source>
+        <source>No page has these words.</source>
         <translation>Eso no está en ninguna página.</translation>
     </message>
     <message>
@@ -4506,58 +4506,58 @@
         <translation>Buscar en el manual</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <source>Enter goes to the next place with these words, on this page or another.</source>
         <translation>Intro va al siguiente lugar donde están estas palabras, en esta página o en otra.</translation>
     </message>
 </context>
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Bring In What Is &amp;Kept…</source>
+        <source>Import What Is &amp;Kept…</source>
         <translation>Importar qué se &amp;conserva…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>Una imagen gris sobre el conjunto, como capa: el negro conserva el área, el blanco los ángulos</translation>
     </message>
     <message>
-        <source>Bring In &amp;Stiffness…</source>
+        <source>Import &amp;Stiffness…</source>
         <translation>Importar &amp;rigidez…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <source>A grey picture over the whole, as a layer: black is the same as everywhere, white is 1000 times stiffer</source>
         <translation>Una imagen gris sobre el conjunto, como capa: negro es como en todas partes, blanco 1000 veces más rígido</translation>
     </message>
     <message>
-        <source>Bring In &amp;Directions…</source>
+        <source>Import &amp;Directions…</source>
         <translation>Importar &amp;direcciones…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <source>A grey picture over the whole, as a layer, of the direction of stiffness: black is level, middle grey upright</source>
         <translation>Una imagen gris sobre el conjunto, como capa: negro horizontal, gris medio vertical; lo rígido lo es en esa dirección</translation>
     </message>
     <message>
-        <source>Bring In Values of &amp;Cells…</source>
+        <source>Import Values of &amp;Cells…</source>
         <translation>Importar valores de c&amp;eldas…</translation>
     </message>
     <message>
-        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>φ y B de cada celda desde un archivo de malla que los contenga, por ejemplo uno exportado</translation>
     </message>
     <message>
-        <source>Write What Is K&amp;ept…</source>
+        <source>Export What Is K&amp;ept…</source>
         <translation>Exportar qué se co&amp;nserva…</translation>
     </message>
     <message>
-        <source>As a gray picture, to go on with in a paint program</source>
+        <source>As a grey picture, to be edited in a paint program</source>
         <translation>Como imagen gris, para continuar en un programa de pintura</translation>
     </message>
     <message>
-        <source>Write S&amp;tiffness…</source>
+        <source>Export S&amp;tiffness…</source>
         <translation>Exportar ri&amp;gidez…</translation>
     </message>
     <message>
-        <source>Write Di&amp;rections…</source>
+        <source>Export Di&amp;rections…</source>
         <translation>Exportar direcci&amp;ones…</translation>
     </message>
     <message>
@@ -4569,7 +4569,7 @@
         <translation>Abra primero una imagen.</translation>
     </message>
     <message>
-        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <source>For a solid, these are values of cells; they are exported with its mesh.</source>
         <translation>En un sólido son valores de celdas; se exportan con su malla.</translation>
     </message>
     <message>
@@ -4581,7 +4581,7 @@
         <translation>Imágenes (%1)</translation>
     </message>
     <message>
-        <source>Bring in %1</source>
+        <source>Import %1</source>
         <translation>Importar %1</translation>
     </message>
     <message>
@@ -4589,7 +4589,7 @@
         <translation>Valores de celdas (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
-        <source>The layers are switched off: what is brought in stands below them.</source>
+        <source>The layers were switched off: what was imported lies below them.</source>
         <translation>Las capas están desactivadas: lo importado queda debajo de ellas.</translation>
     </message>
 </context>
@@ -4675,14 +4675,14 @@
         <translation>Sólido entero</translation>
     </message>
     <message numerus="yes">
-        <source>Selected: %n vertices</source>
+        <source>Selected vertices: %n</source>
         <translation>
             <numerusform>Selección: %n vértice</numerusform>
             <numerusform>Selección: %n vértices</numerusform>
         </translation>
     </message>
     <message>
-        <source>Point at the solid for the values there.</source>
+        <source>Point at the solid to see the values there.</source>
         <translation>Señale el sólido para ver ahí los valores.</translation>
     </message>
     <message>
@@ -4748,7 +4748,7 @@
         <translation>Objetivo</translation>
     </message>
     <message>
-        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <source>What sets how fine the mesh is: how many vertices it has in total, or how large a tetrahedron may be.</source>
         <translation>Qué determina la finura de la malla: cuántos vértices tiene en total o lo grande que puede ser un tetraedro.</translation>
     </message>
     <message>
@@ -4760,7 +4760,7 @@
         <translation>Tamaños de celda</translation>
     </message>
     <message>
-        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <source>Paints where the mesh should be finer or coarser, or sets it by regions in numbers.</source>
         <translation>Pinta dónde la malla debe ser más fina o más gruesa, o lo indica con números por regiones.</translation>
     </message>
     <message>
@@ -4819,7 +4819,7 @@
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <source>How large the picture is shown; a click shows its pixels as they are.</source>
         <translation>El tamaño al que se ve la imagen; un clic muestra sus píxeles tal como son.</translation>
     </message>
     <message>
@@ -4827,7 +4827,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>Exportar lo que se ve: como imagen, secuencia, mapa ST, malla o vista</translation>
     </message>
 </context>
@@ -4848,7 +4848,7 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the painted part is along its direction; ×1 is the same as everywhere.</source>
         <translation>Cuántas veces es más rígida la parte pintada en su dirección; ×1 es como en todas partes.</translation>
     </message>
     <message>
@@ -4856,7 +4856,7 @@
         <translation>Dirección rígida</translation>
     </message>
     <message>
-        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the path of the selected pin where it is nearest.</source>
         <translation>La dirección en reposo, que gira con la forma: la del trazo, la que ya hay, un eje, números o la trayectoria del alfiler seleccionado donde queda más cerca.</translation>
     </message>
     <message>
@@ -4904,7 +4904,7 @@
         <translation>según la vista</translation>
     </message>
     <message>
-        <source>along the pin&apos;s way</source>
+        <source>along the pin&apos;s path</source>
         <translation>según el alfiler</translation>
     </message>
     <message>
@@ -4923,7 +4923,7 @@
         <translation>Añad&amp;ir</translation>
     </message>
     <message>
-        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <source>What you draw will bend, too; Ctrl takes it away instead</source>
         <translation>Lo que se trace también se deformará; con Ctrl se quita</translation>
     </message>
     <message>
@@ -4931,7 +4931,7 @@
         <translation>&amp;Quitar</translation>
     </message>
     <message>
-        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <source>What you draw will not bend; Ctrl adds it instead</source>
         <translation>Lo que se trace no se deformará; con Ctrl se añade</translation>
     </message>
     <message>
@@ -4939,7 +4939,7 @@
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <source>Diameter of the brush on the screen; also [ and ]</source>
         <translation>La anchura del pincel en pantalla; también [ y ]</translation>
     </message>
     <message>
@@ -4955,7 +4955,7 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>Cuánto pueden diferir los colores, también los del último clic; también [ y ]</translation>
     </message>
 </context>
@@ -5022,7 +5022,7 @@
         <translation>Fondo transparente</translation>
     </message>
     <message>
-        <source>Only the solid, on nothing.</source>
+        <source>Only the solid, without a background.</source>
         <translation>Solo el sólido, sin fondo.</translation>
     </message>
     <message>
@@ -5042,7 +5042,7 @@
         <translation>Los colores del mapa y sus valores.</translation>
     </message>
     <message>
-        <source>Show a map first: only then there is something to explain.</source>
+        <source>Show a map first: only then is there something to explain.</source>
         <translation>Muestre primero un mapa: sin él no hay nada que explicar.</translation>
     </message>
     <message>
@@ -5093,7 +5093,7 @@
         <translation>Oc&amp;ultar</translation>
     </message>
     <message>
-        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <source>The selected pins still hold, but are neither drawn nor picked</source>
         <translation>No mostrar ni dejar elegir los alfileres seleccionados, que siguen sujetando</translation>
     </message>
     <message>
@@ -5153,7 +5153,7 @@
         <translation>Re&amp;flejar</translation>
     </message>
     <message>
-        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <source>Set pins at the mirror images of the selected ones, across the middle of the shape, with mirrored motions</source>
         <translation>Poner alfileres simétricos a los seleccionados respecto al centro de la forma, con movimientos reflejados</translation>
     </message>
     <message>
@@ -5269,7 +5269,7 @@
         <translation>Mo&amp;ver</translation>
     </message>
     <message>
-        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <source>Drag pins to move them; in a solid, also by the arrows</source>
         <translation>Arrastre los alfileres para moverlos; en un sólido, también sus flechas</translation>
     </message>
     <message>
@@ -5281,7 +5281,7 @@
         <translation>&amp;Rotar</translation>
     </message>
     <message>
-        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <source>Drag to rotate the selected pins; in a solid, by the rings</source>
         <translation>Arrastre para rotar los alfileres seleccionados; en un sólido, por sus anillos</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@
         <translation>Es&amp;calar</translation>
     </message>
     <message>
-        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <source>Drag to scale the selected pins; in a solid, by the ring</source>
         <translation>Arrastre para escalar los alfileres seleccionados; en un sólido, por su anillo</translation>
     </message>
     <message>
@@ -5309,7 +5309,7 @@
         <translation>Seleccionar alfi&amp;leres</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <source>What the pin tool and the select tool draw around pins to select them</source>
         <translation>Lo que se traza junto a los alfileres, con la herramienta Alfiler o Seleccionar, para seleccionarlos</translation>
     </message>
     <message>
@@ -5341,7 +5341,7 @@
         <translation>A&amp;dherir</translation>
     </message>
     <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <source>New pins sit on corners of the mesh instead of where you click</source>
         <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
     </message>
     <message>
@@ -5349,7 +5349,7 @@
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ].</source>
         <translation>El diámetro del pincel en pantalla; también con las teclas [ y ].</translation>
     </message>
     <message>
@@ -5364,7 +5364,7 @@
         <translation>Alfileres</translation>
     </message>
     <message>
-        <source>Does not hold at the time that is shown.</source>
+        <source>Does not hold at the time shown.</source>
         <translation>No sujeta en el momento que se muestra.</translation>
     </message>
     <message>
@@ -5372,7 +5372,7 @@
         <translation>Renombrar</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock protects from changes; a right-click groups, links and mirrors.</source>
         <translation>Elija aquí los alfileres; F2 renombra, Supr elimina, Intro pasa a la imagen, donde las flechas los mueven. El ojo oculta, el candado protege de cambios; el clic derecho agrupa, vincula y refleja.</translation>
     </message>
     <message>
@@ -5493,7 +5493,7 @@
         <translation>Alcance</translation>
     </message>
     <message>
-        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads. Near: close to the pin, sharp. Far: soft and wide.</source>
         <translation>Hasta dónde se reparte el tirón de un alfiler. Cerca: junto al alfiler, nítido. Lejos: suave y amplio.</translation>
     </message>
     <message>
@@ -5516,11 +5516,11 @@
 <context>
     <name>wend::RegionList</name>
     <message>
-        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <source>The mesh is equally fine everywhere: brush over what should be finer or coarser.</source>
         <translation>La malla es igual de fina en todas partes: pase el pincel donde deba ser más fina o más gruesa.</translation>
     </message>
     <message>
-        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <source>Nothing has an order of its own: brush over what should lie in front or behind.</source>
         <translation>Nada tiene un orden propio: pase el pincel sobre lo que deba quedar delante o detrás.</translation>
     </message>
     <message>
@@ -5532,7 +5532,7 @@
         <translation>Lo que queda delante</translation>
     </message>
     <message>
-        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <source>The strokes and regions so far; where two overlap, the upper one counts. A click shows where it lies and its number, a double-click changes its name.</source>
         <translation>Los trazos y regiones que hay; de dos en un mismo lugar vale el de arriba. Un clic muestra dónde está y su número, un doble clic cambia su nombre.</translation>
     </message>
     <message>
@@ -5548,11 +5548,11 @@
         <translation>Orden</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: less is finer, more is coarser.</source>
         <translation>Longitud de las aristas en ese lugar respecto a las demás: menos es más fino, más es más grueso.</translation>
     </message>
     <message>
-        <source>Greater than 0 lies in front, less behind.</source>
+        <source>Greater than 0 lies in front, less than 0 behind.</source>
         <translation>Mayor que 0 queda delante; menor, detrás.</translation>
     </message>
     <message>
@@ -5560,7 +5560,7 @@
         <translation>Eliminar</translation>
     </message>
     <message>
-        <source>Takes the chosen region away.</source>
+        <source>Removes the chosen region.</source>
         <translation>Quita la región elegida.</translation>
     </message>
     <message>
@@ -5698,7 +5698,7 @@
         <translation>Cambiar región</translation>
     </message>
     <message numerus="yes">
-        <source>%n vertices</source>
+        <source>Vertices: %n</source>
         <translation>
             <numerusform>%n vértice</numerusform>
             <numerusform>%n vértices</numerusform>
@@ -5713,7 +5713,7 @@
         <translation>Ra&amp;dio</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
         <translation>Hasta dónde sujeta el alfiler la forma a su alrededor: 0 sujeta un punto, más un círculo, y en un sólido una bola. En las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
     </message>
 </context>
@@ -5731,7 +5731,7 @@
 <context>
     <name>wend::ShapeNotices</name>
     <message>
-        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <source>“Refine surface” in the panel “Mesh” allows the surface&apos;s triangles to be split.</source>
         <translation>«Refinar superficie», en el panel «Malla», permite dividir los triángulos de la superficie.</translation>
     </message>
     <message>
@@ -5739,11 +5739,11 @@
         <translation>Fijar con alfiler</translation>
     </message>
     <message>
-        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <source>A part is joined to the rest at a single point, and may swing around it unless a pin holds it.</source>
         <translation>Una parte está unida al resto solo por un punto y puede girar en torno a él si ningún alfiler la sujeta.</translation>
     </message>
     <message numerus="yes">
-        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <source>%n parts are joined to the rest at single points, and may swing around them unless pins hold them.</source>
         <translation>
             <numerusform>%n parte está unida al resto solo por un punto y puede girar en torno a él si ningún alfiler la sujeta.</numerusform>
             <numerusform>%n partes están unidas al resto solo por puntos y pueden girar en torno a ellos si ningún alfiler las sujeta.</numerusform>
@@ -5773,7 +5773,7 @@
         <translation>Cancelado: todo está como antes del último cambio.</translation>
     </message>
     <message>
-        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <source>Meshing was cancelled. Any change, such as fewer vertices, starts it again.</source>
         <translation>Se ha cancelado el mallado. Cualquier cambio vuelve a mallar, por ejemplo reducir los vértices.</translation>
     </message>
     <message>
@@ -5785,7 +5785,7 @@
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>There is no pin: this place lies outside of the shape.</source>
+        <source>No pin was set: this place lies outside the shape.</source>
         <translation>Aquí no hay alfiler: este lugar queda fuera de la forma.</translation>
     </message>
     <message>
@@ -5805,7 +5805,7 @@
         <translation>Mover %1</translation>
     </message>
     <message>
-        <source>%1 does not hold the shape at the time that is shown.</source>
+        <source>%1 does not hold the shape at the time shown.</source>
         <translation>%1 no sujeta la forma en el momento que se muestra.</translation>
     </message>
     <message>
@@ -5813,7 +5813,7 @@
         <translation>Escalar %1</translation>
     </message>
     <message>
-        <source>What came after is replaced by this; Undo brings it back.</source>
+        <source>This replaces what came after; Undo brings it back.</source>
         <translation>Esto reemplaza lo que venía después; Deshacer lo recupera.</translation>
     </message>
     <message numerus="yes">
@@ -5828,11 +5828,11 @@
         <translation>%1 (reflejo)</translation>
     </message>
     <message>
-        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <source>No pin was set where the mirror image lies outside the shape.</source>
         <translation>Donde el reflejo cae fuera de la forma no se pone ningún alfiler.</translation>
     </message>
     <message>
-        <source>There is a pin already where the mirror image would be.</source>
+        <source>There is already a pin where the mirror image would be.</source>
         <translation>Ya hay un alfiler donde quedaría el reflejo.</translation>
     </message>
     <message>
@@ -5884,11 +5884,11 @@
         <translation>Desvincular %1</translation>
     </message>
     <message>
-        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <source>%1 is locked. A right-click or the list of pins unlocks it.</source>
         <translation>%1 está bloqueado. El clic derecho o la lista de alfileres lo desbloquea.</translation>
     </message>
     <message>
-        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <source>%1 are locked. A right-click or the list of pins unlocks them.</source>
         <translation>%1 están bloqueados. El clic derecho o la lista de alfileres los desbloquea.</translation>
     </message>
     <message>
@@ -5932,7 +5932,7 @@
         <translation>Rotar %1</translation>
     </message>
     <message>
-        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <source>This replaces what %1 did later; Undo brings it back.</source>
         <translation>Esto reemplaza lo que %1 hacía después; Deshacer lo recupera.</translation>
     </message>
     <message>
@@ -5955,7 +5955,7 @@
         <translation>Tal como se abrió</translation>
     </message>
     <message>
-        <source>What was done; a click goes back to that step, or forth.</source>
+        <source>What was done; a click goes back or forward to that step.</source>
         <translation>Lo que se ha hecho; un clic retrocede o avanza hasta ese paso.</translation>
     </message>
     <message>
@@ -5974,7 +5974,7 @@
         <translation>Longitud de las aristas</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
         <translation>Longitud de las aristas en ese lugar respecto a las demás: 0,5 es la mitad de largo, más fino; 2 es el doble de largo, más grueso.</translation>
     </message>
     <message>
@@ -5982,7 +5982,7 @@
         <translation>Dónde las celdas son más finas o más gruesas</translation>
     </message>
     <message>
-        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
         <translation>Qué hace el próximo trazo, y los trazos y regiones que hay; de dos en un mismo lugar cuenta el de abajo. Un clic muestra los números para cambiarlos.</translation>
     </message>
     <message>
@@ -5998,7 +5998,7 @@
         <translation>Añadir región</translation>
     </message>
     <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
         <translation>Una esfera, una caja o un semiespacio en el centro, o la región que sujeta el agarre seleccionado; luego se pueden cambiar sus números.</translation>
     </message>
     <message>
@@ -6006,7 +6006,7 @@
         <translation>Eliminar tamaños</translation>
     </message>
     <message>
-        <source>Takes the chosen stroke or region away.</source>
+        <source>Removes the chosen stroke or region.</source>
         <translation>Elimina el trazo o la región elegidos.</translation>
     </message>
     <message>
@@ -6014,7 +6014,7 @@
         <translation>Borde suave</translation>
     </message>
     <message>
-        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
         <translation>Anchura en la que el tamaño pasa al de alrededor, en unidades del archivo.</translation>
     </message>
     <message>
@@ -6074,11 +6074,11 @@
         <translation>Debajo: los factores de %1.</translation>
     </message>
     <message>
-        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
         <translation>Los triángulos de la superficie se conservan y solo cambia el interior. «Refinar superficie», en el panel «Malla», permite dividirlos también.</translation>
     </message>
     <message>
-        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
     </message>
 </context>
@@ -6089,7 +6089,7 @@
         <translation>Los bordes suaves o las sombras de esta imagen salen del recorte y quedan cortados.</translation>
     </message>
     <message>
-        <source>Take Them Along</source>
+        <source>Include Them</source>
         <translation>Incluirlos</translation>
     </message>
 </context>
@@ -6136,7 +6136,7 @@
         <translation>Ele&amp;gir piel…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
+        <source>Embed a detailed, perhaps textured surface from a file in the solid</source>
         <translation>Hacer que una superficie detallada de un archivo, quizá con texturas, siga al sólido</translation>
     </message>
     <message>
@@ -6144,7 +6144,7 @@
         <translation>&amp;Quitar piel</translation>
     </message>
     <message>
-        <source>See and export the solid with its own surface again</source>
+        <source>Show and export the solid with its own surface again</source>
         <translation>Volver a mostrar y exportar el sólido con su propia superficie</translation>
     </message>
     <message>
@@ -6311,7 +6311,7 @@
 <context>
     <name>wend::SolidCanvas</name>
     <message>
-        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <source>there is not enough memory for a picture of %1 x %2 pixels</source>
         <translation>la memoria no alcanza para una imagen de %1 x %2 píxeles</translation>
     </message>
     <message>
@@ -6334,7 +6334,7 @@
 <context>
     <name>wend::SolidWorkshop</name>
     <message>
-        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) still works with them.</source>
         <translation>Los sólidos necesitan OpenGL 3.3, que este sistema no tiene. La línea de comandos (wend run) funciona con ellos de todos modos.</translation>
     </message>
     <message>
@@ -6413,7 +6413,7 @@
         <translation>Descartar %1</translation>
     </message>
     <message>
-        <source>Forgets these changes for good.</source>
+        <source>Deletes these changes for good.</source>
         <translation>Olvida estos cambios para siempre.</translation>
     </message>
 </context>
@@ -6444,7 +6444,7 @@
         <translation>Peor punto</translation>
     </message>
     <message>
-        <source>How far the worst place is from rest, by what the map shows</source>
+        <source>How far the worst place is from rest in what the map shows</source>
         <translation>Cuánto se aparta el peor punto del reposo, según lo que muestra el mapa</translation>
     </message>
     <message>
@@ -6485,14 +6485,14 @@
         <translation>volumen %1 %</translation>
     </message>
     <message>
-        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
         <translation>Al arrastrar: cuánto tarda en seguir a la mano lo que se ve. En reposo: lo que llevó calcularlo</translation>
     </message>
 </context>
 <context>
     <name>wend::SurfaceCheck</name>
     <message>
-        <source>Triangles of missing points</source>
+        <source>Triangles with missing points</source>
         <translation>Triángulos con puntos ausentes</translation>
     </message>
     <message>
@@ -6512,7 +6512,7 @@
         <translation>Triángulos sin área</translation>
     </message>
     <message>
-        <source>Double triangles</source>
+        <source>Duplicate triangles</source>
         <translation>Triángulos duplicados</translation>
     </message>
     <message>
@@ -6564,7 +6564,7 @@
         <translation>Operaciones previstas: %1.</translation>
     </message>
     <message>
-        <source>No simple step puts this one right.</source>
+        <source>No simple step fixes this one.</source>
         <translation>Ningún paso sencillo corrige este fallo.</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@
         <translation>Corregir un fallo</translation>
     </message>
     <message>
-        <source>No simple steps put all of these right.</source>
+        <source>No simple steps fix all of these.</source>
         <translation>Ningún paso sencillo los corrige todos.</translation>
     </message>
     <message>
@@ -6588,7 +6588,7 @@
         <translation>Corregir todos los fallos de un tipo</translation>
     </message>
     <message>
-        <source>Looking for what puts all of these right …</source>
+        <source>Looking for what fixes all of these …</source>
         <translation>Buscando cómo corregirlos todos…</translation>
     </message>
 </context>
@@ -6611,7 +6611,7 @@
         <translation>Qué está mal</translation>
     </message>
     <message>
-        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <source>The kinds of faults, and how often each occurs.</source>
         <translation>Los tipos de defectos y cuántas veces aparece cada uno.</translation>
     </message>
     <message>
@@ -6619,7 +6619,7 @@
         <translation>Lugar anterior</translation>
     </message>
     <message>
-        <source>Looks at the previous place where this is wrong.</source>
+        <source>Goes to the previous place where this is wrong.</source>
         <translation>Va al lugar anterior donde hay este defecto.</translation>
     </message>
     <message>
@@ -6627,7 +6627,7 @@
         <translation>Lugar siguiente</translation>
     </message>
     <message>
-        <source>Looks at the next place where this is wrong.</source>
+        <source>Goes to the next place where this is wrong.</source>
         <translation>Va al lugar siguiente donde hay este defecto.</translation>
     </message>
     <message>
@@ -6635,7 +6635,7 @@
         <translation>Mostrar los triángulos</translation>
     </message>
     <message>
-        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <source>Colours the triangles that are wrong and shows them: what hides them is left out.</source>
         <translation>Colorea los triángulos defectuosos y los muestra: lo que los tapa se omite.</translation>
     </message>
     <message>
@@ -6647,7 +6647,7 @@
         <translation>Escribe en un archivo los números de todos los triángulos y aristas defectuosos.</translation>
     </message>
     <message>
-        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <source>Merges coincident points, drops degenerate and duplicate triangles, orients the others and fills small holes.</source>
         <translation>Une los puntos coincidentes, elimina triángulos degenerados y duplicados, los orienta y tapa los huecos pequeños.</translation>
     </message>
     <message>
@@ -6683,7 +6683,7 @@
         <translation>Crear jaula</translation>
     </message>
     <message>
-        <source>Takes the cage away: without repair there is no solid then.</source>
+        <source>Removes the cage: without a repair there is then no solid.</source>
         <translation>Quita la jaula: sin reparar, entonces no hay sólido.</translation>
     </message>
     <message>
@@ -6707,7 +6707,7 @@
         <translation>Corregir este</translation>
     </message>
     <message>
-        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <source>Fixes only what is shown: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>Corrige solo lo que se mira: lo que añade es verde; lo que quita o gira, amarillo.</translation>
     </message>
     <message>
@@ -6715,7 +6715,7 @@
         <translation>Corregir todos</translation>
     </message>
     <message>
-        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <source>Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no more edges than chosen below.</source>
         <translation>Corrige todos los de este tipo que unos pasos sencillos puedan corregir, en un solo paso que se puede deshacer; de los agujeros, los que no tengan más bordes que los elegidos abajo.</translation>
     </message>
     <message>
@@ -6868,7 +6868,7 @@
         <translation>%1: %2 a %3 s, %4</translation>
     </message>
     <message>
-        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Todavía no se mueve nada. Arrastre un alfiler, o grábelo con Ctrl: lo que haga estará aquí, alfiler por alfiler.</translation>
     </message>
     <message>
@@ -6888,7 +6888,7 @@
         <translation>Quitar los movimientos</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>Arrastre una barra o sus extremos a otro momento; Mayús, Ctrl o un marco alrededor eligen varias. Un clic derecho fija cómo empiezan y acaban. Los extremos de la línea dicen cuándo sujeta el pin</translation>
     </message>
 </context>
@@ -6907,7 +6907,7 @@
         <translation>Solo queda fijo lo que tiene un alfiler. &lt;b&gt;Haga clic en una pezuña&lt;/b&gt; de la jirafa para poner uno.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too, with a click each. Ctrl+Z undoes a pin.</source>
         <translation>&lt;b&gt;Ponga alfileres también en las otras pezuñas&lt;/b&gt;, con un clic en cada una. Ctrl+Z deshace un alfiler.</translation>
     </message>
     <message>
@@ -6931,7 +6931,7 @@
         <translation>Lo que ha arrastrado ya es una película: &lt;b&gt;pulse K&lt;/b&gt; para reproducirla. Haga clic en la franja de abajo para ir a un momento y siga arrastrando desde ahí.</translation>
     </message>
     <message>
-        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
         <translation>Por último, &lt;b&gt;pulse Ctrl+5&lt;/b&gt; para el paso &lt;i&gt;Exportar&lt;/i&gt;: una imagen, una secuencia, un mapa de deformación o la malla.</translation>
     </message>
     <message>
@@ -6969,7 +6969,7 @@
         <translation>Cancelar (Esc)</translation>
     </message>
     <message>
-        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <source>Stops what is being computed and goes back to the last complete state</source>
         <translation>Detiene el cálculo en curso y vuelve al último estado completo</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@
         <translation>Chiffres pendant le geste</translation>
     </message>
     <message>
-        <source>set the number, Enter takes it</source>
+        <source>set the number; Enter confirms it</source>
         <translation>donnent la valeur, Entrée la valide</translation>
     </message>
     <message>
@@ -84,7 +84,7 @@
         <translation>Bouton droit ou central</translation>
     </message>
     <message>
-        <source>turns the view; with Shift it moves</source>
+        <source>turns the view; with Shift, moves it</source>
         <translation>tourne la vue&#x202f;; avec Maj, la déplace</translation>
     </message>
     <message>
@@ -171,23 +171,23 @@
         <translation>au temps %1, la forme est trop raide près de %2 pour se reposer davantage&#x202f;: les pas seraient trop courts&#x202f;; autorisez une plus grande tolérance</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1, in cell %2; move it less far or along another path, or release what holds the shape there</source>
         <translation>la forme se replierait près de %1, dans la cellule %2&#x202f;; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1; move it less far or along another path, or release what holds the shape there</source>
         <translation>la forme se replierait près de %1&#x202f;; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
     </message>
     <message>
-        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <source>it moves too fast near %1: the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>c’est trop rapide près de %1, les pas seraient trop courts&#x202f;; donnez plus de temps au mouvement ou autorisez une plus grande tolérance</translation>
     </message>
     <message>
-        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <source>the shape near %1 is stretched or squeezed so much that no velocity can be computed; move it less far, or make the material or the mesh more even there</source>
         <translation>la forme est si étirée ou comprimée près de %1 qu’aucune vitesse ne peut être calculée&#x202f;; allez moins loin, ou rendez le matériau ou le maillage plus réguliers à cet endroit</translation>
     </message>
     <message>
-        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <source>it moves so fast near %1 that numbers overflow; move it less far, or give its motion more time</source>
         <translation>c’est si rapide près de %1 que les nombres débordent&#x202f;; allez moins loin ou donnez plus de temps au mouvement</translation>
     </message>
     <message>
@@ -259,7 +259,7 @@
         <translation>les points %1 et %2 sont identiques, %3</translation>
     </message>
     <message>
-        <source>point %1, %2, is outside of the shape</source>
+        <source>point %1, %2, is outside the shape</source>
         <translation>le point %1, %2, est hors de la forme</translation>
     </message>
     <message>
@@ -367,7 +367,7 @@
         <translation>un fichier texte</translation>
     </message>
     <message>
-        <source>no picture that Wend knows</source>
+        <source>not a picture that Wend knows</source>
         <translation>une image que Wend ne connaît pas</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>ses %1 parties partagent des cellules de la cage et bougent ensemble comme %2&#x202f;: de plus petites cellules en séparent davantage</translation>
     </message>
     <message>
-        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <source>the cage consists of %1 bodies that are not connected: each needs a handle of its own to follow</source>
         <translation>la cage est en %1 corps qui ne tiennent pas ensemble&#x202f;: chacun a besoin de sa propre épingle pour suivre</translation>
     </message>
     <message>
@@ -595,7 +595,7 @@
         <translation>%1&#x202f;: la surface est gardée telle quelle et l’impose, à ses triangles %2</translation>
     </message>
     <message>
-        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, so that later vertices have other numbers</source>
         <translation>%1 sommets de la surface n’appartiennent à aucun tétraèdre&#x202f;: les maillages de tétraèdres sont écrits sans eux, donc avec d’autres numéros ensuite</translation>
     </message>
     <message>
@@ -603,15 +603,15 @@
         <translation>%1 sommets n’appartiennent à aucune cellule. Ils restent dans ce qui est écrit&#x202f;: certains solveurs veulent qu’on les retire d’abord</translation>
     </message>
     <message>
-        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <source>parts that touch vertex to vertex are connected: %1 vertices move with others at the same place</source>
         <translation>les parties qui se touchent sommet à sommet tiennent ensemble&#x202f;: %1 sommets bougent avec d’autres au même endroit</translation>
     </message>
     <message>
-        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>a part of %1 hangs only on %2 near %3: what turns freely there may be flung far away unless handles hold it</source>
         <translation>une partie de %1 ne tient qu’à %2 près de %3&#x202f;: ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
     </message>
     <message>
-        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>%1 parts hang only on a vertex or an edge, the first, of %2, on %3 near %4: what turns freely there may be flung far away unless handles hold it</source>
         <translation>%1 parties ne tiennent qu’à un sommet ou une arête, la première, de %2, à %3 près de %4&#x202f;: ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
     </message>
     <message>
@@ -667,7 +667,7 @@
         <translation>%1&#x202f;; une finesse de %2 ouvre le plus large</translation>
     </message>
     <message>
-        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, so that later vertices have other numbers</source>
         <translation>1 sommet de la surface n&apos;appartient à aucun tétraèdre&#x202f;: les maillages de tétraèdres sont écrits sans lui, donc avec d&apos;autres numéros ensuite</translation>
     </message>
     <message>
@@ -710,7 +710,7 @@
 <context>
     <name>CropTool</name>
     <message>
-        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <source>Drag a rectangle around what exports keep, then drag its inside or its sides; Shift keeps the proportions, Delete or a double-click removes it</source>
         <translation>Tracez un rectangle autour de ce que gardent les exports&#x202f;; faites glisser l’intérieur ou les côtés&#x202f;; Maj garde les proportions, Suppr ou un double clic l’enlève</translation>
     </message>
 </context>
@@ -737,7 +737,7 @@
         <translation>Les extrémités d’une courbe doivent rester.</translation>
     </message>
     <message>
-        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <source>Drag the curve&apos;s point, Shift keeps it straight, Ctrl moves one direction only; Delete removes it, a right-click shows more</source>
         <translation>Tirez le point de la courbe, tout droit avec Maj, une seule direction avec Ctrl&#x202f;; Suppr le supprime, le clic droit offre plus</translation>
     </message>
 </context>
@@ -751,7 +751,7 @@
 <context>
     <name>DepthTool</name>
     <message>
-        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <source>Brush over what lies in front or behind; Ctrl clears it, Shift swaps front and back, [ and ] change the size</source>
         <translation>Passez le pinceau sur ce qui est devant ou derrière&#x202f;; Ctrl l’annule, Maj l’inverse, [ et ] changent la taille</translation>
     </message>
     <message>
@@ -763,7 +763,7 @@
         <translation>Peindre derrière</translation>
     </message>
     <message>
-        <source>Take back depth</source>
+        <source>Clear depth</source>
         <translation>Effacer la profondeur</translation>
     </message>
 </context>
@@ -879,11 +879,11 @@
 <context>
     <name>FillTool</name>
     <message>
-        <source>Click to take up what is painted there</source>
+        <source>Click to pick up what is painted there</source>
         <translation>Cliquez pour prélever ce qui est peint là</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <source>Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up</source>
         <translation>Cliquez pour remplir la zone contiguë&#x202f;; Maj remplit tout, Ctrl retire la peinture, Alt prélève</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>Partie</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
+        <source>No part of the shape lies in this outline.</source>
         <translation>Ce contour ne contient rien de la forme.</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>Sélectionnez une seule partie pour en retirer.</translation>
     </message>
     <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <source>A handle must hold something; Delete removes it.</source>
         <translation>Une poignée ne peut pas rester vide&#x202f;: supprimez-la avec Suppr.</translation>
     </message>
 </context>
@@ -937,7 +937,7 @@
         <translation>Dégradé vers %1</translation>
     </message>
     <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <source>Drag over the shape to blend evenly from what is there to what is chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels</source>
         <translation>Glissez sur la forme&#x202f;: ce qui s’y trouve passe progressivement à ce qui est choisi à droite&#x202f;; Maj par pas de 45°, Alt prélève, Échap annule</translation>
     </message>
 </context>
@@ -992,7 +992,7 @@
         <translation>Taille de cellule</translation>
     </message>
     <message>
-        <source>Way from rest</source>
+        <source>Distance from rest</source>
         <translation>Distance au repos</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
 <context>
     <name>MeasureTool</name>
     <message>
-        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <source>Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears</source>
         <translation>Cliquez deux points pour une longueur, un troisième pour l’angle&#x202f;; Ctrl prend des sommets, Échap efface</translation>
     </message>
     <message>
@@ -1109,7 +1109,7 @@
         <translation>Mar&amp;ge</translation>
     </message>
     <message>
-        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <source>The outline grows by this much, so that soft edges are kept whole.</source>
         <translation>Le contour est élargi d’autant, pour que les bords doux suivent en entier.</translation>
     </message>
     <message>
@@ -1129,7 +1129,7 @@
         <translation>Bord de l’image</translation>
     </message>
     <message>
-        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <source>Holds the frame of a photograph, so that no gap opens at its edge: it stays where it is, or its sides slide along themselves. Pins on it still move.</source>
         <translation>Maintient le cadre d’une photo, pour qu’aucun vide ne s’ouvre à côté&#x202f;: il reste en place, ou ses côtés glissent sur eux-mêmes. Les épingles posées dessus bougent quand même.</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>&amp;Volume maximal</translation>
     </message>
     <message>
-        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <source>Larger tetrahedra are split; in the file&apos;s units, cubed. Half the volume makes about twice as many. At a surface that is kept, some may stay larger.</source>
         <translation>Les tétraèdres plus grands sont divisés&#x202f;; en unités du fichier au cube. Diviser la valeur par deux double à peu près leur nombre. Le long d’une surface conservée, certains peuvent rester plus grands.</translation>
     </message>
     <message>
@@ -1177,7 +1177,7 @@
         <translation>Raffiner la s&amp;urface</translation>
     </message>
     <message>
-        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <source>Allows the surface&apos;s triangles to be split where they are larger than the tetrahedra inside. If off, the surface is kept exactly as it is.</source>
         <translation>Permet de diviser les triangles de la surface plus grands que les tétraèdres intérieurs. Sinon, la surface est conservée telle quelle.</translation>
     </message>
     <message>
@@ -1193,7 +1193,7 @@
         <translation>Trou maximal</translation>
     </message>
     <message>
-        <source>“Repair” fills holes of at most so many edges.</source>
+        <source>“Repair” fills holes of at most this many edges.</source>
         <translation>«&#x202f;Réparer&#x202f;» bouche les trous d’au plus ce nombre d’arêtes.</translation>
     </message>
     <message>
@@ -1225,7 +1225,7 @@
         <translation>Valeur e&amp;xacte</translation>
     </message>
     <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
         <translation>Ce qui est conservé, sous forme du nombre φ inscrit dans le projet&#x202f;: 0,002 conserve l’aire ou le volume, 0,464 la longueur, 1,571 est rigide, 2,678 conserve les angles (2,498 pour un solide).</translation>
     </message>
     <message>
@@ -1241,7 +1241,7 @@
         <translation>Lon&amp;gueur de lissage</translation>
     </message>
     <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads, as a fraction of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
         <translation>Jusqu’où se répartit la traction d’une épingle, par rapport à la taille de la forme. Petite&#x202f;: près de l’épingle, net. Grande&#x202f;: large et doux.</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>aucun</translation>
     </message>
     <message>
-        <source>number of frames, at equal times from the start to the last time</source>
+        <source>number of frames, evenly spaced from the start to the last time</source>
         <translation>nombre d’images, à intervalles égaux du début à la fin</translation>
     </message>
     <message>
@@ -1261,7 +1261,7 @@
         <translation>&amp;Images</translation>
     </message>
     <message>
-        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <source>whether distortion, φ, directions and velocity are written with meshes, in formats that carry values</source>
         <translation>si la distorsion, φ, les directions et la vitesse accompagnent les maillages, dans les formats qui portent des valeurs</translation>
     </message>
     <message>
@@ -1277,7 +1277,7 @@
         <translation>La forme seule</translation>
     </message>
     <message>
-        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <source>how numbers are stored in mesh files that offer a choice (ply, stl, msh, vtk, vtu)</source>
         <translation>écriture des nombres dans les maillages qui en offrent plusieurs (ply, stl, msh, vtk, vtu)</translation>
     </message>
     <message>
@@ -1349,7 +1349,7 @@
         <translation>Ajustée à la forme</translation>
     </message>
     <message>
-        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <source>bits per channel in pictures: as in the source, 8 or 16, or half or full floating point; values stay what they are</source>
         <translation>bits par couche des images&#x202f;: comme l’original, 8 ou 16, ou en virgule flottante, demi ou simple&#x202f;; les valeurs ne changent pas</translation>
     </message>
     <message>
@@ -1377,7 +1377,7 @@
         <translation>32 bits en virgule flottante</translation>
     </message>
     <message>
-        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <source>what pictures show around the shape: nothing, its border drawn outwards, the source as it was, or a colour</source>
         <translation>ce que les images montrent à côté de la forme&#x202f;: rien, son bord prolongé, l’original tel quel ou une couleur</translation>
     </message>
     <message>
@@ -1389,7 +1389,7 @@
         <translation>Transparent</translation>
     </message>
     <message>
-        <source>The border, drawn out</source>
+        <source>The border, drawn outwards</source>
         <translation>Le bord, prolongé</translation>
     </message>
     <message>
@@ -1405,7 +1405,7 @@
         <translation>Noir</translation>
     </message>
     <message>
-        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <source>How far apart growing the outline keeps parts and limbs, so that they do not become one.</source>
         <translation>L’agrandissement tient les parties et les membres à cette distance, pour qu’ils ne fassent pas qu’un.</translation>
     </message>
     <message>
@@ -1453,7 +1453,7 @@
         <translation> i/s</translation>
     </message>
     <message>
-        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with hardly visible losses</source>
         <translation>si les images et films WebP gardent chaque pixel ou ne font qu’une fraction de la taille, avec des pertes à peine visibles</translation>
     </message>
     <message>
@@ -1473,7 +1473,7 @@
         <translation>Retour élastique</translation>
     </message>
     <message>
-        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: where it ends depends on the path. Fully: it is as it was.</source>
         <translation>Une épingle fait un tour et revient : à quel point la forme revient-elle aussi ? Aucun : sa forme finale dépend du chemin. Total : elle est comme avant.</translation>
     </message>
     <message>
@@ -1484,19 +1484,19 @@
 <context>
     <name>OutlineTool</name>
     <message>
-        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend, too; Ctrl takes it away, Esc cancels</source>
         <translation>Entourez ce qui doit aussi se déformer&#x202f;; avec Ctrl, c’est retiré. Échap annule</translation>
     </message>
     <message>
-        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend, too; Ctrl takes it away, [ and ] change the size</source>
         <translation>Passez le pinceau sur ce qui doit aussi se déformer, [ et ] changent la taille&#x202f;; Ctrl retire</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend, too; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Cliquez sur une couleur qui doit aussi se déformer&#x202f;; Ctrl la retire, [ et ] prennent moins ou plus de couleurs</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <source>Draw a line along which to part the shape; Esc cancels</source>
         <translation>Tracez une ligne le long de laquelle séparer la forme&#x202f;; Échap annule</translation>
     </message>
     <message>
@@ -1504,7 +1504,7 @@
         <translation>Il ne resterait rien de la forme.</translation>
     </message>
     <message numerus="yes">
-        <source>%n pins lay beside the new outline and were removed.</source>
+        <source>Pins outside the new outline were removed: %n.</source>
         <translation>
             <numerusform>%n épingle se trouvait hors du nouveau contour et a été supprimée.</numerusform>
             <numerusform>%n épingles se trouvaient hors du nouveau contour et ont été supprimées.</numerusform>
@@ -1523,7 +1523,7 @@
         <translation>Ajouter au contour</translation>
     </message>
     <message>
-        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <source>The tolerance, or [ and ], changes what was taken; click another colour to take it too, with Ctrl to take it away</source>
         <translation>La tolérance, aussi [ et ], change ce qui a été pris ; cliquez sur une autre couleur, avec Ctrl elle est retirée</translation>
     </message>
     <message>
@@ -1531,23 +1531,23 @@
         <translation>C’était une ligne. Entourez une partie de l’image.</translation>
     </message>
     <message>
-        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <source>From now on the outline is as you draw it, and has no margin to change. Choose “Cut-out” as the outline to go back to the one that was found.</source>
         <translation>Le contour est désormais tel que vous le dessinez, sans marge à régler. « Détourage » comme contour rétablit celui qui a été trouvé.</translation>
     </message>
     <message>
-        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend; Ctrl takes it away, Esc cancels</source>
         <translation>Entourez ce qui doit se déformer&#x202f;; avec Ctrl, c’est retiré. Échap annule</translation>
     </message>
     <message>
-        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <source>Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl takes away, Backspace removes the last corner, Esc cancels</source>
         <translation>Cliquez coin après coin, Maj par pas de 45°, le double-clic ferme&#x202f;; Ctrl retire, Retour arrière reprend un coin, Échap annule</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend; Ctrl takes it away, [ and ] change the size</source>
         <translation>Passez le pinceau sur ce qui doit se déformer, [ et ] changent la taille&#x202f;; Ctrl retire</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Cliquez sur une couleur qui doit se déformer&#x202f;; Ctrl la retire, [ et ] prennent moins ou plus de couleurs</translation>
     </message>
 </context>
@@ -1590,7 +1590,7 @@
         <translation>Lissé</translation>
     </message>
     <message>
-        <source>Take paint off %1</source>
+        <source>Erase paint from %1</source>
         <translation>Retirer la peinture de %1</translation>
     </message>
     <message>
@@ -1606,27 +1606,27 @@
         <translation>Peindre %1 sur %2</translation>
     </message>
     <message>
-        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <source>There is no direction to follow: the numbers on the right were used.</source>
         <translation>Il n’y a pas de direction à suivre&#x202f;: les nombres à droite ont été pris.</translation>
     </message>
     <message>
-        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>Peignez dans le sens où la forme doit être raide&#x202f;; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
     </message>
     <message>
-        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>Appliquez au pinceau ce qui est choisi à droite&#x202f;; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
     </message>
     <message>
-        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <source>Stiffness ×1 is the same as everywhere and changes nothing: choose on the right how many times stiffer it should be</source>
         <translation>Une raideur de ×1 est comme partout et ne change rien ici&#x202f;: choisissez à droite combien de fois ce doit être plus raide</translation>
     </message>
     <message>
-        <source>Take paint off</source>
+        <source>Erase paint</source>
         <translation>Retirer la peinture</translation>
     </message>
     <message>
-        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <source>Erases paint from all visible layers: brush over what should be like the rest again; Shift-click draws a line, Esc cancels the stroke</source>
         <translation>Retire la peinture de tous les calques visibles&#x202f;: passez le pinceau sur ce qui doit redevenir comme partout&#x202f;; Maj-clic trace une ligne, Échap abandonne le trait</translation>
     </message>
     <message>
@@ -1656,19 +1656,19 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click on the pin whose path you want to draw</source>
+        <source>Click the pin whose path you want to draw</source>
         <translation>Cliquez sur l’épingle dont vous voulez dessiner la trajectoire</translation>
     </message>
     <message>
-        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <source>Click where the selected pin should go, point by point; drag for a smooth point</source>
         <translation>Cliquez point après point là où l’épingle sélectionnée doit aller ; tirez pour un point lisse</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
         <translation>Glissez pour un point lisse&#x202f;: Maj par pas de 45°, Alt de ce côté seulement</translation>
     </message>
     <message>
-        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>Cliquez pour un angle, glissez pour un point lisse, Maj par pas de 45°&#x202f;; Entrée termine, Retour arrière retire un point, Échap abandonne</translation>
     </message>
 </context>
@@ -1710,11 +1710,11 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <source>Drag as far as the pin should hold; Esc cancels</source>
         <translation>Glissez jusqu’où l’épingle doit maintenir la forme&#x202f;; Échap annule</translation>
     </message>
     <message>
-        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <source>Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number</source>
         <translation>Tirez le point pour faire pivoter, avec Maj par pas de 15°, ou le carré pour mettre à l’échelle&#x202f;; les chiffres fixent la valeur</translation>
     </message>
     <message>
@@ -1730,11 +1730,11 @@
         <translation>%1&#x202f;: tient à partir de %2 s</translation>
     </message>
     <message>
-        <source>%1: let go at %2 s</source>
+        <source>%1: released at %2 s</source>
         <translation>%1&#x202f;: lâchée à %2 s</translation>
     </message>
     <message>
-        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <source>Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl records it; digits set the number</source>
         <translation>Tirez n’importe où pour faire pivoter la sélection, Maj par 15°, Ctrl l’enregistre ; les chiffres fixent la valeur</translation>
     </message>
     <message>
@@ -1746,7 +1746,7 @@
         <translation>Un point ne peut pas être redimensionné – tirez avec Alt pour l’élargir</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
         <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
     </message>
     <message>
@@ -1796,22 +1796,22 @@
         <translation>%1&#x202f;s</translation>
     </message>
     <message>
-        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <source>Recording until you let go; Esc cancels</source>
         <translation>Enregistré tel quel jusqu’à ce que vous lâchiez&#x202f;; Échap abandonne</translation>
     </message>
 </context>
 <context>
     <name>RegionTool</name>
     <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>Glissez depuis un point de la surface pour maintenir une sphère&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <source>Drag from a point on the surface towards the side to hold: all that lies beyond the point</source>
         <translation>Glissez depuis un point de la surface vers ce qu’il faut maintenir&#x202f;: tout ce qui est au-delà du point</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>Glissez depuis un point de la surface pour maintenir une boîte&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
     </message>
     <message>
@@ -1941,7 +1941,7 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <source>Brush over what should be meshed finer; Shift makes it coarser, Ctrl evens it out again, [ and ] change the size</source>
         <translation>Passez le pinceau où le maillage doit être plus fin&#x202f;; Maj le rend plus grossier, Ctrl de nouveau uniforme, [ et ] changent la taille</translation>
     </message>
     <message>
@@ -2026,7 +2026,7 @@
         <translation>Saisir une sp&amp;hère</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <source>Take hold of all that lies in a ball around a point on the surface</source>
         <translation>Saisir tout ce qui se trouve dans une sphère autour d’un point de la surface</translation>
     </message>
     <message>
@@ -2034,7 +2034,7 @@
         <translation>Saisir une &amp;boîte</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <source>Take hold of all that lies in a block around a point on the surface</source>
         <translation>Saisir tout ce qui se trouve dans une boîte autour d’un point de la surface</translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@
         <translation>Saisir u&amp;n côté</translation>
     </message>
     <message>
-        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <source>Take hold of all that lies beyond a plane through a point on the surface</source>
         <translation>Saisir tout ce qui se trouve au-delà d’un plan passant par un point de la surface</translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@
         <translation>C&amp;ontour au lasso</translation>
     </message>
     <message>
-        <source>Draw around what shall bend, or shall not</source>
+        <source>Draw around what should bend, or should not</source>
         <translation>Entourer ce qui doit se déformer, ou non</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Contour au pol&amp;ygone</translation>
     </message>
     <message>
-        <source>Set the corners of what shall bend, or shall not</source>
+        <source>Set the corners of what should bend, or should not</source>
         <translation>Placer les coins de ce qui doit se déformer, ou non</translation>
     </message>
     <message>
@@ -2066,7 +2066,7 @@
         <translation>Co&amp;ntour au pinceau</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, or shall not</source>
+        <source>Brush over what should bend, or should not</source>
         <translation>Passer le pinceau sur ce qui doit se déformer, ou non</translation>
     </message>
     <message>
@@ -2074,7 +2074,7 @@
         <translation>Contour par co&amp;uleur</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend, or shall not</source>
+        <source>Click a colour that should bend, or should not</source>
         <translation>Cliquer sur une couleur qui doit se déformer, ou non</translation>
     </message>
     <message>
@@ -2082,7 +2082,7 @@
         <translation>Sép&amp;arer</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted</source>
+        <source>Draw a line along which to part the shape</source>
         <translation>Tracer une ligne le long de laquelle séparer la forme</translation>
     </message>
     <message>
@@ -2090,7 +2090,7 @@
         <translation>Pinceau de déta&amp;il</translation>
     </message>
     <message>
-        <source>Brush where the mesh is to be finer or coarser</source>
+        <source>Brush where the mesh should be finer or coarser</source>
         <translation>Peindre où le maillage doit être plus fin ou plus grossier</translation>
     </message>
     <message>
@@ -2106,7 +2106,7 @@
         <translation>Pei&amp;gner</translation>
     </message>
     <message>
-        <source>Comb the direction along which it is stiff</source>
+        <source>Comb the direction along which the shape is stiff</source>
         <translation>Peigner la direction dans laquelle la forme est raide</translation>
     </message>
     <message>
@@ -2114,7 +2114,7 @@
         <translation>&amp;Dégradé</translation>
     </message>
     <message>
-        <source>Drag: what is there changes evenly into what is chosen</source>
+        <source>Drag to blend evenly from what is there to what is chosen</source>
         <translation>Glisser&#x202f;: ce qui s’y trouve passe progressivement à ce qui est choisi</translation>
     </message>
     <message>
@@ -2122,7 +2122,7 @@
         <translation>Re&amp;mplir</translation>
     </message>
     <message>
-        <source>Fill with what is chosen all that hangs together</source>
+        <source>Fill a connected area with what is chosen</source>
         <translation>Remplir de ce qui est choisi toute la zone contiguë</translation>
     </message>
     <message>
@@ -2130,7 +2130,7 @@
         <translation>Pipe&amp;tte</translation>
     </message>
     <message>
-        <source>Take up what is painted under the pointer</source>
+        <source>Pick up what is painted under the pointer</source>
         <translation>Prélever ce qui est peint sous le pointeur</translation>
     </message>
     <message>
@@ -2154,7 +2154,7 @@
         <translation>&amp;Gomme</translation>
     </message>
     <message>
-        <source>Take paint off: what is brushed is as everywhere again</source>
+        <source>Erase paint: what you brush over is like the rest again</source>
         <translation>Retirer la peinture&#x202f;: ce que parcourt le pinceau redevient comme partout</translation>
     </message>
     <message>
@@ -2162,7 +2162,7 @@
         <translation>&amp;Rogner</translation>
     </message>
     <message>
-        <source>Draw a rectangle around what exports keep of the picture</source>
+        <source>Draw a rectangle around the part of the picture that exports keep</source>
         <translation>Tracer un rectangle autour de ce que les exports gardent de l’image</translation>
     </message>
     <message>
@@ -2178,7 +2178,7 @@
         <translation>Déplacer la v&amp;ue</translation>
     </message>
     <message>
-        <source>Drag the view to another place; in every step the space bar does so</source>
+        <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>Tirer la vue ailleurs ; à chaque étape, la barre d’espace le fait</translation>
     </message>
 </context>
@@ -2213,7 +2213,7 @@
         <translation>&amp;Image…</translation>
     </message>
     <message>
-        <source>Write the picture as it is bent now, at its full size</source>
+        <source>Write the bent picture at its full size</source>
         <translation>Exporter l’image telle qu’elle est déformée, en pleine taille</translation>
     </message>
     <message>
@@ -2301,11 +2301,11 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Take back the last step</source>
+        <source>Undo the last step</source>
         <translation>Annuler la dernière étape</translation>
     </message>
     <message>
-        <source>Do again what was taken back</source>
+        <source>Redo what was undone</source>
         <translation>Rétablir ce qui a été annulé</translation>
     </message>
     <message>
@@ -2313,7 +2313,7 @@
         <translation>&amp;Historique…</translation>
     </message>
     <message>
-        <source>See what was done, and go back to any of it</source>
+        <source>See what was done, and go back to any step</source>
         <translation>Voir ce qui a été fait et revenir à n’importe quelle étape</translation>
     </message>
     <message>
@@ -2377,7 +2377,7 @@
         <translation>Marques de &amp;raideur</translation>
     </message>
     <message>
-        <source>Show where it is stiff, and along which direction</source>
+        <source>Show where the shape is stiff, and along which direction</source>
         <translation>Montrer où la forme est raide, et dans quelle direction</translation>
     </message>
     <message>
@@ -2453,11 +2453,11 @@
         <translation>Utiliser tout l’écran</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>Comme le &amp;bureau</translation>
     </message>
     <message>
-        <source>Light or dark as the desktop is</source>
+        <source>Light or dark, like the desktop</source>
         <translation>Clair ou sombre comme le bureau</translation>
     </message>
     <message>
@@ -2489,7 +2489,7 @@
         <translation>&amp;Boucle</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Start over at the end</source>
         <translation>Recommencer à la fin</translation>
     </message>
     <message>
@@ -2513,7 +2513,7 @@
         <translation>Montrer la fin du mouvement</translation>
     </message>
     <message>
-        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <source>Let the shape relax at the end, with the pins where they are</source>
         <translation>Laisser la forme se détendre vers son repos à la fin, épingles en place</translation>
     </message>
     <message>
@@ -2529,7 +2529,7 @@
         <translation>&amp;Clavier et souris</translation>
     </message>
     <message>
-        <source>What pointer and keys do</source>
+        <source>What the mouse and the keys do</source>
         <translation>Ce que font le pointeur et les touches</translation>
     </message>
     <message>
@@ -2589,7 +2589,7 @@
         <translation>Un solide n’a pas de pixels&#x202f;: exportez la vue.</translation>
     </message>
     <message>
-        <source>Of a picture, export the picture itself.</source>
+        <source>For a picture, export the picture itself.</source>
         <translation>Pour une image, exportez l’image elle-même.</translation>
     </message>
     <message>
@@ -2625,7 +2625,7 @@
         <translation>Comp&amp;arer les énergies</translation>
     </message>
     <message>
-        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <source>Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape</source>
         <translation>Montrer à côté une autre énergie avec les mêmes épingles&#x202f;; ou glisser une vignette de Conserver sur la forme</translation>
     </message>
     <message>
@@ -2637,7 +2637,7 @@
         <translation>Enregi&amp;strer</translation>
     </message>
     <message>
-        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <source>Record every drag as it happens, in real time; Ctrl does so for one drag</source>
         <translation>Chaque geste est gardé tel quel, en temps réel&#x202f;; Ctrl le fait pour un seul</translation>
     </message>
     <message>
@@ -2649,7 +2649,7 @@
         <translation>Pelure d’&amp;oignon</translation>
     </message>
     <message>
-        <source>Show what was a little before and what comes a little after</source>
+        <source>Show the shape as it was a little before and as it is a little after</source>
         <translation>Montrer ce qui précède et ce qui suit de peu</translation>
     </message>
     <message>
@@ -2661,7 +2661,7 @@
         <translation>%1&#x202f;%</translation>
     </message>
     <message>
-        <source>How fast it plays, and by which clock drags are recorded</source>
+        <source>How fast the motion plays, and how fast time goes while drags are recorded</source>
         <translation>La vitesse de lecture, et l’horloge des enregistrements</translation>
     </message>
     <message>
@@ -2673,7 +2673,7 @@
         <translation>Moins de &amp;mouvement</translation>
     </message>
     <message>
-        <source>Nothing moves in the window but what shows something</source>
+        <source>Turn off animations that are only for show</source>
         <translation>Dans la fenêtre ne bouge que ce qui montre quelque chose</translation>
     </message>
     <message>
@@ -2681,11 +2681,11 @@
         <translation>&amp;Conseils</translation>
     </message>
     <message>
-        <source>Say beside the shape what to do first</source>
+        <source>Show beside the shape what to do first</source>
         <translation>Dit à côté de la forme ce qu’il faut faire d’abord</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>Lire le mouvement ou le mettre en pause&#x202f;; un appui bref sur la barre d’espace fait de même</translation>
     </message>
     <message>
@@ -2693,7 +2693,7 @@
         <translation>&amp;Propriétés</translation>
     </message>
     <message>
-        <source>Show the properties at the right, or leave their room to the shape</source>
+        <source>Show the properties on the right, or give their room to the shape</source>
         <translation>Afficher les propriétés à droite, ou laisser leur place à la forme</translation>
     </message>
     <message>
@@ -2701,7 +2701,7 @@
         <translation>T&amp;aille des repères</translation>
     </message>
     <message>
-        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <source>How large pins, rings and curves are drawn, so that they are easy to see and to hit</source>
         <translation>La taille des épingles, anneaux et courbes sur la forme, pour l’œil et pour la main</translation>
     </message>
     <message>
@@ -2728,7 +2728,7 @@
         <translation>&amp;Blanc</translation>
     </message>
     <message>
-        <source>White behind the shape: dark edges are seen on it</source>
+        <source>White behind the shape, to see dark edges</source>
         <translation>Blanc derrière la forme&#x202f;: on y voit les bords sombres</translation>
     </message>
     <message>
@@ -2744,7 +2744,7 @@
         <translation>&amp;Noir</translation>
     </message>
     <message>
-        <source>Black behind the shape: light edges are seen on it</source>
+        <source>Black behind the shape, to see light edges</source>
         <translation>Noir derrière la forme&#x202f;: on y voit les bords clairs</translation>
     </message>
 </context>
@@ -2758,7 +2758,7 @@
 <context>
     <name>wend::BorderOffer</name>
     <message>
-        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
         <translation>Cette image remplit son cadre. Le bord maintenu, elle se déforme à l’intérieur, sans vide sur les côtés.</translation>
     </message>
     <message>
@@ -2809,7 +2809,7 @@
         <translation>Taille</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ], or by dragging to the right with Alt and the right button.</source>
         <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ], ou en glissant vers la droite avec Alt et le bouton droit.</translation>
     </message>
     <message>
@@ -2821,7 +2821,7 @@
         <translation>Dureté</translation>
     </message>
     <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <source>How much of the brush paints fully; beyond that it fades out. Also by Shift with [ and ], or by dragging upwards with Alt and the right button.</source>
         <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ], ou en glissant vers le haut avec Alt et le bouton droit.</translation>
     </message>
     <message>
@@ -2849,7 +2849,7 @@
         <translation>Ordre</translation>
     </message>
     <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <source>What you brush over lies in front if this is greater than 0, behind if it is less</source>
         <translation>Ce que parcourt le pinceau passe devant si l’ordre est supérieur à 0, derrière s’il est inférieur</translation>
     </message>
     <message>
@@ -2857,7 +2857,7 @@
         <translation>Arêtes</translation>
     </message>
     <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <source>How long the mesh&apos;s edges are where you brush, compared with elsewhere</source>
         <translation>Longueur des arêtes du maillage là où passe le pinceau, par rapport à ailleurs</translation>
     </message>
 </context>
@@ -2903,7 +2903,7 @@
         <translation>Montre de nouveau une seule forme.</translation>
     </message>
     <message>
-        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <source>What this half keeps, or how it is without paint, with the same pins and motions.</source>
         <translation>Ce que cette moitié conserve, ou ce qu’elle est sans peinture, avec les mêmes épingles et mouvements.</translation>
     </message>
     <message>
@@ -2922,7 +2922,7 @@
         <translation>Modifier la tra&amp;jectoire</translation>
     </message>
     <message>
-        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <source>Turn the last path of the selected pin into a Bézier curve</source>
         <translation>Convertir en courbe de Bézier la dernière trajectoire de l’épingle sélectionnée</translation>
     </message>
     <message>
@@ -2934,7 +2934,7 @@
         <translation>&amp;Insérer un point</translation>
     </message>
     <message>
-        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <source>Split the curve at the pointer, or after the chosen point; its shape stays</source>
         <translation>Diviser la courbe à l’endroit pointé ou après le point choisi&#x202f;; sa forme reste</translation>
     </message>
     <message>
@@ -2958,7 +2958,7 @@
         <translation>&amp;Libre</translation>
     </message>
     <message>
-        <source>Let both directions at the point go their own way</source>
+        <source>Let the two directions at the point be independent</source>
         <translation>Laisser chacune des deux directions du point suivre son chemin</translation>
     </message>
     <message>
@@ -2982,7 +2982,7 @@
         <translation>A&amp;utomatique</translation>
     </message>
     <message>
-        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <source>Lead the curve smoothly through the point, guided by its neighbours</source>
         <translation>Faire passer la courbe en douceur par le point, d’après ses voisins</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
         <translation>Alt+3</translation>
     </message>
     <message>
-        <source>Select one pin that was dragged along a way.</source>
+        <source>Select one pin that was dragged along a path.</source>
         <translation>Sélectionnez une épingle qui a été tirée le long d’une trajectoire.</translation>
     </message>
     <message>
@@ -2998,7 +2998,7 @@
         <translation>Sélectionnez une épingle qui suit une courbe.</translation>
     </message>
     <message>
-        <source>Click a point of the curve first; two must stay.</source>
+        <source>Click a point of the curve first; two must remain.</source>
         <translation>Cliquez d’abord sur un point de la courbe&#x202f;; deux doivent rester.</translation>
     </message>
     <message>
@@ -3013,7 +3013,7 @@
         <translation>Modifier la trajectoire</translation>
     </message>
     <message>
-        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <source>Turns the drawn path into a Bézier curve with points to drag.</source>
         <translation>Convertit la trajectoire tracée en une courbe de Bézier avec des points à tirer.</translation>
     </message>
     <message>
@@ -3081,7 +3081,7 @@
         <translation>Accélération</translation>
     </message>
     <message>
-        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
         <translation>Comment le mouvement en cours à l’instant affiché commence et finit&#x202f;: de façon régulière ou en douceur.</translation>
     </message>
     <message>
@@ -3135,11 +3135,11 @@
         <translation>Autre côté</translation>
     </message>
     <message>
-        <source>Turns the plane so that it stands across this axis.</source>
+        <source>Turns the plane so that it is perpendicular to this axis.</source>
         <translation>Place le plan perpendiculairement à cet axe.</translation>
     </message>
     <message>
-        <source>Takes away the other side of the plane.</source>
+        <source>Cuts away the other side of the plane.</source>
         <translation>Retire l’autre côté du plan.</translation>
     </message>
     <message>
@@ -3155,7 +3155,7 @@
         <translation>Normale de la coupe</translation>
     </message>
     <message>
-        <source>The direction that the plane looks in, as x, y and z.</source>
+        <source>The direction that the plane faces, as x, y and z.</source>
         <translation>Direction vers laquelle le plan est tourné, en x, y et z.</translation>
     </message>
     <message>
@@ -3179,7 +3179,7 @@
         <translation>Dista&amp;nce</translation>
     </message>
     <message>
-        <source>There is no solid yet that could be cut.</source>
+        <source>There is no solid to cut yet.</source>
         <translation>Il n’y a pas encore de solide à couper.</translation>
     </message>
     <message>
@@ -3226,7 +3226,7 @@
         <translation>&amp;Nombre…</translation>
     </message>
     <message>
-        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <source>Give what is around the selected pins an order: the greater number lies in front</source>
         <translation>Donner un ordre à ce qui entoure les épingles sélectionnées&#x202f;: plus grand passe devant</translation>
     </message>
     <message>
@@ -3234,7 +3234,7 @@
         <translation>Pr&amp;ofondeur</translation>
     </message>
     <message>
-        <source>A solid has its depth by itself.</source>
+        <source>A solid has depth of its own.</source>
         <translation>Un solide a déjà sa profondeur.</translation>
     </message>
     <message>
@@ -3300,7 +3300,7 @@
         <translation>Choisir une peau</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
         <translation>Prend dans un fichier une surface détaillée, éventuellement texturée&#x202f;: elle suit le solide, c’est elle que montre la vue et que reçoivent les formats de surface.</translation>
     </message>
     <message>
@@ -3308,7 +3308,7 @@
         <translation>Supprimer la peau</translation>
     </message>
     <message>
-        <source>The solid is seen and exported with its own surface again.</source>
+        <source>Shows and exports the solid with its own surface again.</source>
         <translation>Le solide est de nouveau affiché et exporté avec sa propre surface.</translation>
     </message>
     <message>
@@ -3323,7 +3323,7 @@
         <translation>Fixer ces couleurs</translation>
     </message>
     <message>
-        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <source>Keep the range of the colours, to compare different shapes and energies.</source>
         <translation>Garder la plage des couleurs, pour comparer formes et énergies.</translation>
     </message>
     <message>
@@ -3383,11 +3383,11 @@
         <translation>Somme sur la forme de σ₁σ₂ + 1/(σ₁σ₂) − 2&#x202f;: zéro si toutes les aires sont conservées.</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
         <translation>Le tétraèdre le plus éloigné du repos selon ce que montre la carte.</translation>
     </message>
     <message>
-        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <source>The triangle that is farthest from rest in what the map shows.</source>
         <translation>Le triangle le plus éloigné du repos selon ce que montre la carte.</translation>
     </message>
     <message>
@@ -3423,7 +3423,7 @@
         <translation>Couleurs lissées</translation>
     </message>
     <message>
-        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
         <translation>Fait passer les couleurs d’une carte progressivement d’une cellule à l’autre. Sinon, chaque cellule a la seule couleur de sa valeur.</translation>
     </message>
     <message>
@@ -3439,19 +3439,19 @@
         <translation>Se croise</translation>
     </message>
     <message>
-        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
         <translation>Combien de fois la surface se traverse une fois la pose au repos&#x202f;: des endroits, chacun fait de paires de triangles. Un clic montre le suivant&#x202f;; la carte les marque en rouge.</translation>
     </message>
     <message>
-        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
         <translation>Où le contour se croise une fois la pose au repos&#x202f;: une partie en recouvre une autre. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
     </message>
     <message>
-        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>Tétraèdres de plus de dix fois leur volume, ou de moins d’un dixième. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
     </message>
     <message>
-        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>Triangles de plus de dix fois leur aire, ou de moins d’un dixième. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
     </message>
     <message>
@@ -3481,7 +3481,7 @@
         </translation>
     </message>
     <message>
-        <source>That is looked for once the pose rests.</source>
+        <source>This is checked once the pose is at rest.</source>
         <translation>La recherche se fait dès que la pose est au repos.</translation>
     </message>
     <message>
@@ -3500,11 +3500,11 @@
         <translation>Ce qui est conservé</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Ce que la forme conserve là où elle doit céder&#x202f;: de son volume, en passant par les longueurs et les parties rigides, à l’aspect de ses détails. Entre deux noms, c’est un peu des deux.</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Ce que la forme conserve là où elle doit céder&#x202f;: de son aire, en passant par les longueurs et les parties rigides, à l’aspect de ses détails. Entre deux noms, c’est un peu des deux.</translation>
     </message>
 </context>
@@ -3562,7 +3562,7 @@
         <translation>Comme dans l’image</translation>
     </message>
     <message>
-        <source>As the format holds it best</source>
+        <source>As it suits the format best</source>
         <translation>Au mieux du format</translation>
     </message>
     <message>
@@ -3586,7 +3586,7 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <source>As it moves, the shape leaves the picture and is cut off there: %1.</source>
         <translation>En chemin, la forme sort de l’image et y est coupée&#x202f;: %1.</translation>
     </message>
     <message>
@@ -3724,18 +3724,18 @@
         <translation>Wend</translation>
     </message>
     <message numerus="yes">
-        <source>%n of these frames exist. Replace them?</source>
+        <source>Replace the frames that already exist (%n)?</source>
         <translation>
             <numerusform>%n de ces images existe déjà. La remplacer&#x202f;?</numerusform>
             <numerusform>%n de ces images existent déjà. Les remplacer&#x202f;?</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <source>What it holds now will be lost, and the project will no longer open as it is.</source>
         <translation>Son contenu actuel sera perdu, et le projet ne s’ouvrira plus tel qu’il est.</translation>
     </message>
     <message>
-        <source>What they hold now is lost.</source>
+        <source>What they hold now will be lost.</source>
         <translation>Leur contenu actuel sera perdu.</translation>
     </message>
     <message>
@@ -3759,7 +3759,7 @@
         <translation>Exporté&#x202f;: %1</translation>
     </message>
     <message>
-        <source>Write Material</source>
+        <source>Export Material</source>
         <translation>Exporter le matériau</translation>
     </message>
     <message>
@@ -3830,7 +3830,7 @@
         <translation>Données du fichier</translation>
     </message>
     <message>
-        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <source>The surface as it is in its file. Lengths are in the file&apos;s units, which few files name.</source>
         <translation>La surface telle que le fichier la donne. Les longueurs sont dans l&apos;unité du fichier, que peu indiquent.</translation>
     </message>
     <message>
@@ -3850,11 +3850,11 @@
         <translation>Fentes dans une même partie que la cage ferme&#x202f;: les deux côtés bougent ensemble.</translation>
     </message>
     <message>
-        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <source>Goes to the tetrahedron with the largest ratio.</source>
         <translation>Regarde le tétraèdre de plus grand rapport.</translation>
     </message>
     <message>
-        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <source>Goes through the gaps that the cage closes, one after another.</source>
         <translation>Regarde l&apos;une après l&apos;autre les fentes que la cage ferme.</translation>
     </message>
     <message>
@@ -3862,7 +3862,7 @@
         <translation>Affine la cage pour que la plus large de ces fentes reste ouverte.</translation>
     </message>
     <message>
-        <source>The file is looked at …</source>
+        <source>Looking at the file …</source>
         <translation>Le fichier est examiné…</translation>
     </message>
     <message>
@@ -4000,7 +4000,7 @@
         <translation>Localiser %1</translation>
     </message>
     <message>
-        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <source>Your changes cannot be recovered if the program crashes: please save. %1</source>
         <translation>Il n’existe aucune copie de vos modifications en cas de plantage&#x202f;: enregistrez. %1</translation>
     </message>
     <message>
@@ -4032,11 +4032,11 @@
         <translation>Recharger «&#x202f;%1&#x202f;»&#x202f;?</translation>
     </message>
     <message>
-        <source>Your changes since it was saved are lost.</source>
+        <source>Your changes since it was saved will be lost.</source>
         <translation>Vos modifications depuis l’enregistrement seront perdues.</translation>
     </message>
     <message>
-        <source>Saving replaces those changes; reloading drops yours.</source>
+        <source>Saving replaces those changes; reloading discards yours.</source>
         <translation>Enregistrer remplace ces modifications&#x202f;; recharger abandonne les vôtres.</translation>
     </message>
     <message>
@@ -4056,7 +4056,7 @@
         <translation>Enregistrer les modifications de «&#x202f;%1&#x202f;»&#x202f;?</translation>
     </message>
     <message>
-        <source>If you do not save, they are lost.</source>
+        <source>If you do not save, they will be lost.</source>
         <translation>Sinon, elles seront perdues.</translation>
     </message>
     <message>
@@ -4076,7 +4076,7 @@
         <translation>Enregistrer ce que vous avez fait de « %1 » ?</translation>
     </message>
     <message>
-        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>Cela devient un projet à part ; le fichier reste tel quel. Sans enregistrement, votre travail sera perdu.</translation>
     </message>
 </context>
@@ -4113,7 +4113,7 @@
         <translation>Détendre</translation>
     </message>
     <message>
-        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <source>The pins stay where they are, and what lies between them releases its tension. This takes one second at the end of the film.</source>
         <translation>Les épingles restent en place, et ce qui est entre elles relâche sa tension. Cela prend une seconde à la fin du film.</translation>
     </message>
     <message>
@@ -4152,7 +4152,7 @@
         <translation>Pas exact</translation>
     </message>
     <message>
-        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <source>Moves, rotates or scales what is selected by exact numbers.</source>
         <translation>Déplace, fait pivoter ou met à l’échelle la sélection avec des valeurs exactes.</translation>
     </message>
     <message>
@@ -4180,11 +4180,11 @@
         <translation>Axe</translation>
     </message>
     <message>
-        <source>The axis of the turn, through the middle of what is selected.</source>
+        <source>The axis of the rotation, through the middle of what is selected.</source>
         <translation>L’axe de rotation, passant par le milieu de la sélection.</translation>
     </message>
     <message>
-        <source>Does this step; it becomes part of the motion.</source>
+        <source>Applies this step; it becomes part of the motion.</source>
         <translation>Exécute ce pas&#x202f;; il devient une partie du mouvement.</translation>
     </message>
     <message>
@@ -4222,7 +4222,7 @@
         <translation>Quelle langue parle la fenêtre</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>Comme le &amp;bureau</translation>
     </message>
     <message>
@@ -4237,7 +4237,7 @@
 <context>
     <name>wend::LayerPanel</name>
     <message>
-        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <source>The material is the same everywhere: brush over the shape to change a part.</source>
         <translation>C’est partout pareil&#x202f;: passez le pinceau sur la forme pour en changer une partie.</translation>
     </message>
     <message>
@@ -4273,7 +4273,7 @@
         <translation>Ôter</translation>
     </message>
     <message>
-        <source>Takes the chosen layer away.</source>
+        <source>Removes the chosen layer.</source>
         <translation>Supprime le calque choisi.</translation>
     </message>
     <message>
@@ -4285,7 +4285,7 @@
         <translation>Raideur</translation>
     </message>
     <message>
-        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the layer is along its direction; ×1 is the same as everywhere.</source>
         <translation>Combien de fois le calque est plus raide dans sa direction&#x202f;; ×1&#x202f;: comme partout.</translation>
     </message>
     <message>
@@ -4293,7 +4293,7 @@
         <translation>Direction raide</translation>
     </message>
     <message>
-        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <source>At rest; it turns with the shape. A change is for all regions of the layer.</source>
         <translation>Au repos&#x202f;; elle tourne avec la forme. En changer vaut pour toutes les régions du calque.</translation>
     </message>
     <message>
@@ -4333,7 +4333,7 @@
         <translation>Sans nom</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <source>Where the material differs. The topmost layer wins; drag a layer to move it. A click shows its values, a double-click changes its name, its eye or the space bar switches it off.</source>
         <translation>Où le matériau est différent. Le calque du haut l’emporte&#x202f;: glissez un calque à sa place. Un clic montre ses valeurs, un double clic change son nom, son œil ou la barre d’espace le désactive.</translation>
     </message>
     <message>
@@ -4341,7 +4341,7 @@
         <translation>Images</translation>
     </message>
     <message>
-        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <source>Imports the material from pictures made in a paint program, and exports it as such.</source>
         <translation>Importe le matériau depuis des images d’un logiciel de peinture, et l’exporte de même.</translation>
     </message>
     <message>
@@ -4349,7 +4349,7 @@
         <translation>Relire</translation>
     </message>
     <message>
-        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <source>Takes the pictures as they are now, after they have been saved in a paint program.</source>
         <translation>Reprend les images telles qu’elles sont à présent, une fois enregistrées dans un logiciel de peinture.</translation>
     </message>
     <message>
@@ -4409,15 +4409,15 @@
         <translation>Une raideur de ×1 n’a pas de direction&#x202f;: choisissez d’abord combien de fois c’est plus raide.</translation>
     </message>
     <message>
-        <source>What a file says of each cell stays lowest.</source>
+        <source>What a file gives cell by cell stays lowest.</source>
         <translation>Ce qu’un fichier dit de chaque cellule reste tout en bas.</translation>
     </message>
     <message>
-        <source>It is the lowest layer already.</source>
+        <source>This is already the lowest layer.</source>
         <translation>C’est déjà le calque le plus bas.</translation>
     </message>
     <message>
-        <source>It is the topmost layer already.</source>
+        <source>This is already the topmost layer.</source>
         <translation>C’est déjà le calque le plus haut.</translation>
     </message>
     <message>
@@ -4494,11 +4494,11 @@
         <translation>Retour</translation>
     </message>
     <message>
-        <source>The page before</source>
+        <source>The previous page</source>
         <translation>La page précédente</translation>
     </message>
     <message>
-        <source>This stands on no page.</source>
+        <source>No page has these words.</source>
         <translation>Cela ne figure sur aucune page.</translation>
     </message>
     <message>
@@ -4506,58 +4506,58 @@
         <translation>Chercher dans le manuel</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <source>Enter goes to the next place with these words, on this page or another.</source>
         <translation>Entrée va au prochain endroit où figurent ces mots, sur cette page ou une autre.</translation>
     </message>
 </context>
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Bring In What Is &amp;Kept…</source>
+        <source>Import What Is &amp;Kept…</source>
         <translation>Importer ce qui est &amp;conservé…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>Une image grise sur le tout, comme calque&#x202f;: le noir conserve l’aire, le blanc les angles</translation>
     </message>
     <message>
-        <source>Bring In &amp;Stiffness…</source>
+        <source>Import &amp;Stiffness…</source>
         <translation>Importer la &amp;raideur…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <source>A grey picture over the whole, as a layer: black is the same as everywhere, white is 1000 times stiffer</source>
         <translation>Une image grise sur le tout, comme calque&#x202f;: noir comme partout, blanc 1000 fois plus raide</translation>
     </message>
     <message>
-        <source>Bring In &amp;Directions…</source>
+        <source>Import &amp;Directions…</source>
         <translation>Importer les &amp;directions…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <source>A grey picture over the whole, as a layer, of the direction of stiffness: black is level, middle grey upright</source>
         <translation>Une image grise sur le tout, comme calque&#x202f;: noir horizontal, gris moyen vertical&#x202f;; ce qui est raide l’est dans cette direction</translation>
     </message>
     <message>
-        <source>Bring In Values of &amp;Cells…</source>
+        <source>Import Values of &amp;Cells…</source>
         <translation>Importer des valeurs de c&amp;ellules…</translation>
     </message>
     <message>
-        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>φ et B de chaque cellule depuis un fichier de maillage qui les contient, par exemple un maillage exporté</translation>
     </message>
     <message>
-        <source>Write What Is K&amp;ept…</source>
+        <source>Export What Is K&amp;ept…</source>
         <translation>Exporter ce qui est co&amp;nservé…</translation>
     </message>
     <message>
-        <source>As a gray picture, to go on with in a paint program</source>
+        <source>As a grey picture, to be edited in a paint program</source>
         <translation>En image grise, à poursuivre dans un logiciel de peinture</translation>
     </message>
     <message>
-        <source>Write S&amp;tiffness…</source>
+        <source>Export S&amp;tiffness…</source>
         <translation>Exporter la r&amp;aideur…</translation>
     </message>
     <message>
-        <source>Write Di&amp;rections…</source>
+        <source>Export Di&amp;rections…</source>
         <translation>Exporter les d&amp;irections…</translation>
     </message>
     <message>
@@ -4569,7 +4569,7 @@
         <translation>Ouvrez d’abord une image.</translation>
     </message>
     <message>
-        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <source>For a solid, these are values of cells; they are exported with its mesh.</source>
         <translation>Pour un solide, ce sont des valeurs de cellules&#x202f;; elles s’exportent avec son maillage.</translation>
     </message>
     <message>
@@ -4581,7 +4581,7 @@
         <translation>Images (%1)</translation>
     </message>
     <message>
-        <source>Bring in %1</source>
+        <source>Import %1</source>
         <translation>Importer %1</translation>
     </message>
     <message>
@@ -4589,7 +4589,7 @@
         <translation>Valeurs de cellules (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
-        <source>The layers are switched off: what is brought in stands below them.</source>
+        <source>The layers were switched off: what was imported lies below them.</source>
         <translation>Les calques sont désactivés&#x202f;: ce qui est importé se trouve en dessous.</translation>
     </message>
 </context>
@@ -4675,14 +4675,14 @@
         <translation>Solide entier</translation>
     </message>
     <message numerus="yes">
-        <source>Selected: %n vertices</source>
+        <source>Selected vertices: %n</source>
         <translation>
             <numerusform>Sélection&#x202f;: %n sommet</numerusform>
             <numerusform>Sélection&#x202f;: %n sommets</numerusform>
         </translation>
     </message>
     <message>
-        <source>Point at the solid for the values there.</source>
+        <source>Point at the solid to see the values there.</source>
         <translation>Pointez le solide pour y voir les valeurs.</translation>
     </message>
     <message>
@@ -4748,7 +4748,7 @@
         <translation>Cible</translation>
     </message>
     <message>
-        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <source>What sets how fine the mesh is: how many vertices it has in total, or how large a tetrahedron may be.</source>
         <translation>Ce qui détermine la finesse du maillage&#x202f;: son nombre total de sommets, ou la taille que peut avoir un tétraèdre.</translation>
     </message>
     <message>
@@ -4760,7 +4760,7 @@
         <translation>Tailles de cellule</translation>
     </message>
     <message>
-        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <source>Paints where the mesh should be finer or coarser, or sets it by regions in numbers.</source>
         <translation>Peint où le maillage doit être plus fin ou plus grossier, ou l’indique en nombres, par régions.</translation>
     </message>
     <message>
@@ -4819,7 +4819,7 @@
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <source>How large the picture is shown; a click shows its pixels as they are.</source>
         <translation>La taille à laquelle l’image est vue ; un clic montre ses pixels tels quels.</translation>
     </message>
     <message>
@@ -4827,7 +4827,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>Exporter ce qui est affiché&#x202f;: image, séquence, ST map, maillage ou vue</translation>
     </message>
 </context>
@@ -4848,7 +4848,7 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the painted part is along its direction; ×1 is the same as everywhere.</source>
         <translation>Combien de fois la partie peinte est plus raide dans sa direction&#x202f;; ×1&#x202f;: comme partout.</translation>
     </message>
     <message>
@@ -4856,7 +4856,7 @@
         <translation>Direction raide</translation>
     </message>
     <message>
-        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the path of the selected pin where it is nearest.</source>
         <translation>La direction au repos, qui tourne avec la forme&#x202f;: celle du trait, celle qui est déjà là, un axe, des nombres, ou la trajectoire de l’épingle sélectionnée là où elle est le plus proche.</translation>
     </message>
     <message>
@@ -4904,7 +4904,7 @@
         <translation>selon la vue</translation>
     </message>
     <message>
-        <source>along the pin&apos;s way</source>
+        <source>along the pin&apos;s path</source>
         <translation>selon l’épingle</translation>
     </message>
     <message>
@@ -4923,7 +4923,7 @@
         <translation>A&amp;jouter</translation>
     </message>
     <message>
-        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <source>What you draw will bend, too; Ctrl takes it away instead</source>
         <translation>Ce que vous tracez se déformera aussi&#x202f;; avec Ctrl, c’est retiré</translation>
     </message>
     <message>
@@ -4931,7 +4931,7 @@
         <translation>Re&amp;tirer</translation>
     </message>
     <message>
-        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <source>What you draw will not bend; Ctrl adds it instead</source>
         <translation>Ce que vous tracez ne se déformera pas&#x202f;; avec Ctrl, c’est ajouté</translation>
     </message>
     <message>
@@ -4939,7 +4939,7 @@
         <translation>Taille</translation>
     </message>
     <message>
-        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <source>Diameter of the brush on the screen; also [ and ]</source>
         <translation>La largeur du pinceau à l’écran&#x202f;; aussi [ et ]</translation>
     </message>
     <message>
@@ -4955,7 +4955,7 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>L’écart permis entre couleurs, aussi pour le dernier clic ; aussi [ et ]</translation>
     </message>
 </context>
@@ -5022,7 +5022,7 @@
         <translation>Arrière-plan transparent</translation>
     </message>
     <message>
-        <source>Only the solid, on nothing.</source>
+        <source>Only the solid, without a background.</source>
         <translation>Le solide seul, sans fond.</translation>
     </message>
     <message>
@@ -5042,7 +5042,7 @@
         <translation>Les couleurs de la carte et leurs valeurs.</translation>
     </message>
     <message>
-        <source>Show a map first: only then there is something to explain.</source>
+        <source>Show a map first: only then is there something to explain.</source>
         <translation>Affichez d’abord une carte&#x202f;: sans elle, il n’y a rien à expliquer.</translation>
     </message>
     <message>
@@ -5093,7 +5093,7 @@
         <translation>Mas&amp;quer</translation>
     </message>
     <message>
-        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <source>The selected pins still hold, but are neither drawn nor picked</source>
         <translation>Ne plus afficher ni laisser saisir les épingles sélectionnées, qui continuent de maintenir</translation>
     </message>
     <message>
@@ -5153,7 +5153,7 @@
         <translation>Mettre en &amp;miroir</translation>
     </message>
     <message>
-        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <source>Set pins at the mirror images of the selected ones, across the middle of the shape, with mirrored motions</source>
         <translation>Poser des épingles symétriques de celles sélectionnées par rapport au milieu de la forme, avec des mouvements en miroir</translation>
     </message>
     <message>
@@ -5269,7 +5269,7 @@
         <translation>Déplace&amp;r</translation>
     </message>
     <message>
-        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <source>Drag pins to move them; in a solid, also by the arrows</source>
         <translation>Tirez les épingles pour les déplacer ; pour un solide, ses flèches aussi</translation>
     </message>
     <message>
@@ -5281,7 +5281,7 @@
         <translation>Faire pi&amp;voter</translation>
     </message>
     <message>
-        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <source>Drag to rotate the selected pins; in a solid, by the rings</source>
         <translation>Tirez pour faire pivoter les épingles sélectionnées ; pour un solide, par ses anneaux</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@
         <translation>Éche&amp;lle</translation>
     </message>
     <message>
-        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <source>Drag to scale the selected pins; in a solid, by the ring</source>
         <translation>Tirez pour redimensionner les épingles sélectionnées ; pour un solide, par son anneau</translation>
     </message>
     <message>
@@ -5309,7 +5309,7 @@
         <translation>Sélectionner des épin&amp;gles</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <source>What the pin tool and the select tool draw around pins to select them</source>
         <translation>Ce qu’on trace à côté des épingles, avec l’outil Épingle ou Sélection, pour les sélectionner</translation>
     </message>
     <message>
@@ -5341,7 +5341,7 @@
         <translation>Aima&amp;nter</translation>
     </message>
     <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <source>New pins sit on corners of the mesh instead of where you click</source>
         <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
     </message>
     <message>
@@ -5349,7 +5349,7 @@
         <translation>Taille</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ].</source>
         <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ].</translation>
     </message>
     <message>
@@ -5364,7 +5364,7 @@
         <translation>Épingles</translation>
     </message>
     <message>
-        <source>Does not hold at the time that is shown.</source>
+        <source>Does not hold at the time shown.</source>
         <translation>Ne maintient rien à l’instant affiché.</translation>
     </message>
     <message>
@@ -5372,7 +5372,7 @@
         <translation>Renommer</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock protects from changes; a right-click groups, links and mirrors.</source>
         <translation>Choisissez ici des épingles&#x202f;; F2 renomme, Suppr supprime, Entrée passe à l’image, où les flèches les déplacent. L’œil masque, le cadenas protège des modifications&#x202f;; le clic droit groupe, lie et met en miroir.</translation>
     </message>
     <message>
@@ -5493,7 +5493,7 @@
         <translation>Portée</translation>
     </message>
     <message>
-        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads. Near: close to the pin, sharp. Far: soft and wide.</source>
         <translation>Jusqu’où s’étend la traction d’une épingle. Près&#x202f;: près de l’épingle, net. Loin&#x202f;: doux et large.</translation>
     </message>
     <message>
@@ -5516,11 +5516,11 @@
 <context>
     <name>wend::RegionList</name>
     <message>
-        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <source>The mesh is equally fine everywhere: brush over what should be finer or coarser.</source>
         <translation>Le maillage est partout aussi fin&#x202f;: passez le pinceau où il doit être plus fin ou plus grossier.</translation>
     </message>
     <message>
-        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <source>Nothing has an order of its own: brush over what should lie in front or behind.</source>
         <translation>Rien n’a d’ordre propre&#x202f;: passez le pinceau sur ce qui doit être devant ou derrière.</translation>
     </message>
     <message>
@@ -5532,7 +5532,7 @@
         <translation>Ce qui est devant</translation>
     </message>
     <message>
-        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <source>The strokes and regions so far; where two overlap, the upper one counts. A click shows where it lies and its number, a double-click changes its name.</source>
         <translation>Les traits et régions présents&#x202f;; de deux au même endroit, celui du dessus compte. Un clic montre où il se trouve et sa valeur, un double-clic change son nom.</translation>
     </message>
     <message>
@@ -5548,11 +5548,11 @@
         <translation>Ordre</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: less is finer, more is coarser.</source>
         <translation>Longueur des arêtes à cet endroit par rapport à ailleurs&#x202f;: moins est plus fin, plus est plus grossier.</translation>
     </message>
     <message>
-        <source>Greater than 0 lies in front, less behind.</source>
+        <source>Greater than 0 lies in front, less than 0 behind.</source>
         <translation>Plus grand que 0&#x202f;: devant&#x202f;; plus petit&#x202f;: derrière.</translation>
     </message>
     <message>
@@ -5560,7 +5560,7 @@
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>Takes the chosen region away.</source>
+        <source>Removes the chosen region.</source>
         <translation>Supprime la région choisie.</translation>
     </message>
     <message>
@@ -5698,7 +5698,7 @@
         <translation>Modifier la région</translation>
     </message>
     <message numerus="yes">
-        <source>%n vertices</source>
+        <source>Vertices: %n</source>
         <translation>
             <numerusform>%n sommet</numerusform>
             <numerusform>%n sommets</numerusform>
@@ -5713,7 +5713,7 @@
         <translation>Rayo&amp;n</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
         <translation>Jusqu’où l’épingle maintient la forme autour d’elle&#x202f;: 0 maintient un point, plus un cercle, ou une boule pour un solide. Dans les unités de la forme&#x202f;; pour une image, ses pixels. Alt-glisser l’épingle fait de même.</translation>
     </message>
 </context>
@@ -5731,7 +5731,7 @@
 <context>
     <name>wend::ShapeNotices</name>
     <message>
-        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <source>“Refine surface” in the panel “Mesh” allows the surface&apos;s triangles to be split.</source>
         <translation>«&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de diviser les triangles de la surface.</translation>
     </message>
     <message>
@@ -5739,11 +5739,11 @@
         <translation>Épingler</translation>
     </message>
     <message>
-        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <source>A part is joined to the rest at a single point, and may swing around it unless a pin holds it.</source>
         <translation>Une partie ne tient au reste que par un point et peut pivoter autour, si aucune épingle ne la maintient.</translation>
     </message>
     <message numerus="yes">
-        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <source>%n parts are joined to the rest at single points, and may swing around them unless pins hold them.</source>
         <translation>
             <numerusform>%n partie ne tient au reste que par un point et peut pivoter autour, si aucune épingle ne la maintient.</numerusform>
             <numerusform>%n parties ne tiennent au reste que par des points et peuvent pivoter autour, si aucune épingle ne les maintient.</numerusform>
@@ -5773,7 +5773,7 @@
         <translation>Annulé&#x202f;: tout est comme avant la dernière modification.</translation>
     </message>
     <message>
-        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <source>Meshing was cancelled. Any change, such as fewer vertices, starts it again.</source>
         <translation>Le maillage a été annulé. Toute modification le relance, par exemple réduire le nombre de sommets.</translation>
     </message>
     <message>
@@ -5785,7 +5785,7 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>There is no pin: this place lies outside of the shape.</source>
+        <source>No pin was set: this place lies outside the shape.</source>
         <translation>Pas d’épingle ici&#x202f;: cet endroit est hors de la forme.</translation>
     </message>
     <message>
@@ -5805,7 +5805,7 @@
         <translation>Déplacer %1</translation>
     </message>
     <message>
-        <source>%1 does not hold the shape at the time that is shown.</source>
+        <source>%1 does not hold the shape at the time shown.</source>
         <translation>%1 ne maintient pas la forme à l’instant affiché.</translation>
     </message>
     <message>
@@ -5813,7 +5813,7 @@
         <translation>Mettre %1 à l’échelle</translation>
     </message>
     <message>
-        <source>What came after is replaced by this; Undo brings it back.</source>
+        <source>This replaces what came after; Undo brings it back.</source>
         <translation>Ce qui venait après est remplacé&#x202f;; Annuler le rétablit.</translation>
     </message>
     <message numerus="yes">
@@ -5828,11 +5828,11 @@
         <translation>%1 en miroir</translation>
     </message>
     <message>
-        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <source>No pin was set where the mirror image lies outside the shape.</source>
         <translation>Là où l’image en miroir tombe hors de la forme, aucune épingle n’est posée.</translation>
     </message>
     <message>
-        <source>There is a pin already where the mirror image would be.</source>
+        <source>There is already a pin where the mirror image would be.</source>
         <translation>Il y a déjà une épingle là où serait l’image en miroir.</translation>
     </message>
     <message>
@@ -5884,11 +5884,11 @@
         <translation>Délier %1</translation>
     </message>
     <message>
-        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <source>%1 is locked. A right-click or the list of pins unlocks it.</source>
         <translation>%1 est verrouillée. Le clic droit ou la liste des épingles la déverrouille.</translation>
     </message>
     <message>
-        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <source>%1 are locked. A right-click or the list of pins unlocks them.</source>
         <translation>%1 sont verrouillées. Le clic droit ou la liste des épingles les déverrouille.</translation>
     </message>
     <message>
@@ -5932,7 +5932,7 @@
         <translation>Faire pivoter %1</translation>
     </message>
     <message>
-        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <source>This replaces what %1 did later; Undo brings it back.</source>
         <translation>Ce que %1 faisait après est remplacé ; Annuler le rétablit.</translation>
     </message>
     <message>
@@ -5955,7 +5955,7 @@
         <translation>À l’ouverture</translation>
     </message>
     <message>
-        <source>What was done; a click goes back to that step, or forth.</source>
+        <source>What was done; a click goes back or forward to that step.</source>
         <translation>Ce qui a été fait&#x202f;; un clic ramène à cette étape, ou y avance.</translation>
     </message>
     <message>
@@ -5974,7 +5974,7 @@
         <translation>Longueur des arêtes</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
         <translation>Longueur des arêtes à cet endroit par rapport à ailleurs&#x202f;: 0,5 est moitié moins long, donc plus fin&#x202f;; 2 est deux fois plus long, donc plus grossier.</translation>
     </message>
     <message>
@@ -5982,7 +5982,7 @@
         <translation>Où les cellules sont plus fines ou plus grossières</translation>
     </message>
     <message>
-        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
         <translation>Ce que fait le prochain trait, puis les traits et régions existants&#x202f;; de deux au même endroit, celui du bas compte. Un clic montre les nombres, pour les changer.</translation>
     </message>
     <message>
@@ -5998,7 +5998,7 @@
         <translation>Ajouter une région</translation>
     </message>
     <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
         <translation>Une sphère, une boîte ou un demi-espace au milieu, ou la région que maintient la poignée sélectionnée&#x202f;; on peut ensuite en changer les nombres.</translation>
     </message>
     <message>
@@ -6006,7 +6006,7 @@
         <translation>Supprimer les tailles</translation>
     </message>
     <message>
-        <source>Takes the chosen stroke or region away.</source>
+        <source>Removes the chosen stroke or region.</source>
         <translation>Supprime le trait choisi ou la région choisie.</translation>
     </message>
     <message>
@@ -6014,7 +6014,7 @@
         <translation>Bord doux</translation>
     </message>
     <message>
-        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
         <translation>Largeur sur laquelle la taille passe à celle d’alentour, en unités du fichier.</translation>
     </message>
     <message>
@@ -6074,11 +6074,11 @@
         <translation>En dessous&#x202f;: les facteurs de %1.</translation>
     </message>
     <message>
-        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
         <translation>Les triangles de la surface sont conservés, seul l’intérieur change. «&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de les diviser aussi.</translation>
     </message>
     <message>
-        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
     </message>
 </context>
@@ -6089,7 +6089,7 @@
         <translation>Des bords doux ou des ombres de cette image dépassent du détourage et sont coupés.</translation>
     </message>
     <message>
-        <source>Take Them Along</source>
+        <source>Include Them</source>
         <translation>Les inclure</translation>
     </message>
 </context>
@@ -6136,7 +6136,7 @@
         <translation>Ch&amp;oisir une peau…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
+        <source>Embed a detailed, perhaps textured surface from a file in the solid</source>
         <translation>Faire suivre le solide par une surface détaillée, éventuellement texturée, prise dans un fichier</translation>
     </message>
     <message>
@@ -6144,7 +6144,7 @@
         <translation>Supprimer l&amp;a peau</translation>
     </message>
     <message>
-        <source>See and export the solid with its own surface again</source>
+        <source>Show and export the solid with its own surface again</source>
         <translation>Afficher et exporter de nouveau le solide avec sa propre surface</translation>
     </message>
     <message>
@@ -6311,7 +6311,7 @@
 <context>
     <name>wend::SolidCanvas</name>
     <message>
-        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <source>there is not enough memory for a picture of %1 x %2 pixels</source>
         <translation>la mémoire ne suffit pas pour une image de %1 x %2 pixels</translation>
     </message>
     <message>
@@ -6334,7 +6334,7 @@
 <context>
     <name>wend::SolidWorkshop</name>
     <message>
-        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) still works with them.</source>
         <translation>Les solides demandent OpenGL 3.3, dont ce système ne dispose pas. La ligne de commande (wend run) fonctionne quand même avec eux.</translation>
     </message>
     <message>
@@ -6413,7 +6413,7 @@
         <translation>Abandonner %1</translation>
     </message>
     <message>
-        <source>Forgets these changes for good.</source>
+        <source>Deletes these changes for good.</source>
         <translation>Oublie ces modifications définitivement.</translation>
     </message>
 </context>
@@ -6444,7 +6444,7 @@
         <translation>Pire endroit</translation>
     </message>
     <message>
-        <source>How far the worst place is from rest, by what the map shows</source>
+        <source>How far the worst place is from rest in what the map shows</source>
         <translation>Écart du pire endroit par rapport au repos, selon ce que montre la carte</translation>
     </message>
     <message>
@@ -6485,14 +6485,14 @@
         <translation>volume %1&#x202f;%</translation>
     </message>
     <message>
-        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
         <translation>Pendant un glissement&#x202f;: le retard de ce que vous voyez sur la main. Au repos&#x202f;: la durée du calcul</translation>
     </message>
 </context>
 <context>
     <name>wend::SurfaceCheck</name>
     <message>
-        <source>Triangles of missing points</source>
+        <source>Triangles with missing points</source>
         <translation>Triangles à points manquants</translation>
     </message>
     <message>
@@ -6512,7 +6512,7 @@
         <translation>Triangles sans aire</translation>
     </message>
     <message>
-        <source>Double triangles</source>
+        <source>Duplicate triangles</source>
         <translation>Triangles en double</translation>
     </message>
     <message>
@@ -6564,7 +6564,7 @@
         <translation>Opérations prévues&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>No simple step puts this one right.</source>
+        <source>No simple step fixes this one.</source>
         <translation>Aucune étape simple ne corrige ce défaut.</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@
         <translation>Corriger un défaut</translation>
     </message>
     <message>
-        <source>No simple steps put all of these right.</source>
+        <source>No simple steps fix all of these.</source>
         <translation>Aucune étape simple ne les corrige tous.</translation>
     </message>
     <message>
@@ -6588,7 +6588,7 @@
         <translation>Corriger tous les défauts d’un type</translation>
     </message>
     <message>
-        <source>Looking for what puts all of these right …</source>
+        <source>Looking for what fixes all of these …</source>
         <translation>Recherche de ce qui les corrige tous…</translation>
     </message>
 </context>
@@ -6611,7 +6611,7 @@
         <translation>Ce qui ne va pas</translation>
     </message>
     <message>
-        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <source>The kinds of faults, and how often each occurs.</source>
         <translation>Les types de défauts, et combien de fois chacun se présente.</translation>
     </message>
     <message>
@@ -6619,7 +6619,7 @@
         <translation>Endroit précédent</translation>
     </message>
     <message>
-        <source>Looks at the previous place where this is wrong.</source>
+        <source>Goes to the previous place where this is wrong.</source>
         <translation>Va à l’endroit précédent où ce défaut se trouve.</translation>
     </message>
     <message>
@@ -6627,7 +6627,7 @@
         <translation>Endroit suivant</translation>
     </message>
     <message>
-        <source>Looks at the next place where this is wrong.</source>
+        <source>Goes to the next place where this is wrong.</source>
         <translation>Va à l’endroit suivant où ce défaut se trouve.</translation>
     </message>
     <message>
@@ -6635,7 +6635,7 @@
         <translation>Montrer les triangles</translation>
     </message>
     <message>
-        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <source>Colours the triangles that are wrong and shows them: what hides them is left out.</source>
         <translation>Colore les triangles défectueux et les montre&#x202f;: ce qui les cache est omis.</translation>
     </message>
     <message>
@@ -6647,7 +6647,7 @@
         <translation>Écrit dans un fichier les numéros de tous les triangles et arêtes défectueux.</translation>
     </message>
     <message>
-        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <source>Merges coincident points, drops degenerate and duplicate triangles, orients the others and fills small holes.</source>
         <translation>Fusionne les points confondus, supprime les triangles dégénérés et en double, les oriente et bouche les petits trous.</translation>
     </message>
     <message>
@@ -6683,7 +6683,7 @@
         <translation>Créer une cage</translation>
     </message>
     <message>
-        <source>Takes the cage away: without repair there is no solid then.</source>
+        <source>Removes the cage: without a repair there is then no solid.</source>
         <translation>Retire la cage&#x202f;: sans réparation, il n’y a alors plus de solide.</translation>
     </message>
     <message>
@@ -6707,7 +6707,7 @@
         <translation>Corriger celui-ci</translation>
     </message>
     <message>
-        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <source>Fixes only what is shown: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>Ne corrige que ce qui est regardé&#x202f;: l’ajout est en vert, ce qui est retiré ou retourné en jaune.</translation>
     </message>
     <message>
@@ -6715,7 +6715,7 @@
         <translation>Tout corriger</translation>
     </message>
     <message>
-        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <source>Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no more edges than chosen below.</source>
         <translation>Corrige tous les défauts de ce type que des étapes simples corrigent, en une seule étape d’annulation&#x202f;; parmi les trous, ceux qui n’ont pas plus d’arêtes que choisi plus bas.</translation>
     </message>
     <message>
@@ -6868,7 +6868,7 @@
         <translation>%1&#x202f;: %2 à %3&#x202f;s, %4</translation>
     </message>
     <message>
-        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Rien ne bouge encore. Tirez une épingle, ou enregistrez-la avec Ctrl&#x202f;: vos gestes seront ici, épingle par épingle.</translation>
     </message>
     <message>
@@ -6888,7 +6888,7 @@
         <translation>Supprimer les mouvements</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>Glissez une barre ou ses extrémités vers un autre instant&#x202f;; Maj, Ctrl ou un cadre autour d’elles en choisit plusieurs. Un clic droit règle leur début et leur fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
     </message>
 </context>
@@ -6907,7 +6907,7 @@
         <translation>Seul ce qui est épinglé reste en place. &lt;b&gt;Cliquez sur un sabot&lt;/b&gt; de la girafe pour l’épingler.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too, with a click each. Ctrl+Z undoes a pin.</source>
         <translation>&lt;b&gt;Épinglez aussi les autres sabots&lt;/b&gt;, un clic pour chacun. Ctrl+Z reprend une épingle.</translation>
     </message>
     <message>
@@ -6931,7 +6931,7 @@
         <translation>Votre geste est déjà un film&#x202f;: &lt;b&gt;appuyez sur K&lt;/b&gt; pour le lire. Cliquez dans la bande du bas pour aller à un instant, et continuez à tirer à partir de là.</translation>
     </message>
     <message>
-        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
         <translation>Enfin, &lt;b&gt;appuyez sur Ctrl+5&lt;/b&gt; pour l’étape &lt;i&gt;Exporter&lt;/i&gt;&#x202f;: une image, une séquence, une carte de déformation ou le maillage.</translation>
     </message>
     <message>
@@ -6969,7 +6969,7 @@
         <translation>Annuler (Échap)</translation>
     </message>
     <message>
-        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <source>Stops what is being computed and goes back to the last complete state</source>
         <translation>Arrête le calcul en cours et revient au dernier état complet</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@
         <translation>ドラッグ中に数字</translation>
     </message>
     <message>
-        <source>set the number, Enter takes it</source>
+        <source>set the number; Enter confirms it</source>
         <translation>数値を入力、Enter で確定</translation>
     </message>
     <message>
@@ -84,7 +84,7 @@
         <translation>右ボタンまたは中ボタン</translation>
     </message>
     <message>
-        <source>turns the view; with Shift it moves</source>
+        <source>turns the view; with Shift, moves it</source>
         <translation>視点を回転、Shift で移動</translation>
     </message>
     <message>
@@ -171,23 +171,23 @@
         <translation>時刻 %1 で形は %2 の近くで硬すぎて、それ以上落ち着けません。ステップが短くなりすぎます。許容誤差を大きくしてください</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1, in cell %2; move it less far or along another path, or release what holds the shape there</source>
         <translation>形が %1 の近く、セル %2 で折り返してしまいます。動きを小さくするか別の動かし方にするか、そこで形を押さえているものを外してください</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1; move it less far or along another path, or release what holds the shape there</source>
         <translation>形が %1 の近くで折り返してしまいます。動きを小さくするか別の動かし方にするか、そこで形を押さえているものを外してください</translation>
     </message>
     <message>
-        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <source>it moves too fast near %1: the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>%1 の近くで速すぎて、ステップが短くなりすぎます。動きに時間をかけるか、許容誤差を大きくしてください</translation>
     </message>
     <message>
-        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <source>the shape near %1 is stretched or squeezed so much that no velocity can be computed; move it less far, or make the material or the mesh more even there</source>
         <translation>%1 の近くで形が伸びすぎ、または縮みすぎて、速度を計算できません。動きを小さくするか、そこの材質やメッシュをより均一にしてください</translation>
     </message>
     <message>
-        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <source>it moves so fast near %1 that numbers overflow; move it less far, or give its motion more time</source>
         <translation>%1 の近くで速すぎて、数値があふれます。動きを小さくするか、動きに時間をかけてください</translation>
     </message>
     <message>
@@ -259,7 +259,7 @@
         <translation>点 %1 と %2 は同じです、%3</translation>
     </message>
     <message>
-        <source>point %1, %2, is outside of the shape</source>
+        <source>point %1, %2, is outside the shape</source>
         <translation>点 %1、%2 は形の外です</translation>
     </message>
     <message>
@@ -367,7 +367,7 @@
         <translation>テキストファイル</translation>
     </message>
     <message>
-        <source>no picture that Wend knows</source>
+        <source>not a picture that Wend knows</source>
         <translation>Wend の知らない画像</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>%1 個の部分がケージのセルを共有し、%2 個として一緒に動きます。セルを小さくするとより多く分かれます</translation>
     </message>
     <message>
-        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <source>the cage consists of %1 bodies that are not connected: each needs a handle of its own to follow</source>
         <translation>ケージはつながっていない %1 個の塊です。それぞれに独自のピンが必要です</translation>
     </message>
     <message>
@@ -595,7 +595,7 @@
         <translation>%1: 表面がそのまま保たれ、その三角形 %2 が原因です</translation>
     </message>
     <message>
-        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, so that later vertices have other numbers</source>
         <translation>表面の %1 頂点はどの四面体にも属していません。四面体メッシュはそれらを除いて書き出され、以降の番号が変わります</translation>
     </message>
     <message>
@@ -603,15 +603,15 @@
         <translation>%1 頂点はどのセルにも属していません。書き出しには残ります。ソルバーによっては先に取り除く必要があります</translation>
     </message>
     <message>
-        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <source>parts that touch vertex to vertex are connected: %1 vertices move with others at the same place</source>
         <translation>頂点どうしで接する部分はつながります。%1 頂点が同じ場所の頂点と一緒に動きます</translation>
     </message>
     <message>
-        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>a part of %1 hangs only on %2 near %3: what turns freely there may be flung far away unless handles hold it</source>
         <translation>%1 からなる部分が %3 付近の %2 だけでつながっています。自由に回るため、ピンで押さえないと遠くへ飛ばされることがあります</translation>
     </message>
     <message>
-        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>%1 parts hang only on a vertex or an edge, the first, of %2, on %3 near %4: what turns freely there may be flung far away unless handles hold it</source>
         <translation>%1 個の部分が一つの頂点または辺だけでつながっています。最初は %2 からなり、%4 付近の %3 です。自由に回るため、ピンで押さえないと遠くへ飛ばされることがあります</translation>
     </message>
     <message>
@@ -667,7 +667,7 @@
         <translation>%1。細かさ %2 で最も広い隙間が開きます</translation>
     </message>
     <message>
-        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, so that later vertices have other numbers</source>
         <translation>表面の 1 頂点がどの四面体にも属しません。四面体メッシュはそれなしで書かれ、以降の番号が変わります</translation>
     </message>
     <message>
@@ -710,7 +710,7 @@
 <context>
     <name>CropTool</name>
     <message>
-        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <source>Drag a rectangle around what exports keep, then drag its inside or its sides; Shift keeps the proportions, Delete or a double-click removes it</source>
         <translation>書き出しに残す範囲を四角で囲みます。内側や辺をドラッグして変更、Shift で縦横比を維持、Delete またはダブルクリックで解除</translation>
     </message>
 </context>
@@ -737,7 +737,7 @@
         <translation>曲線の両端は削除できません。</translation>
     </message>
     <message>
-        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <source>Drag the curve&apos;s point, Shift keeps it straight, Ctrl moves one direction only; Delete removes it, a right-click shows more</source>
         <translation>曲線のポイントをドラッグ、Shift でまっすぐ、Ctrl で片側の方向だけ。Delete で削除、右クリックでその他の操作</translation>
     </message>
 </context>
@@ -751,7 +751,7 @@
 <context>
     <name>DepthTool</name>
     <message>
-        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <source>Brush over what lies in front or behind; Ctrl clears it, Shift swaps front and back, [ and ] change the size</source>
         <translation>手前または奥にくる部分をブラシでなぞります。Ctrl で消去、Shift で前後を反転、[ と ] でサイズを変更</translation>
     </message>
     <message>
@@ -763,7 +763,7 @@
         <translation>奥にペイント</translation>
     </message>
     <message>
-        <source>Take back depth</source>
+        <source>Clear depth</source>
         <translation>奥行きを消去</translation>
     </message>
 </context>
@@ -879,11 +879,11 @@
 <context>
     <name>FillTool</name>
     <message>
-        <source>Click to take up what is painted there</source>
+        <source>Click to pick up what is painted there</source>
         <translation>クリックした場所のペイントを取得します</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <source>Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up</source>
         <translation>クリックでつながった部分を塗りつぶします。Shift で全体、Ctrl でペイントを消去、Alt で取得</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>パーツ</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
+        <source>No part of the shape lies in this outline.</source>
         <translation>この輪郭の中に形状はありません。</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>除外元のパーツを 1 つ選択してください。</translation>
     </message>
     <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <source>A handle must hold something; Delete removes it.</source>
         <translation>ハンドルを空にはできません。削除するには Delete キーを押してください。</translation>
     </message>
 </context>
@@ -937,7 +937,7 @@
         <translation>「%1」へ変化</translation>
     </message>
     <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <source>Drag over the shape to blend evenly from what is there to what is chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels</source>
         <translation>形状の上をドラッグすると、今の状態から右側で選んだものへ均一に変化します。Shift で 45° 刻み、Alt で取得、Esc で中止</translation>
     </message>
 </context>
@@ -992,7 +992,7 @@
         <translation>セルサイズ</translation>
     </message>
     <message>
-        <source>Way from rest</source>
+        <source>Distance from rest</source>
         <translation>変形前からの距離</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
 <context>
     <name>MeasureTool</name>
     <message>
-        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <source>Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears</source>
         <translation>2 点をクリックで長さ、3 点目で角度を測ります。Ctrl で頂点に吸着、Esc でクリア</translation>
     </message>
     <message>
@@ -1109,7 +1109,7 @@
         <translation>余白(&amp;R)</translation>
     </message>
     <message>
-        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <source>The outline grows by this much, so that soft edges are kept whole.</source>
         <translation>ぼけた縁まで含めて変形するように、輪郭をこの幅だけ広げます。</translation>
     </message>
     <message>
@@ -1129,7 +1129,7 @@
         <translation>画像の端</translation>
     </message>
     <message>
-        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <source>Holds the frame of a photograph, so that no gap opens at its edge: it stays where it is, or its sides slide along themselves. Pins on it still move.</source>
         <translation>写真の枠を固定し、周囲に隙間ができないようにします。枠はその場に留まるか、各辺が辺に沿って滑ります。枠の上のピンはそれでも動きます。</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>最大体積(&amp;G)</translation>
     </message>
     <message>
-        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <source>Larger tetrahedra are split; in the file&apos;s units, cubed. Half the volume makes about twice as many. At a surface that is kept, some may stay larger.</source>
         <translation>これより大きい四面体は分割されます（単位はファイルの単位の 3 乗）。半分にすると数はおよそ 2 倍になります。サーフェスを保つ場合、その付近に大きいものが残ることがあります。</translation>
     </message>
     <message>
@@ -1177,7 +1177,7 @@
         <translation>サーフェスを細分化(&amp;U)</translation>
     </message>
     <message>
-        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <source>Allows the surface&apos;s triangles to be split where they are larger than the tetrahedra inside. If off, the surface is kept exactly as it is.</source>
         <translation>内部の四面体より大きいサーフェスの三角形を分割します。オフの場合、サーフェスはそのまま保たれます。</translation>
     </message>
     <message>
@@ -1193,7 +1193,7 @@
         <translation>最大の穴</translation>
     </message>
     <message>
-        <source>“Repair” fills holes of at most so many edges.</source>
+        <source>“Repair” fills holes of at most this many edges.</source>
         <translation>「修復」は、辺の数がこの値以下の穴を埋めます。</translation>
     </message>
     <message>
@@ -1225,7 +1225,7 @@
         <translation>バランス値(&amp;B)</translation>
     </message>
     <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
         <translation>保持するものを表す数値 φ。プロジェクトファイルと同じ値です。0.002 は面積または体積、0.464 は長さ、1.571 は剛体、2.678 は角度（ソリッドでは 2.498）を保ちます。</translation>
     </message>
     <message>
@@ -1241,7 +1241,7 @@
         <translation>平滑化の長さ(&amp;N)</translation>
     </message>
     <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads, as a fraction of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
         <translation>ピンの引く力が広がる範囲を、形状の大きさに対する割合で表します。小さいとピンの近くだけ鋭く、大きいと柔らかく広く変形します。</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>なし</translation>
     </message>
     <message>
-        <source>number of frames, at equal times from the start to the last time</source>
+        <source>number of frames, evenly spaced from the start to the last time</source>
         <translation>開始から最後の時刻までを等間隔に分けたフレーム数</translation>
     </message>
     <message>
@@ -1261,7 +1261,7 @@
         <translation>フレーム数(&amp;R)</translation>
     </message>
     <message>
-        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <source>whether distortion, φ, directions and velocity are written with meshes, in formats that carry values</source>
         <translation>値を持てる形式のメッシュに、ひずみ、φ、方向、速度を含めるかどうか</translation>
     </message>
     <message>
@@ -1277,7 +1277,7 @@
         <translation>形状のみ</translation>
     </message>
     <message>
-        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <source>how numbers are stored in mesh files that offer a choice (ply, stl, msh, vtk, vtu)</source>
         <translation>複数の書き方があるメッシュ形式（ply、stl、msh、vtk、vtu）での数値の形式</translation>
     </message>
     <message>
@@ -1349,7 +1349,7 @@
         <translation>形状に合わせる</translation>
     </message>
     <message>
-        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <source>bits per channel in pictures: as in the source, 8 or 16, or half or full floating point; values stay what they are</source>
         <translation>画像のチャンネルあたりのビット数：元画像と同じ、8、16、または半精度・単精度の浮動小数点数。値は変わりません</translation>
     </message>
     <message>
@@ -1377,7 +1377,7 @@
         <translation>32 bit 浮動小数点</translation>
     </message>
     <message>
-        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <source>what pictures show around the shape: nothing, its border drawn outwards, the source as it was, or a colour</source>
         <translation>形状の外側に写るもの：なし、引き伸ばした縁、元画像、または単色</translation>
     </message>
     <message>
@@ -1389,7 +1389,7 @@
         <translation>透明</translation>
     </message>
     <message>
-        <source>The border, drawn out</source>
+        <source>The border, drawn outwards</source>
         <translation>縁を引き伸ばす</translation>
     </message>
     <message>
@@ -1405,7 +1405,7 @@
         <translation>黒</translation>
     </message>
     <message>
-        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <source>How far apart growing the outline keeps parts and limbs, so that they do not become one.</source>
         <translation>広げるときに各部や手足をこれだけ離しておき、一つにくっつかないようにします。</translation>
     </message>
     <message>
@@ -1453,7 +1453,7 @@
         <translation> fps</translation>
     </message>
     <message>
-        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with hardly visible losses</source>
         <translation>WebP の画像と映像ですべての画素を保つか、ほとんど見えない劣化でサイズをずっと小さくするか</translation>
     </message>
     <message>
@@ -1473,7 +1473,7 @@
         <translation>元の形に戻る力</translation>
     </message>
     <message>
-        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: where it ends depends on the path. Fully: it is as it was.</source>
         <translation>ピンをぐるりと動かして元の位置に戻したとき、形がどこまで元に戻るかです。なし：最後の形は通った道筋で変わります。完全：元の形に戻ります。</translation>
     </message>
     <message>
@@ -1484,19 +1484,19 @@
 <context>
     <name>OutlineTool</name>
     <message>
-        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend, too; Ctrl takes it away, Esc cancels</source>
         <translation>一緒に変形させる部分を囲みます。Ctrl で除外、Esc で中止</translation>
     </message>
     <message>
-        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend, too; Ctrl takes it away, [ and ] change the size</source>
         <translation>一緒に変形させる部分をブラシでなぞります。[ と ] でサイズを変更、Ctrl で除外</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend, too; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>一緒に変形させる色をクリックします。Ctrl で除外、[ と ] で色の範囲を狭く、または広く</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <source>Draw a line along which to part the shape; Esc cancels</source>
         <translation>線を引くと、そこで形状が切り離されます。Esc で中止</translation>
     </message>
     <message>
@@ -1504,7 +1504,7 @@
         <translation>形状が何も残らなくなります。</translation>
     </message>
     <message numerus="yes">
-        <source>%n pins lay beside the new outline and were removed.</source>
+        <source>Pins outside the new outline were removed: %n.</source>
         <translation>
             <numerusform>新しい輪郭の外にあった %n 個のピンを削除しました。</numerusform>
         </translation>
@@ -1522,7 +1522,7 @@
         <translation>輪郭に追加</translation>
     </message>
     <message>
-        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <source>The tolerance, or [ and ], changes what was taken; click another colour to take it too, with Ctrl to take it away</source>
         <translation>許容値（[ と ] でも）を変えると、取った範囲が変わります。別の色をクリックで追加、Ctrl で除外</translation>
     </message>
     <message>
@@ -1530,23 +1530,23 @@
         <translation>線になっています。画像の一部を囲んでください。</translation>
     </message>
     <message>
-        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <source>From now on the outline is as you draw it, and has no margin to change. Choose “Cut-out” as the outline to go back to the one that was found.</source>
         <translation>これ以降、輪郭は描いたとおりになり、余白の設定はありません。輪郭を「切り抜き」にすると、自動で見つけた輪郭に戻ります。</translation>
     </message>
     <message>
-        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend; Ctrl takes it away, Esc cancels</source>
         <translation>変形させる部分を囲みます。Ctrl で除外、Esc で中止</translation>
     </message>
     <message>
-        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <source>Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl takes away, Backspace removes the last corner, Esc cancels</source>
         <translation>角を順にクリックし（Shift で 45° 刻み）、ダブルクリックで閉じます。Ctrl で除外、Backspace で角を 1 つ戻す、Esc で中止</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend; Ctrl takes it away, [ and ] change the size</source>
         <translation>変形させる部分をブラシでなぞります。[ と ] でサイズを変更、Ctrl で除外</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>変形させる色をクリックします。Ctrl で除外、[ と ] で色の範囲を狭く、または広く</translation>
     </message>
 </context>
@@ -1589,7 +1589,7 @@
         <translation>平滑化</translation>
     </message>
     <message>
-        <source>Take paint off %1</source>
+        <source>Erase paint from %1</source>
         <translation>%1 のペイントを消去</translation>
     </message>
     <message>
@@ -1605,27 +1605,27 @@
         <translation>%2 に「%1」をペイント</translation>
     </message>
     <message>
-        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <source>There is no direction to follow: the numbers on the right were used.</source>
         <translation>たどる方向がないため、右側の数値を使いました。</translation>
     </message>
     <message>
-        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>剛性を持たせる方向に、髪をとかすように描きます。Ctrl で消去、Shift で平滑化、Shift + クリックで直線、Alt + クリックで取得、Esc でストロークを中止</translation>
     </message>
     <message>
-        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>右側で選んだものをペイントします。Ctrl で消去、Shift で平滑化、Shift + クリックで直線、Alt + クリックで取得、Esc でストロークを中止</translation>
     </message>
     <message>
-        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <source>Stiffness ×1 is the same as everywhere and changes nothing: choose on the right how many times stiffer it should be</source>
         <translation>剛性 ×1 はほかと同じで、ここでは何も変わりません。右で何倍の剛性にするかを選んでください</translation>
     </message>
     <message>
-        <source>Take paint off</source>
+        <source>Erase paint</source>
         <translation>ペイントを消去</translation>
     </message>
     <message>
-        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <source>Erases paint from all visible layers: brush over what should be like the rest again; Shift-click draws a line, Esc cancels the stroke</source>
         <translation>表示中のすべてのレイヤーからペイントを消去します。ほかと同じに戻す部分をブラシでなぞります。Shift+クリックで直線、Esc でストロークを中止</translation>
     </message>
     <message>
@@ -1655,19 +1655,19 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click on the pin whose path you want to draw</source>
+        <source>Click the pin whose path you want to draw</source>
         <translation>パスを描きたいピンをクリック</translation>
     </message>
     <message>
-        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <source>Click where the selected pin should go, point by point; drag for a smooth point</source>
         <translation>選択したピンの行き先を一点ずつクリック。ドラッグで滑らかな点</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
         <translation>ドラッグで滑らかな点：Shift で 45° 刻み、Alt でこちら側だけ</translation>
     </message>
     <message>
-        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>クリックで角、ドラッグで滑らかな点、Shift で 45° 刻み。Enter で終了、Backspace で一点戻る、Esc で中止</translation>
     </message>
 </context>
@@ -1709,11 +1709,11 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <source>Drag as far as the pin should hold; Esc cancels</source>
         <translation>ピンがつかむ大きさまでドラッグします。Esc で中止</translation>
     </message>
     <message>
-        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <source>Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number</source>
         <translation>点をドラッグで回転（Shift で 15° 刻み）、四角をドラッグで拡大・縮小。数字キーで数値を入力できます</translation>
     </message>
     <message>
@@ -1729,11 +1729,11 @@
         <translation>%1: %2 秒から固定</translation>
     </message>
     <message>
-        <source>%1: let go at %2 s</source>
+        <source>%1: released at %2 s</source>
         <translation>%1: %2 秒で解放</translation>
     </message>
     <message>
-        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <source>Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl records it; digits set the number</source>
         <translation>どこでもドラッグで選択を回転、Shift で 15° ずつ、Ctrl で記録。数字キーで値を指定</translation>
     </message>
     <message>
@@ -1745,7 +1745,7 @@
         <translation>点は拡大・縮小できません。Alt + ドラッグで広げてください</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
         <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
     </message>
     <message>
@@ -1795,22 +1795,22 @@
         <translation>%1 秒</translation>
     </message>
     <message>
-        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <source>Recording until you let go; Esc cancels</source>
         <translation>離すまでの動きがそのまま記録されます。Esc で中止します</translation>
     </message>
 </context>
 <context>
     <name>RegionTool</name>
     <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>表面の点からドラッグして球でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <source>Drag from a point on the surface towards the side to hold: all that lies beyond the point</source>
         <translation>表面の点から、つかむ側へドラッグします。その点より先がすべて対象になります</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>表面の点からドラッグして直方体でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
     </message>
     <message>
@@ -1940,7 +1940,7 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <source>Brush over what should be meshed finer; Shift makes it coarser, Ctrl evens it out again, [ and ] change the size</source>
         <translation>メッシュを細かくする部分をブラシでなぞります。Shift で粗く、Ctrl で均一に戻し、[ と ] でサイズを変更</translation>
     </message>
     <message>
@@ -2025,7 +2025,7 @@
         <translation>球でつかむ(&amp;A)</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <source>Take hold of all that lies in a ball around a point on the surface</source>
         <translation>表面の点を中心とする球の中をすべてつかみます</translation>
     </message>
     <message>
@@ -2033,7 +2033,7 @@
         <translation>直方体でつかむ(&amp;K)</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <source>Take hold of all that lies in a block around a point on the surface</source>
         <translation>表面の点を中心とする直方体の中をすべてつかみます</translation>
     </message>
     <message>
@@ -2041,7 +2041,7 @@
         <translation>片側をつかむ(&amp;O)</translation>
     </message>
     <message>
-        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <source>Take hold of all that lies beyond a plane through a point on the surface</source>
         <translation>表面の点を通る平面の向こう側をすべてつかみます</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@
         <translation>なげなわで輪郭を描く(&amp;L)</translation>
     </message>
     <message>
-        <source>Draw around what shall bend, or shall not</source>
+        <source>Draw around what should bend, or should not</source>
         <translation>変形させる部分、またはさせない部分を囲みます</translation>
     </message>
     <message>
@@ -2057,7 +2057,7 @@
         <translation>多角形で輪郭を描く(&amp;P)</translation>
     </message>
     <message>
-        <source>Set the corners of what shall bend, or shall not</source>
+        <source>Set the corners of what should bend, or should not</source>
         <translation>変形させる部分、またはさせない部分の角を指定します</translation>
     </message>
     <message>
@@ -2065,7 +2065,7 @@
         <translation>ブラシで輪郭を描く(&amp;B)</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, or shall not</source>
+        <source>Brush over what should bend, or should not</source>
         <translation>変形させる部分、またはさせない部分をブラシでなぞります</translation>
     </message>
     <message>
@@ -2073,7 +2073,7 @@
         <translation>色で輪郭を選ぶ(&amp;C)</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend, or shall not</source>
+        <source>Click a colour that should bend, or should not</source>
         <translation>変形させる色、またはさせない色をクリックします</translation>
     </message>
     <message>
@@ -2081,7 +2081,7 @@
         <translation>切り離す(&amp;A)</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted</source>
+        <source>Draw a line along which to part the shape</source>
         <translation>線を引いて、そこで形状を切り離します</translation>
     </message>
     <message>
@@ -2089,7 +2089,7 @@
         <translation>細かさブラシ(&amp;D)</translation>
     </message>
     <message>
-        <source>Brush where the mesh is to be finer or coarser</source>
+        <source>Brush where the mesh should be finer or coarser</source>
         <translation>メッシュを細かくする、または粗くする部分をブラシでなぞります</translation>
     </message>
     <message>
@@ -2105,7 +2105,7 @@
         <translation>コーム(&amp;C)</translation>
     </message>
     <message>
-        <source>Comb the direction along which it is stiff</source>
+        <source>Comb the direction along which the shape is stiff</source>
         <translation>剛性の方向を、髪をとかすように描きます</translation>
     </message>
     <message>
@@ -2113,7 +2113,7 @@
         <translation>グラデーション(&amp;G)</translation>
     </message>
     <message>
-        <source>Drag: what is there changes evenly into what is chosen</source>
+        <source>Drag to blend evenly from what is there to what is chosen</source>
         <translation>ドラッグ：今の状態から選んだものへ均一に変化します</translation>
     </message>
     <message>
@@ -2121,7 +2121,7 @@
         <translation>塗りつぶし(&amp;F)</translation>
     </message>
     <message>
-        <source>Fill with what is chosen all that hangs together</source>
+        <source>Fill a connected area with what is chosen</source>
         <translation>つながった部分全体を、選んだもので塗りつぶします</translation>
     </message>
     <message>
@@ -2129,7 +2129,7 @@
         <translation>スポイト(&amp;Y)</translation>
     </message>
     <message>
-        <source>Take up what is painted under the pointer</source>
+        <source>Pick up what is painted under the pointer</source>
         <translation>ポインターの位置のペイントを取得します</translation>
     </message>
     <message>
@@ -2153,7 +2153,7 @@
         <translation>消しゴム(&amp;R)</translation>
     </message>
     <message>
-        <source>Take paint off: what is brushed is as everywhere again</source>
+        <source>Erase paint: what you brush over is like the rest again</source>
         <translation>ペイントを消します：なぞった部分はほかと同じに戻ります</translation>
     </message>
     <message>
@@ -2161,7 +2161,7 @@
         <translation>切り抜き(&amp;C)</translation>
     </message>
     <message>
-        <source>Draw a rectangle around what exports keep of the picture</source>
+        <source>Draw a rectangle around the part of the picture that exports keep</source>
         <translation>書き出しで画像から残す範囲を四角で囲む</translation>
     </message>
     <message>
@@ -2177,7 +2177,7 @@
         <translation>表示を移動(&amp;N)</translation>
     </message>
     <message>
-        <source>Drag the view to another place; in every step the space bar does so</source>
+        <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>表示を別の場所へドラッグ。どの段階でもスペースキーでできます</translation>
     </message>
 </context>
@@ -2212,7 +2212,7 @@
         <translation>画像(&amp;P)…</translation>
     </message>
     <message>
-        <source>Write the picture as it is bent now, at its full size</source>
+        <source>Write the bent picture at its full size</source>
         <translation>現在の変形状態の画像を実寸で書き出します</translation>
     </message>
     <message>
@@ -2300,11 +2300,11 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Take back the last step</source>
+        <source>Undo the last step</source>
         <translation>直前の操作を取り消します</translation>
     </message>
     <message>
-        <source>Do again what was taken back</source>
+        <source>Redo what was undone</source>
         <translation>取り消した操作をやり直します</translation>
     </message>
     <message>
@@ -2312,7 +2312,7 @@
         <translation>ヒストリー(&amp;S)…</translation>
     </message>
     <message>
-        <source>See what was done, and go back to any of it</source>
+        <source>See what was done, and go back to any step</source>
         <translation>これまでの操作を一覧表示し、任意の時点に戻ります</translation>
     </message>
     <message>
@@ -2376,7 +2376,7 @@
         <translation>剛性マーク(&amp;S)</translation>
     </message>
     <message>
-        <source>Show where it is stiff, and along which direction</source>
+        <source>Show where the shape is stiff, and along which direction</source>
         <translation>剛性のある場所とその方向を表示します</translation>
     </message>
     <message>
@@ -2452,11 +2452,11 @@
         <translation>画面全体を使います</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>デスクトップに合わせる(&amp;D)</translation>
     </message>
     <message>
-        <source>Light or dark as the desktop is</source>
+        <source>Light or dark, like the desktop</source>
         <translation>デスクトップの明暗に合わせます</translation>
     </message>
     <message>
@@ -2488,7 +2488,7 @@
         <translation>ループ(&amp;L)</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Start over at the end</source>
         <translation>最後まで再生したら最初に戻ります</translation>
     </message>
     <message>
@@ -2512,7 +2512,7 @@
         <translation>モーションの最後を表示します</translation>
     </message>
     <message>
-        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <source>Let the shape relax at the end, with the pins where they are</source>
         <translation>モーションの最後で、ピンの位置は変えずに形状を元の形へ近づけます</translation>
     </message>
     <message>
@@ -2528,7 +2528,7 @@
         <translation>キーとマウス(&amp;K)</translation>
     </message>
     <message>
-        <source>What pointer and keys do</source>
+        <source>What the mouse and the keys do</source>
         <translation>マウスとキーの働きを表示します</translation>
     </message>
     <message>
@@ -2588,7 +2588,7 @@
         <translation>ソリッドにはピクセルがありません。ビューを書き出してください。</translation>
     </message>
     <message>
-        <source>Of a picture, export the picture itself.</source>
+        <source>For a picture, export the picture itself.</source>
         <translation>画像の場合は、画像そのものを書き出してください。</translation>
     </message>
     <message>
@@ -2624,7 +2624,7 @@
         <translation>エネルギーを比較(&amp;C)</translation>
     </message>
     <message>
-        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <source>Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape</source>
         <translation>同じピンで別のエネルギーを使った結果を横に表示します。「保持」のタイルを形状にドラッグしてもできます</translation>
     </message>
     <message>
@@ -2636,7 +2636,7 @@
         <translation>記録(&amp;R)</translation>
     </message>
     <message>
-        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <source>Record every drag as it happens, in real time; Ctrl does so for one drag</source>
         <translation>すべてのドラッグを実時間のまま記録します。Ctrl を押すと 1 回だけ記録します</translation>
     </message>
     <message>
@@ -2648,7 +2648,7 @@
         <translation>オニオンスキン(&amp;O)</translation>
     </message>
     <message>
-        <source>Show what was a little before and what comes a little after</source>
+        <source>Show the shape as it was a little before and as it is a little after</source>
         <translation>少し前と少し後の形を表示します</translation>
     </message>
     <message>
@@ -2660,7 +2660,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>How fast it plays, and by which clock drags are recorded</source>
+        <source>How fast the motion plays, and how fast time goes while drags are recorded</source>
         <translation>再生の速さと、記録に使う時計の速さ</translation>
     </message>
     <message>
@@ -2672,7 +2672,7 @@
         <translation>動きを減らす(&amp;M)</translation>
     </message>
     <message>
-        <source>Nothing moves in the window but what shows something</source>
+        <source>Turn off animations that are only for show</source>
         <translation>意味のある動きだけを表示します</translation>
     </message>
     <message>
@@ -2680,11 +2680,11 @@
         <translation>ヒント(&amp;I)</translation>
     </message>
     <message>
-        <source>Say beside the shape what to do first</source>
+        <source>Show beside the shape what to do first</source>
         <translation>最初にすることを形のそばに示します</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>動きを再生または一時停止します。スペースキーを軽く押しても同じです</translation>
     </message>
     <message>
@@ -2692,7 +2692,7 @@
         <translation>プロパティ(&amp;P)</translation>
     </message>
     <message>
-        <source>Show the properties at the right, or leave their room to the shape</source>
+        <source>Show the properties on the right, or give their room to the shape</source>
         <translation>右側にプロパティを表示、または形状のために場所をあける</translation>
     </message>
     <message>
@@ -2700,7 +2700,7 @@
         <translation>マークの大きさ(&amp;A)</translation>
     </message>
     <message>
-        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <source>How large pins, rings and curves are drawn, so that they are easy to see and to hit</source>
         <translation>形状の上のピン、リング、曲線の大きさ。見やすさとつかみやすさのために</translation>
     </message>
     <message>
@@ -2727,7 +2727,7 @@
         <translation>白(&amp;W)</translation>
     </message>
     <message>
-        <source>White behind the shape: dark edges are seen on it</source>
+        <source>White behind the shape, to see dark edges</source>
         <translation>形の後ろを白に: 暗い縁が見えます</translation>
     </message>
     <message>
@@ -2743,7 +2743,7 @@
         <translation>黒(&amp;B)</translation>
     </message>
     <message>
-        <source>Black behind the shape: light edges are seen on it</source>
+        <source>Black behind the shape, to see light edges</source>
         <translation>形の後ろを黒に: 明るい縁が見えます</translation>
     </message>
 </context>
@@ -2757,7 +2757,7 @@
 <context>
     <name>wend::BorderOffer</name>
     <message>
-        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
         <translation>この画像は枠いっぱいに描かれています。端を固定すると、内側だけが変形し、縁にすき間ができません。</translation>
     </message>
     <message>
@@ -2808,7 +2808,7 @@
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ], or by dragging to the right with Alt and the right button.</source>
         <translation>画面上でのブラシの直径。[ と ] のキー、または Alt+右ボタンで右へドラッグしても変更できます。</translation>
     </message>
     <message>
@@ -2820,7 +2820,7 @@
         <translation>硬さ</translation>
     </message>
     <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <source>How much of the brush paints fully; beyond that it fades out. Also by Shift with [ and ], or by dragging upwards with Alt and the right button.</source>
         <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ]、または Alt+右ボタンで上へドラッグしても変更できます。</translation>
     </message>
     <message>
@@ -2848,7 +2848,7 @@
         <translation>順序</translation>
     </message>
     <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <source>What you brush over lies in front if this is greater than 0, behind if it is less</source>
         <translation>ブラシでなぞった部分は、0 より大きいと手前、小さいと奥になります</translation>
     </message>
     <message>
@@ -2856,7 +2856,7 @@
         <translation>辺の長さ</translation>
     </message>
     <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <source>How long the mesh&apos;s edges are where you brush, compared with elsewhere</source>
         <translation>ブラシでなぞった部分のメッシュの辺の長さ（ほかの部分との比）</translation>
     </message>
 </context>
@@ -2902,7 +2902,7 @@
         <translation>1 つの形状だけの表示に戻します。</translation>
     </message>
     <message>
-        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <source>What this half keeps, or how it is without paint, with the same pins and motions.</source>
         <translation>こちら側で保つもの、または塗りがない場合の形。ピンと動きは同じです。</translation>
     </message>
     <message>
@@ -2921,7 +2921,7 @@
         <translation>パスを編集(&amp;P)</translation>
     </message>
     <message>
-        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <source>Turn the last path of the selected pin into a Bézier curve</source>
         <translation>選択したピンの最後のパスをベジェ曲線にします</translation>
     </message>
     <message>
@@ -2933,7 +2933,7 @@
         <translation>ポイントを挿入(&amp;I)</translation>
     </message>
     <message>
-        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <source>Split the curve at the pointer, or after the chosen point; its shape stays</source>
         <translation>指した位置、または選択したポイントの後ろで曲線を分割します。形は変わりません</translation>
     </message>
     <message>
@@ -2957,7 +2957,7 @@
         <translation>フリー(&amp;F)</translation>
     </message>
     <message>
-        <source>Let both directions at the point go their own way</source>
+        <source>Let the two directions at the point be independent</source>
         <translation>ポイントの両側の方向を別々に動かします</translation>
     </message>
     <message>
@@ -2981,7 +2981,7 @@
         <translation>自動(&amp;U)</translation>
     </message>
     <message>
-        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <source>Lead the curve smoothly through the point, guided by its neighbours</source>
         <translation>隣のポイントに合わせて、曲線を滑らかに通します</translation>
     </message>
     <message>
@@ -2989,7 +2989,7 @@
         <translation>Alt+3</translation>
     </message>
     <message>
-        <source>Select one pin that was dragged along a way.</source>
+        <source>Select one pin that was dragged along a path.</source>
         <translation>パスに沿って動かしたピンを 1 つ選択してください。</translation>
     </message>
     <message>
@@ -2997,7 +2997,7 @@
         <translation>曲線に沿って動くピンを 1 つ選択してください。</translation>
     </message>
     <message>
-        <source>Click a point of the curve first; two must stay.</source>
+        <source>Click a point of the curve first; two must remain.</source>
         <translation>まず曲線のポイントをクリックしてください。2 つは残す必要があります。</translation>
     </message>
     <message>
@@ -3012,7 +3012,7 @@
         <translation>パスを編集</translation>
     </message>
     <message>
-        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <source>Turns the drawn path into a Bézier curve with points to drag.</source>
         <translation>描いたパスを、ポイントをドラッグできるベジェ曲線にします。</translation>
     </message>
     <message>
@@ -3080,7 +3080,7 @@
         <translation>緩急</translation>
     </message>
     <message>
-        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
         <translation>表示中の時刻の動きがどう始まり終わるか：一定か、ゆっくりか。</translation>
     </message>
     <message>
@@ -3134,11 +3134,11 @@
         <translation>反対側</translation>
     </message>
     <message>
-        <source>Turns the plane so that it stands across this axis.</source>
+        <source>Turns the plane so that it is perpendicular to this axis.</source>
         <translation>断面をこの軸に垂直にします。</translation>
     </message>
     <message>
-        <source>Takes away the other side of the plane.</source>
+        <source>Cuts away the other side of the plane.</source>
         <translation>断面の反対側を取り除きます。</translation>
     </message>
     <message>
@@ -3154,7 +3154,7 @@
         <translation>断面の法線</translation>
     </message>
     <message>
-        <source>The direction that the plane looks in, as x, y and z.</source>
+        <source>The direction that the plane faces, as x, y and z.</source>
         <translation>断面が向く方向（x、y、z）。</translation>
     </message>
     <message>
@@ -3178,7 +3178,7 @@
         <translation>距離(&amp;D)</translation>
     </message>
     <message>
-        <source>There is no solid yet that could be cut.</source>
+        <source>There is no solid to cut yet.</source>
         <translation>切断できるソリッドがまだありません。</translation>
     </message>
     <message>
@@ -3225,7 +3225,7 @@
         <translation>数値(&amp;N)…</translation>
     </message>
     <message>
-        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <source>Give what is around the selected pins an order: the greater number lies in front</source>
         <translation>選択したピンの周囲に順序を付けます。大きいほど手前になります</translation>
     </message>
     <message>
@@ -3233,7 +3233,7 @@
         <translation>奥行き(&amp;D)</translation>
     </message>
     <message>
-        <source>A solid has its depth by itself.</source>
+        <source>A solid has depth of its own.</source>
         <translation>ソリッドにはもともと奥行きがあります。</translation>
     </message>
     <message>
@@ -3299,7 +3299,7 @@
         <translation>スキンを選択</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
         <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込みます。ソリッドに追従し、ビューに表示され、サーフェス形式で書き出されます。</translation>
     </message>
     <message>
@@ -3307,7 +3307,7 @@
         <translation>スキンを削除</translation>
     </message>
     <message>
-        <source>The solid is seen and exported with its own surface again.</source>
+        <source>Shows and exports the solid with its own surface again.</source>
         <translation>ソリッドの表示と書き出しを、元のサーフェスに戻します。</translation>
     </message>
     <message>
@@ -3322,7 +3322,7 @@
         <translation>この配色を固定</translation>
     </message>
     <message>
-        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <source>Keep the range of the colours, to compare different shapes and energies.</source>
         <translation>色の範囲を固定し、異なる形状やエネルギーを比べられるようにします。</translation>
     </message>
     <message>
@@ -3382,11 +3382,11 @@
         <translation>形状全体での σ₁σ₂ + 1/(σ₁σ₂) − 2 の総和。すべての面積が保たれていれば 0 です。</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
         <translation>マップの示す量で、変形前から最も離れた四面体。</translation>
     </message>
     <message>
-        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <source>The triangle that is farthest from rest in what the map shows.</source>
         <translation>マップの示す量で、変形前から最も離れた三角形。</translation>
     </message>
     <message>
@@ -3422,7 +3422,7 @@
         <translation>滑らかな色</translation>
     </message>
     <message>
-        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
         <translation>マップの色をセルからセルへ滑らかに変化させます。オフでは、各セルは値に応じた 1 色です。</translation>
     </message>
     <message>
@@ -3438,19 +3438,19 @@
         <translation>自己交差</translation>
     </message>
     <message>
-        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
         <translation>ポーズが静止したときに表面が自分自身を貫く箇所の数です。各箇所は三角形の組からなります。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
     </message>
     <message>
-        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
         <translation>ポーズが静止したときに輪郭が自分自身と交わる箇所です。ある部分が別の部分に重なっています。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
     </message>
     <message>
-        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>体積が 10 倍を超えた、または 10 分の 1 未満になった四面体です。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
     </message>
     <message>
-        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>面積が 10 倍を超えた、または 10 分の 1 未満になった三角形です。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
     </message>
     <message>
@@ -3478,7 +3478,7 @@
         </translation>
     </message>
     <message>
-        <source>That is looked for once the pose rests.</source>
+        <source>This is checked once the pose is at rest.</source>
         <translation>ポーズが静止してから調べます。</translation>
     </message>
     <message>
@@ -3497,11 +3497,11 @@
         <translation>保持するもの</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>変形するときに形状が保とうとするもの。体積から、長さ、剛体的な部分、細部の見た目まで。2 つの名前の間では両方の性質を持ちます。</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>変形するときに形状が保とうとするもの。面積から、長さ、剛体的な部分、細部の見た目まで。2 つの名前の間では両方の性質を持ちます。</translation>
     </message>
 </context>
@@ -3559,7 +3559,7 @@
         <translation>画像と同じ</translation>
     </message>
     <message>
-        <source>As the format holds it best</source>
+        <source>As it suits the format best</source>
         <translation>形式に応じて最適</translation>
     </message>
     <message>
@@ -3583,7 +3583,7 @@
         <translation>、</translation>
     </message>
     <message>
-        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <source>As it moves, the shape leaves the picture and is cut off there: %1.</source>
         <translation>途中で形状が画像からはみ出し、切り取られます：%1。</translation>
     </message>
     <message>
@@ -3718,17 +3718,17 @@
         <translation>Wend</translation>
     </message>
     <message numerus="yes">
-        <source>%n of these frames exist. Replace them?</source>
+        <source>Replace the frames that already exist (%n)?</source>
         <translation>
             <numerusform>このうち %n フレームはすでに存在します。置き換えますか？</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <source>What it holds now will be lost, and the project will no longer open as it is.</source>
         <translation>現在の内容は失われ、プロジェクトは今のようには開けなくなります。</translation>
     </message>
     <message>
-        <source>What they hold now is lost.</source>
+        <source>What they hold now will be lost.</source>
         <translation>現在の内容は失われます。</translation>
     </message>
     <message>
@@ -3752,7 +3752,7 @@
         <translation>書き出しました：%1</translation>
     </message>
     <message>
-        <source>Write Material</source>
+        <source>Export Material</source>
         <translation>材質を書き出し</translation>
     </message>
     <message>
@@ -3823,7 +3823,7 @@
         <translation>ファイルの諸元</translation>
     </message>
     <message>
-        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <source>The surface as it is in its file. Lengths are in the file&apos;s units, which few files name.</source>
         <translation>ファイルにあるままの表面。長さはファイルの単位ですが、単位を記すファイルはわずかです。</translation>
     </message>
     <message>
@@ -3843,11 +3843,11 @@
         <translation>ケージが閉じる、一つの部分の中の隙間。両側は一緒に動きます。</translation>
     </message>
     <message>
-        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <source>Goes to the tetrahedron with the largest ratio.</source>
         <translation>比が最大の四面体を表示します。</translation>
     </message>
     <message>
-        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <source>Goes through the gaps that the cage closes, one after another.</source>
         <translation>ケージが閉じる隙間を順に表示します。</translation>
     </message>
     <message>
@@ -3855,7 +3855,7 @@
         <translation>最も広い隙間が開いたままになるまでケージを細かくします。</translation>
     </message>
     <message>
-        <source>The file is looked at …</source>
+        <source>Looking at the file …</source>
         <translation>ファイルを調べています…</translation>
     </message>
     <message>
@@ -3993,7 +3993,7 @@
         <translation>%1 の場所を指定</translation>
     </message>
     <message>
-        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <source>Your changes cannot be recovered if the program crashes: please save. %1</source>
         <translation>プログラムがクラッシュした場合、変更内容のコピーは残りません。保存してください。%1</translation>
     </message>
     <message>
@@ -4025,11 +4025,11 @@
         <translation>「%1」を再読み込みしますか？</translation>
     </message>
     <message>
-        <source>Your changes since it was saved are lost.</source>
+        <source>Your changes since it was saved will be lost.</source>
         <translation>保存後に行った変更は失われます。</translation>
     </message>
     <message>
-        <source>Saving replaces those changes; reloading drops yours.</source>
+        <source>Saving replaces those changes; reloading discards yours.</source>
         <translation>保存するとその変更が置き換えられ、再読み込みすると自分の変更が失われます。</translation>
     </message>
     <message>
@@ -4049,7 +4049,7 @@
         <translation>「%1」への変更を保存しますか？</translation>
     </message>
     <message>
-        <source>If you do not save, they are lost.</source>
+        <source>If you do not save, they will be lost.</source>
         <translation>保存しない場合、変更は失われます。</translation>
     </message>
     <message>
@@ -4069,7 +4069,7 @@
         <translation>「%1」から作ったものを保存しますか？</translation>
     </message>
     <message>
-        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>別のプロジェクトとして保存され、元のファイルは変わりません。保存しない場合、作ったものは失われます。</translation>
     </message>
 </context>
@@ -4106,7 +4106,7 @@
         <translation>緩める</translation>
     </message>
     <message>
-        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <source>The pins stay where they are, and what lies between them releases its tension. This takes one second at the end of the film.</source>
         <translation>ピンの位置はそのままで、その間の部分の張りを緩めます。フィルムの最後に 1 秒かかります。</translation>
     </message>
     <message>
@@ -4145,7 +4145,7 @@
         <translation>数値による変形</translation>
     </message>
     <message>
-        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <source>Moves, rotates or scales what is selected by exact numbers.</source>
         <translation>選択したものを正確な数値で移動、回転、拡大・縮小します。</translation>
     </message>
     <message>
@@ -4173,11 +4173,11 @@
         <translation>軸</translation>
     </message>
     <message>
-        <source>The axis of the turn, through the middle of what is selected.</source>
+        <source>The axis of the rotation, through the middle of what is selected.</source>
         <translation>選択したものの中心を通る回転軸。</translation>
     </message>
     <message>
-        <source>Does this step; it becomes part of the motion.</source>
+        <source>Applies this step; it becomes part of the motion.</source>
         <translation>この操作を実行し、モーションに加えます。</translation>
     </message>
     <message>
@@ -4215,7 +4215,7 @@
         <translation>ウィンドウの表示言語</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>デスクトップに合わせる(&amp;D)</translation>
     </message>
     <message>
@@ -4230,7 +4230,7 @@
 <context>
     <name>wend::LayerPanel</name>
     <message>
-        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <source>The material is the same everywhere: brush over the shape to change a part.</source>
         <translation>全体が同じ材質です。一部を変えるには形状をブラシでなぞってください。</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@
         <translation>削除</translation>
     </message>
     <message>
-        <source>Takes the chosen layer away.</source>
+        <source>Removes the chosen layer.</source>
         <translation>選択したレイヤーを削除します。</translation>
     </message>
     <message>
@@ -4278,7 +4278,7 @@
         <translation>剛性</translation>
     </message>
     <message>
-        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the layer is along its direction; ×1 is the same as everywhere.</source>
         <translation>レイヤーの方向に沿って何倍の剛性にするか。×1 はほかと同じです。</translation>
     </message>
     <message>
@@ -4286,7 +4286,7 @@
         <translation>剛性の方向</translation>
     </message>
     <message>
-        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <source>At rest; it turns with the shape. A change is for all regions of the layer.</source>
         <translation>変形前の方向で、形状とともに回転します。変更するとレイヤーのすべての領域に適用されます。</translation>
     </message>
     <message>
@@ -4326,7 +4326,7 @@
         <translation>名称未設定</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <source>Where the material differs. The topmost layer wins; drag a layer to move it. A click shows its values, a double-click changes its name, its eye or the space bar switches it off.</source>
         <translation>材質が異なる部分。いちばん上のレイヤーが優先されます。レイヤーはドラッグで並べ替えられます。クリックで値を表示、ダブルクリックで名前を変更、目のアイコンまたはスペースキーでオフにします。</translation>
     </message>
     <message>
@@ -4334,7 +4334,7 @@
         <translation>画像</translation>
     </message>
     <message>
-        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <source>Imports the material from pictures made in a paint program, and exports it as such.</source>
         <translation>材質をペイントソフトの画像から読み込み、また画像として書き出します。</translation>
     </message>
     <message>
@@ -4342,7 +4342,7 @@
         <translation>再読み込み</translation>
     </message>
     <message>
-        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <source>Takes the pictures as they are now, after they have been saved in a paint program.</source>
         <translation>ペイントソフトで保存された後の、現在の画像を読み込みます。</translation>
     </message>
     <message>
@@ -4402,15 +4402,15 @@
         <translation>剛性 ×1 には方向がありません。まず何倍の剛性かを選んでください。</translation>
     </message>
     <message>
-        <source>What a file says of each cell stays lowest.</source>
+        <source>What a file gives cell by cell stays lowest.</source>
         <translation>セルごとの値のファイルは常に一番下です。</translation>
     </message>
     <message>
-        <source>It is the lowest layer already.</source>
+        <source>This is already the lowest layer.</source>
         <translation>すでに一番下のレイヤーです。</translation>
     </message>
     <message>
-        <source>It is the topmost layer already.</source>
+        <source>This is already the topmost layer.</source>
         <translation>すでに一番上のレイヤーです。</translation>
     </message>
     <message>
@@ -4487,11 +4487,11 @@
         <translation>戻る</translation>
     </message>
     <message>
-        <source>The page before</source>
+        <source>The previous page</source>
         <translation>前に見たページ</translation>
     </message>
     <message>
-        <source>This stands on no page.</source>
+        <source>No page has these words.</source>
         <translation>どのページにもありません。</translation>
     </message>
     <message>
@@ -4499,58 +4499,58 @@
         <translation>マニュアルを検索</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <source>Enter goes to the next place with these words, on this page or another.</source>
         <translation>Enter で、このページまたは別のページにある次の箇所へ移ります。</translation>
     </message>
 </context>
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Bring In What Is &amp;Kept…</source>
+        <source>Import What Is &amp;Kept…</source>
         <translation>保持するものを読み込む(&amp;K)…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒は面積、白は角度を保ちます</translation>
     </message>
     <message>
-        <source>Bring In &amp;Stiffness…</source>
+        <source>Import &amp;Stiffness…</source>
         <translation>剛性を読み込む(&amp;S)…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <source>A grey picture over the whole, as a layer: black is the same as everywhere, white is 1000 times stiffer</source>
         <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒はほかと同じ、白は 1000 倍の剛性です</translation>
     </message>
     <message>
-        <source>Bring In &amp;Directions…</source>
+        <source>Import &amp;Directions…</source>
         <translation>方向を読み込む(&amp;D)…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <source>A grey picture over the whole, as a layer, of the direction of stiffness: black is level, middle grey upright</source>
         <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒は水平、中間のグレーは垂直で、剛性はその方向に働きます</translation>
     </message>
     <message>
-        <source>Bring In Values of &amp;Cells…</source>
+        <source>Import Values of &amp;Cells…</source>
         <translation>セルの値を読み込む(&amp;C)…</translation>
     </message>
     <message>
-        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>書き出したメッシュなど、各セルの φ と B を含むメッシュファイルから読み込みます</translation>
     </message>
     <message>
-        <source>Write What Is K&amp;ept…</source>
+        <source>Export What Is K&amp;ept…</source>
         <translation>保持するものを書き出す(&amp;E)…</translation>
     </message>
     <message>
-        <source>As a gray picture, to go on with in a paint program</source>
+        <source>As a grey picture, to be edited in a paint program</source>
         <translation>ペイントソフトで続きを描けるよう、グレー画像として書き出します</translation>
     </message>
     <message>
-        <source>Write S&amp;tiffness…</source>
+        <source>Export S&amp;tiffness…</source>
         <translation>剛性を書き出す(&amp;T)…</translation>
     </message>
     <message>
-        <source>Write Di&amp;rections…</source>
+        <source>Export Di&amp;rections…</source>
         <translation>方向を書き出す(&amp;R)…</translation>
     </message>
     <message>
@@ -4562,7 +4562,7 @@
         <translation>まず画像を開いてください。</translation>
     </message>
     <message>
-        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <source>For a solid, these are values of cells; they are exported with its mesh.</source>
         <translation>ソリッドではセルの値になり、メッシュとともに書き出されます。</translation>
     </message>
     <message>
@@ -4574,7 +4574,7 @@
         <translation>画像 (%1)</translation>
     </message>
     <message>
-        <source>Bring in %1</source>
+        <source>Import %1</source>
         <translation>%1 を読み込み</translation>
     </message>
     <message>
@@ -4582,7 +4582,7 @@
         <translation>セルの値 (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
-        <source>The layers are switched off: what is brought in stands below them.</source>
+        <source>The layers were switched off: what was imported lies below them.</source>
         <translation>レイヤーをオフにしました。読み込んだ値はレイヤーの下にあります。</translation>
     </message>
 </context>
@@ -4668,13 +4668,13 @@
         <translation>全体</translation>
     </message>
     <message numerus="yes">
-        <source>Selected: %n vertices</source>
+        <source>Selected vertices: %n</source>
         <translation>
             <numerusform>選択範囲：頂点 %n 個</numerusform>
         </translation>
     </message>
     <message>
-        <source>Point at the solid for the values there.</source>
+        <source>Point at the solid to see the values there.</source>
         <translation>ソリッドにポインターを合わせると、そこの値が表示されます。</translation>
     </message>
     <message>
@@ -4740,7 +4740,7 @@
         <translation>目標</translation>
     </message>
     <message>
-        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <source>What sets how fine the mesh is: how many vertices it has in total, or how large a tetrahedron may be.</source>
         <translation>メッシュの細かさの決め方：全体の頂点数、または四面体の最大の大きさ。</translation>
     </message>
     <message>
@@ -4752,7 +4752,7 @@
         <translation>セルサイズ</translation>
     </message>
     <message>
-        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <source>Paints where the mesh should be finer or coarser, or sets it by regions in numbers.</source>
         <translation>メッシュを細かくする、または粗くする場所をペイントするか、領域の数値で指定します。</translation>
     </message>
     <message>
@@ -4811,7 +4811,7 @@
         <translation>ズーム</translation>
     </message>
     <message>
-        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <source>How large the picture is shown; a click shows its pixels as they are.</source>
         <translation>画像の表示倍率。クリックすると等倍で表示します。</translation>
     </message>
     <message>
@@ -4819,7 +4819,7 @@
         <translation>%1%</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>表示中のものを、画像、連番、ST マップ、メッシュ、ビューとして書き出します</translation>
     </message>
 </context>
@@ -4840,7 +4840,7 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the painted part is along its direction; ×1 is the same as everywhere.</source>
         <translation>ペイントした部分を、その方向に沿って何倍の剛性にするか。×1 はほかと同じです。</translation>
     </message>
     <message>
@@ -4848,7 +4848,7 @@
         <translation>剛性の方向</translation>
     </message>
     <message>
-        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the path of the selected pin where it is nearest.</source>
         <translation>形状とともに回転する、変形前の方向：ストロークの方向、今ある方向、軸、数値、または選択したピンのパスの最も近い部分の方向。</translation>
     </message>
     <message>
@@ -4896,7 +4896,7 @@
         <translation>視線に沿う</translation>
     </message>
     <message>
-        <source>along the pin&apos;s way</source>
+        <source>along the pin&apos;s path</source>
         <translation>ピンのパスに沿う</translation>
     </message>
     <message>
@@ -4915,7 +4915,7 @@
         <translation>追加(&amp;A)</translation>
     </message>
     <message>
-        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <source>What you draw will bend, too; Ctrl takes it away instead</source>
         <translation>描いた部分も変形させます。Ctrl で除外</translation>
     </message>
     <message>
@@ -4923,7 +4923,7 @@
         <translation>除外(&amp;T)</translation>
     </message>
     <message>
-        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <source>What you draw will not bend; Ctrl adds it instead</source>
         <translation>描いた部分は変形させません。Ctrl で追加</translation>
     </message>
     <message>
@@ -4931,7 +4931,7 @@
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <source>Diameter of the brush on the screen; also [ and ]</source>
         <translation>画面上でのブラシの幅。[ と ] でも変更できます</translation>
     </message>
     <message>
@@ -4947,7 +4947,7 @@
         <translation>%</translation>
     </message>
     <message>
-        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>色がどれだけ離れてよいか。最後のクリックにも効きます。[ と ] でも</translation>
     </message>
 </context>
@@ -5014,7 +5014,7 @@
         <translation>背景を透明に</translation>
     </message>
     <message>
-        <source>Only the solid, on nothing.</source>
+        <source>Only the solid, without a background.</source>
         <translation>背景なしで、ソリッドだけを書き出します。</translation>
     </message>
     <message>
@@ -5034,7 +5034,7 @@
         <translation>マップの色とその値。</translation>
     </message>
     <message>
-        <source>Show a map first: only then there is something to explain.</source>
+        <source>Show a map first: only then is there something to explain.</source>
         <translation>先にマップを表示してください。凡例はマップがあるときだけ使えます。</translation>
     </message>
     <message>
@@ -5085,7 +5085,7 @@
         <translation>隠す(&amp;H)</translation>
     </message>
     <message>
-        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <source>The selected pins still hold, but are neither drawn nor picked</source>
         <translation>選択したピンを、効かせたまま表示も選択もされないようにします</translation>
     </message>
     <message>
@@ -5145,7 +5145,7 @@
         <translation>ミラー(&amp;M)</translation>
     </message>
     <message>
-        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <source>Set pins at the mirror images of the selected ones, across the middle of the shape, with mirrored motions</source>
         <translation>形状の中央を軸として、選択したピンと対称の位置に、対称のモーションを持つピンを打ちます</translation>
     </message>
     <message>
@@ -5261,7 +5261,7 @@
         <translation>移動(&amp;V)</translation>
     </message>
     <message>
-        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <source>Drag pins to move them; in a solid, also by the arrows</source>
         <translation>ピンをドラッグで移動。立体では矢印でも</translation>
     </message>
     <message>
@@ -5273,7 +5273,7 @@
         <translation>回転(&amp;R)</translation>
     </message>
     <message>
-        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <source>Drag to rotate the selected pins; in a solid, by the rings</source>
         <translation>ドラッグで選択したピンを回転。立体ではリングで</translation>
     </message>
     <message>
@@ -5285,7 +5285,7 @@
         <translation>拡大・縮小(&amp;A)</translation>
     </message>
     <message>
-        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <source>Drag to scale the selected pins; in a solid, by the ring</source>
         <translation>ドラッグで選択したピンを拡大・縮小。立体ではリングで</translation>
     </message>
     <message>
@@ -5301,7 +5301,7 @@
         <translation>ピンを選択(&amp;P)</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <source>What the pin tool and the select tool draw around pins to select them</source>
         <translation>ピンツールまたは選択ツールで、ピンの横からドラッグして選択するときの形</translation>
     </message>
     <message>
@@ -5333,7 +5333,7 @@
         <translation>スナップ(&amp;N)</translation>
     </message>
     <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <source>New pins sit on corners of the mesh instead of where you click</source>
         <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
     </message>
     <message>
@@ -5341,7 +5341,7 @@
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ].</source>
         <translation>画面上でのブラシの直径。[ と ] のキーでも変更できます。</translation>
     </message>
     <message>
@@ -5356,7 +5356,7 @@
         <translation>ピン</translation>
     </message>
     <message>
-        <source>Does not hold at the time that is shown.</source>
+        <source>Does not hold at the time shown.</source>
         <translation>表示中の時刻では効いていません。</translation>
     </message>
     <message>
@@ -5364,7 +5364,7 @@
         <translation>名前を変更</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock protects from changes; a right-click groups, links and mirrors.</source>
         <translation>ここでピンを選択します。F2 で名前を変更、Delete で削除、Enter で画像に移り、矢印キーで動かせます。目のアイコンで隠し、錠のアイコンで変更から保護します。右クリックでグループ化、リンク、ミラー。</translation>
     </message>
     <message>
@@ -5485,7 +5485,7 @@
         <translation>引きの届く範囲</translation>
     </message>
     <message>
-        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads. Near: close to the pin, sharp. Far: soft and wide.</source>
         <translation>ピンを引く力がどこまで広がるか。近く：ピンのそばだけで鋭く。遠く：柔らかく広く。</translation>
     </message>
     <message>
@@ -5508,11 +5508,11 @@
 <context>
     <name>wend::RegionList</name>
     <message>
-        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <source>The mesh is equally fine everywhere: brush over what should be finer or coarser.</source>
         <translation>メッシュはどこも同じ細かさです。細かく、または粗くする部分をブラシでなぞってください。</translation>
     </message>
     <message>
-        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <source>Nothing has an order of its own: brush over what should lie in front or behind.</source>
         <translation>順序を指定した部分はありません。手前または奥にする部分をブラシでなぞってください。</translation>
     </message>
     <message>
@@ -5524,7 +5524,7 @@
         <translation>手前にあるもの</translation>
     </message>
     <message>
-        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <source>The strokes and regions so far; where two overlap, the upper one counts. A click shows where it lies and its number, a double-click changes its name.</source>
         <translation>現在のストロークと領域。同じ場所に 2 つあれば上のものが有効です。クリックで位置と数値を表示、ダブルクリックで名前を変更します。</translation>
     </message>
     <message>
@@ -5540,11 +5540,11 @@
         <translation>順序</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: less is finer, more is coarser.</source>
         <translation>ほかの部分に対する辺の長さ。小さいほど細かく、大きいほど粗くなります。</translation>
     </message>
     <message>
-        <source>Greater than 0 lies in front, less behind.</source>
+        <source>Greater than 0 lies in front, less than 0 behind.</source>
         <translation>0 より大きいと手前、小さいと奥になります。</translation>
     </message>
     <message>
@@ -5552,7 +5552,7 @@
         <translation>削除</translation>
     </message>
     <message>
-        <source>Takes the chosen region away.</source>
+        <source>Removes the chosen region.</source>
         <translation>選択した領域を削除します。</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@
         <translation>領域を変更</translation>
     </message>
     <message numerus="yes">
-        <source>%n vertices</source>
+        <source>Vertices: %n</source>
         <translation>
             <numerusform>頂点 %n 個</numerusform>
         </translation>
@@ -5704,7 +5704,7 @@
         <translation>半径(&amp;D)</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
         <translation>ピンが周りをつかむ範囲。0 は点、それ以上は円、立体では球をつかみます（形状の単位、画像ではピクセル）。ピンを Alt+ドラッグしても変更できます。</translation>
     </message>
 </context>
@@ -5722,7 +5722,7 @@
 <context>
     <name>wend::ShapeNotices</name>
     <message>
-        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <source>“Refine surface” in the panel “Mesh” allows the surface&apos;s triangles to be split.</source>
         <translation>「メッシュ」パネルの「サーフェスを細分化」をオンにすると、サーフェスの三角形を分割できます。</translation>
     </message>
     <message>
@@ -5730,11 +5730,11 @@
         <translation>ピンで留める</translation>
     </message>
     <message>
-        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <source>A part is joined to the rest at a single point, and may swing around it unless a pin holds it.</source>
         <translation>一点だけでつながっている部分があり、ピンで留めないとそこで揺れ動くことがあります。</translation>
     </message>
     <message numerus="yes">
-        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <source>%n parts are joined to the rest at single points, and may swing around them unless pins hold them.</source>
         <translation>
             <numerusform>一点だけでつながっている部分が %n か所あり、ピンで留めないとそこで揺れ動くことがあります。</numerusform>
         </translation>
@@ -5763,7 +5763,7 @@
         <translation>キャンセルしました。すべて最後の変更の前の状態です。</translation>
     </message>
     <message>
-        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <source>Meshing was cancelled. Any change, such as fewer vertices, starts it again.</source>
         <translation>メッシュ化をキャンセルしました。頂点数を減らすなど、何か変更すると再び実行されます。</translation>
     </message>
     <message>
@@ -5775,7 +5775,7 @@
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>There is no pin: this place lies outside of the shape.</source>
+        <source>No pin was set: this place lies outside the shape.</source>
         <translation>ピンは打てません。ここは形状の外です。</translation>
     </message>
     <message>
@@ -5795,7 +5795,7 @@
         <translation>%1 を移動</translation>
     </message>
     <message>
-        <source>%1 does not hold the shape at the time that is shown.</source>
+        <source>%1 does not hold the shape at the time shown.</source>
         <translation>%1 は表示中の時刻では効いていません。</translation>
     </message>
     <message>
@@ -5803,7 +5803,7 @@
         <translation>%1 を拡大・縮小</translation>
     </message>
     <message>
-        <source>What came after is replaced by this; Undo brings it back.</source>
+        <source>This replaces what came after; Undo brings it back.</source>
         <translation>これより後の動きは置き換えられました。取り消しで元に戻せます。</translation>
     </message>
     <message numerus="yes">
@@ -5817,11 +5817,11 @@
         <translation>%1（ミラー）</translation>
     </message>
     <message>
-        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <source>No pin was set where the mirror image lies outside the shape.</source>
         <translation>対称の位置が形状の外になるところには、ピンは打たれません。</translation>
     </message>
     <message>
-        <source>There is a pin already where the mirror image would be.</source>
+        <source>There is already a pin where the mirror image would be.</source>
         <translation>対称の位置にはすでにピンがあります。</translation>
     </message>
     <message>
@@ -5873,11 +5873,11 @@
         <translation>%1 のリンクを解除</translation>
     </message>
     <message>
-        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <source>%1 is locked. A right-click or the list of pins unlocks it.</source>
         <translation>%1 はロックされています。右クリックまたはピンのリストで解除できます。</translation>
     </message>
     <message>
-        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <source>%1 are locked. A right-click or the list of pins unlocks them.</source>
         <translation>%1 はロックされています。右クリックまたはピンのリストで解除できます。</translation>
     </message>
     <message>
@@ -5921,7 +5921,7 @@
         <translation>%1 を回転</translation>
     </message>
     <message>
-        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <source>This replaces what %1 did later; Undo brings it back.</source>
         <translation>%1 のこれより後の動きは置き換えられました。取り消しで元に戻せます。</translation>
     </message>
     <message>
@@ -5944,7 +5944,7 @@
         <translation>開いたときの状態</translation>
     </message>
     <message>
-        <source>What was done; a click goes back to that step, or forth.</source>
+        <source>What was done; a click goes back or forward to that step.</source>
         <translation>これまでの操作です。クリックするとその時点に戻る、または進みます。</translation>
     </message>
     <message>
@@ -5963,7 +5963,7 @@
         <translation>辺の長さ</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
         <translation>ほかの部分に対する辺の長さ。0.5 は半分で細かく、2 は 2 倍で粗くなります。</translation>
     </message>
     <message>
@@ -5971,7 +5971,7 @@
         <translation>セルの細かい部分と粗い部分</translation>
     </message>
     <message>
-        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
         <translation>次のストロークの効果と、既存のストロークや領域。同じ場所に 2 つある場合は下のものが有効です。クリックすると数値を表示し、変更できます。</translation>
     </message>
     <message>
@@ -5987,7 +5987,7 @@
         <translation>領域を追加</translation>
     </message>
     <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
         <translation>中央に置く球、直方体、半空間、または選択したハンドルがつかむ領域。数値は後から変更できます。</translation>
     </message>
     <message>
@@ -5995,7 +5995,7 @@
         <translation>サイズ指定を削除</translation>
     </message>
     <message>
-        <source>Takes the chosen stroke or region away.</source>
+        <source>Removes the chosen stroke or region.</source>
         <translation>選択したストロークまたは領域を削除します。</translation>
     </message>
     <message>
@@ -6003,7 +6003,7 @@
         <translation>境界のぼかし</translation>
     </message>
     <message>
-        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
         <translation>周囲のサイズへ移り変わる幅（ファイルの単位）。</translation>
     </message>
     <message>
@@ -6063,11 +6063,11 @@
         <translation>その下にあるもの：%1 の倍率。</translation>
     </message>
     <message>
-        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
         <translation>サーフェスの三角形は保たれ、内部だけが変わります。「メッシュ」パネルの「サーフェスを細分化」をオンにすると、三角形も分割されます。</translation>
     </message>
     <message>
-        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
     </message>
 </context>
@@ -6078,7 +6078,7 @@
         <translation>この画像の柔らかい縁や影が切り抜きの外に広がっていて、切り落とされます。</translation>
     </message>
     <message>
-        <source>Take Them Along</source>
+        <source>Include Them</source>
         <translation>含める</translation>
     </message>
 </context>
@@ -6125,7 +6125,7 @@
         <translation>スキンを選択(&amp;I)…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
+        <source>Embed a detailed, perhaps textured surface from a file in the solid</source>
         <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込み、ソリッドに追従させます</translation>
     </message>
     <message>
@@ -6133,7 +6133,7 @@
         <translation>スキンを削除(&amp;M)</translation>
     </message>
     <message>
-        <source>See and export the solid with its own surface again</source>
+        <source>Show and export the solid with its own surface again</source>
         <translation>ソリッドの表示と書き出しを、元のサーフェスに戻します</translation>
     </message>
     <message>
@@ -6300,7 +6300,7 @@
 <context>
     <name>wend::SolidCanvas</name>
     <message>
-        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <source>there is not enough memory for a picture of %1 x %2 pixels</source>
         <translation>%1 x %2 ピクセルの画像にはメモリーが足りません</translation>
     </message>
     <message>
@@ -6323,7 +6323,7 @@
 <context>
     <name>wend::SolidWorkshop</name>
     <message>
-        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) still works with them.</source>
         <translation>ソリッドには OpenGL 3.3 が必要ですが、このシステムにはありません。コマンドライン（wend run）では使えます。</translation>
     </message>
     <message>
@@ -6402,7 +6402,7 @@
         <translation>%1 を破棄</translation>
     </message>
     <message>
-        <source>Forgets these changes for good.</source>
+        <source>Deletes these changes for good.</source>
         <translation>この変更を完全に破棄します。</translation>
     </message>
 </context>
@@ -6433,7 +6433,7 @@
         <translation>最大ひずみ箇所</translation>
     </message>
     <message>
-        <source>How far the worst place is from rest, by what the map shows</source>
+        <source>How far the worst place is from rest in what the map shows</source>
         <translation>マップの示す量で、最大ひずみ箇所が変形前からどれだけ離れているか</translation>
     </message>
     <message>
@@ -6474,14 +6474,14 @@
         <translation>体積 %1%</translation>
     </message>
     <message>
-        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
         <translation>ドラッグ中: 見えているものが手からどれだけ遅れるか。静止時: 計算にかかった時間</translation>
     </message>
 </context>
 <context>
     <name>wend::SurfaceCheck</name>
     <message>
-        <source>Triangles of missing points</source>
+        <source>Triangles with missing points</source>
         <translation>頂点が欠けた三角形</translation>
     </message>
     <message>
@@ -6501,7 +6501,7 @@
         <translation>面積のない三角形</translation>
     </message>
     <message>
-        <source>Double triangles</source>
+        <source>Duplicate triangles</source>
         <translation>重複した三角形</translation>
     </message>
     <message>
@@ -6553,7 +6553,7 @@
         <translation>行われる処理：%1。</translation>
     </message>
     <message>
-        <source>No simple step puts this one right.</source>
+        <source>No simple step fixes this one.</source>
         <translation>この不具合を直す簡単な手順はありません。</translation>
     </message>
     <message>
@@ -6569,7 +6569,7 @@
         <translation>不具合を一つ修正</translation>
     </message>
     <message>
-        <source>No simple steps put all of these right.</source>
+        <source>No simple steps fix all of these.</source>
         <translation>これらすべてを直す簡単な手順はありません。</translation>
     </message>
     <message>
@@ -6577,7 +6577,7 @@
         <translation>同じ種類の不具合をすべて修正</translation>
     </message>
     <message>
-        <source>Looking for what puts all of these right …</source>
+        <source>Looking for what fixes all of these …</source>
         <translation>すべてを直す方法を探しています…</translation>
     </message>
 </context>
@@ -6600,7 +6600,7 @@
         <translation>問題点</translation>
     </message>
     <message>
-        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <source>The kinds of faults, and how often each occurs.</source>
         <translation>問題の種類と、それぞれの件数。</translation>
     </message>
     <message>
@@ -6608,7 +6608,7 @@
         <translation>前の箇所</translation>
     </message>
     <message>
-        <source>Looks at the previous place where this is wrong.</source>
+        <source>Goes to the previous place where this is wrong.</source>
         <translation>この問題がある前の箇所を表示します。</translation>
     </message>
     <message>
@@ -6616,7 +6616,7 @@
         <translation>次の箇所</translation>
     </message>
     <message>
-        <source>Looks at the next place where this is wrong.</source>
+        <source>Goes to the next place where this is wrong.</source>
         <translation>この問題がある次の箇所を表示します。</translation>
     </message>
     <message>
@@ -6624,7 +6624,7 @@
         <translation>三角形を表示</translation>
     </message>
     <message>
-        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <source>Colours the triangles that are wrong and shows them: what hides them is left out.</source>
         <translation>問題のある三角形に色を付けて表示します。手前で隠しているものは省かれます。</translation>
     </message>
     <message>
@@ -6636,7 +6636,7 @@
         <translation>問題のあるすべての三角形と辺の番号をファイルに書き出します。</translation>
     </message>
     <message>
-        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <source>Merges coincident points, drops degenerate and duplicate triangles, orients the others and fills small holes.</source>
         <translation>同じ位置の点を結合し、退化した三角形と重複した三角形を取り除き、向きをそろえ、小さな穴を埋めます。</translation>
     </message>
     <message>
@@ -6672,7 +6672,7 @@
         <translation>ケージを作る</translation>
     </message>
     <message>
-        <source>Takes the cage away: without repair there is no solid then.</source>
+        <source>Removes the cage: without a repair there is then no solid.</source>
         <translation>ケージを取り除きます。修復しなければソリッドはなくなります。</translation>
     </message>
     <message>
@@ -6696,7 +6696,7 @@
         <translation>これを修正</translation>
     </message>
     <message>
-        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <source>Fixes only what is shown: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>表示中の箇所だけを直します。追加は緑、削除や向きの変更は黄で示します。</translation>
     </message>
     <message>
@@ -6704,7 +6704,7 @@
         <translation>すべて修正</translation>
     </message>
     <message>
-        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <source>Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no more edges than chosen below.</source>
         <translation>この種類のうち簡単な手順で直せるものを、一回で取り消せる一つの手順ですべて直します。穴は、辺の数が下で選んだ数以下のものだけです。</translation>
     </message>
     <message>
@@ -6857,7 +6857,7 @@
         <translation>%1：%2～%3 秒、%4</translation>
     </message>
     <message>
-        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>まだ何も動いていません。ピンをドラッグするか、Ctrl を押しながら記録すると、動きがピンごとにここに並びます。</translation>
     </message>
     <message>
@@ -6877,7 +6877,7 @@
         <translation>モーションを削除</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>バーまたはその端を別の時刻へドラッグ。Shift、Ctrl、または囲む枠で複数を選択。右クリックで始まり方と終わり方を設定。線の端はピンが固定する期間を示します</translation>
     </message>
 </context>
@@ -6896,7 +6896,7 @@
         <translation>ピンで留めたところだけが固定されます。キリンの&lt;b&gt;ひづめを 1 つクリック&lt;/b&gt;して、ピンを打ってください。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too, with a click each. Ctrl+Z undoes a pin.</source>
         <translation>&lt;b&gt;ほかのひづめにもピンを打って&lt;/b&gt;ください（それぞれ 1 クリック）。Ctrl+Z でピンを 1 つ取り消せます。</translation>
     </message>
     <message>
@@ -6920,7 +6920,7 @@
         <translation>ドラッグした動きは、もうムービーになっています。&lt;b&gt;K を押す&lt;/b&gt;と再生します。下の帯をクリックするとその時刻に移り、そこからドラッグを続けられます。</translation>
     </message>
     <message>
-        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
         <translation>最後に、&lt;b&gt;Ctrl+5 を押して&lt;/b&gt;ステップ&lt;i&gt;「書き出し」&lt;/i&gt;に移ります。画像、連番、ワープマップ、メッシュを書き出せます。</translation>
     </message>
     <message>
@@ -6958,7 +6958,7 @@
         <translation>キャンセル (Esc)</translation>
     </message>
     <message>
-        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <source>Stops what is being computed and goes back to the last complete state</source>
         <translation>計算を中断し、最後に完了した状態に戻ります</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@
         <translation>拖动时输入数字</translation>
     </message>
     <message>
-        <source>set the number, Enter takes it</source>
+        <source>set the number; Enter confirms it</source>
         <translation>设定数值，按 Enter 确认</translation>
     </message>
     <message>
@@ -84,7 +84,7 @@
         <translation>右键或中键</translation>
     </message>
     <message>
-        <source>turns the view; with Shift it moves</source>
+        <source>turns the view; with Shift, moves it</source>
         <translation>旋转视图；按住 Shift 平移</translation>
     </message>
     <message>
@@ -171,23 +171,23 @@
         <translation>在时刻 %1，形状在 %2 附近过于坚硬，无法继续松弛：步长会过短；请放宽容差</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1, in cell %2; move it less far or along another path, or release what holds the shape there</source>
         <translation>形状会在 %1 附近的单元 %2 处翻折；请移动得近一些或换一种方式，或松开在那里固定形状的东西</translation>
     </message>
     <message>
-        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <source>the shape would fold over near %1; move it less far or along another path, or release what holds the shape there</source>
         <translation>形状会在 %1 附近翻折；请移动得近一些或换一种方式，或松开在那里固定形状的东西</translation>
     </message>
     <message>
-        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <source>it moves too fast near %1: the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>在 %1 附近过快，步长会过短；请给运动更多时间，或放宽容差</translation>
     </message>
     <message>
-        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <source>the shape near %1 is stretched or squeezed so much that no velocity can be computed; move it less far, or make the material or the mesh more even there</source>
         <translation>形状在 %1 附近被拉伸或压缩得过多，无法计算速度；请移动得近一些，或使那里的材质或网格更均匀</translation>
     </message>
     <message>
-        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <source>it moves so fast near %1 that numbers overflow; move it less far, or give its motion more time</source>
         <translation>在 %1 附近过快，数值溢出；请移动得近一些，或给运动更多时间</translation>
     </message>
     <message>
@@ -259,7 +259,7 @@
         <translation>点 %1 和 %2 相同，%3</translation>
     </message>
     <message>
-        <source>point %1, %2, is outside of the shape</source>
+        <source>point %1, %2, is outside the shape</source>
         <translation>点 %1，%2，在形状之外</translation>
     </message>
     <message>
@@ -367,7 +367,7 @@
         <translation>文本文件</translation>
     </message>
     <message>
-        <source>no picture that Wend knows</source>
+        <source>not a picture that Wend knows</source>
         <translation>Wend 不认识的图片</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>其 %1 个部分共用笼的单元，作为 %2 个一起移动：更小的单元可将更多部分分开</translation>
     </message>
     <message>
-        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <source>the cage consists of %1 bodies that are not connected: each needs a handle of its own to follow</source>
         <translation>笼由 %1 个不相连的块组成：每块需要自己的图钉才能跟随</translation>
     </message>
     <message>
@@ -595,7 +595,7 @@
         <translation>%1：表面保持原样而导致，位于其三角形 %2</translation>
     </message>
     <message>
-        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, so that later vertices have other numbers</source>
         <translation>表面的 %1 个顶点不属于任何四面体：写出的四面体网格不含它们，其后的编号因此不同</translation>
     </message>
     <message>
@@ -603,15 +603,15 @@
         <translation>%1 个顶点不属于任何单元。它们保留在写出的文件中：某些求解器要求先将其去除</translation>
     </message>
     <message>
-        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <source>parts that touch vertex to vertex are connected: %1 vertices move with others at the same place</source>
         <translation>顶点相接的部分连在一起：%1 个顶点与同处的其他顶点一起移动</translation>
     </message>
     <message>
-        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>a part of %1 hangs only on %2 near %3: what turns freely there may be flung far away unless handles hold it</source>
         <translation>由 %1 组成的部分仅靠 %3 附近的 %2 相连：在那里自由转动的部分可能被甩远，除非用图钉固定</translation>
     </message>
     <message>
-        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <source>%1 parts hang only on a vertex or an edge, the first, of %2, on %3 near %4: what turns freely there may be flung far away unless handles hold it</source>
         <translation>%1 个部分仅靠一个顶点或一条边相连，第一个由 %2 组成，靠 %4 附近的 %3：在那里自由转动的部分可能被甩远，除非用图钉固定</translation>
     </message>
     <message>
@@ -667,7 +667,7 @@
         <translation>%1；细节度 %2 可打开最宽的一处</translation>
     </message>
     <message>
-        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, so that later vertices have other numbers</source>
         <translation>表面有 1 个顶点不属于任何四面体：写出的四面体网格不含它，其后编号随之改变</translation>
     </message>
     <message>
@@ -710,7 +710,7 @@
 <context>
     <name>CropTool</name>
     <message>
-        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <source>Drag a rectangle around what exports keep, then drag its inside or its sides; Shift keeps the proportions, Delete or a double-click removes it</source>
         <translation>拖出矩形框住导出要保留的部分；可拖动其内部或各边；Shift 保持比例，Delete 键或双击将其移除</translation>
     </message>
 </context>
@@ -737,7 +737,7 @@
         <translation>曲线的端点不能删除。</translation>
     </message>
     <message>
-        <source>Drag the curve&apos;s point, with Shift straight, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <source>Drag the curve&apos;s point, Shift keeps it straight, Ctrl moves one direction only; Delete removes it, a right-click shows more</source>
         <translation>拖动曲线上的点，按住 Shift 走直线，按住 Ctrl 只动一侧方向；按 Delete 删除，右键单击显示更多</translation>
     </message>
 </context>
@@ -751,7 +751,7 @@
 <context>
     <name>DepthTool</name>
     <message>
-        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <source>Brush over what lies in front or behind; Ctrl clears it, Shift swaps front and back, [ and ] change the size</source>
         <translation>用画笔刷过位于前面或后面的部分；按住 Ctrl 清除，按住 Shift 前后互换，[ 和 ] 更改大小</translation>
     </message>
     <message>
@@ -763,7 +763,7 @@
         <translation>绘制到后面</translation>
     </message>
     <message>
-        <source>Take back depth</source>
+        <source>Clear depth</source>
         <translation>清除深度</translation>
     </message>
 </context>
@@ -879,11 +879,11 @@
 <context>
     <name>FillTool</name>
     <message>
-        <source>Click to take up what is painted there</source>
+        <source>Click to pick up what is painted there</source>
         <translation>单击以吸取该处绘制的内容</translation>
     </message>
     <message>
-        <source>Click to fill what hangs together there; Shift fills all, Ctrl takes paint off, Alt picks up</source>
+        <source>Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up</source>
         <translation>单击以填充相连的部分；按住 Shift 全部填充，按住 Ctrl 擦除绘制，按住 Alt 吸取</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>部位</translation>
     </message>
     <message>
-        <source>There is nothing of the shape in this outline.</source>
+        <source>No part of the shape lies in this outline.</source>
         <translation>此轮廓内没有形状。</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>请选择一个要从中减去的部位。</translation>
     </message>
     <message>
-        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <source>A handle must hold something; Delete removes it.</source>
         <translation>手柄不能为空：要移除它，请按 Delete 键。</translation>
     </message>
 </context>
@@ -937,7 +937,7 @@
         <translation>渐变到“%1”</translation>
     </message>
     <message>
-        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Shift by 45°, Alt picks up, Esc gives up</source>
+        <source>Drag over the shape to blend evenly from what is there to what is chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels</source>
         <translation>在形状上拖动：从原有内容均匀过渡到右侧所选内容；按住 Shift 以 45° 为步长，按住 Alt 吸取，按 Esc 放弃</translation>
     </message>
 </context>
@@ -992,7 +992,7 @@
         <translation>单元尺寸</translation>
     </message>
     <message>
-        <source>Way from rest</source>
+        <source>Distance from rest</source>
         <translation>与变形前的距离</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
 <context>
     <name>MeasureTool</name>
     <message>
-        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <source>Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears</source>
         <translation>单击两点测长度，第三点测角度；按住 Ctrl 取顶点，按 Esc 清除</translation>
     </message>
     <message>
@@ -1109,7 +1109,7 @@
         <translation>边距(&amp;R)</translation>
     </message>
     <message>
-        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <source>The outline grows by this much, so that soft edges are kept whole.</source>
         <translation>轮廓向外扩展的宽度，使柔和的边缘也能完整地随之变形。</translation>
     </message>
     <message>
@@ -1129,7 +1129,7 @@
         <translation>图片边缘</translation>
     </message>
     <message>
-        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <source>Holds the frame of a photograph, so that no gap opens at its edge: it stays where it is, or its sides slide along themselves. Pins on it still move.</source>
         <translation>固定照片的边框，避免旁边出现空隙：边框停在原处，或各边沿边线滑动。边框上的图钉仍可移动。</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>最大体积(&amp;G)</translation>
     </message>
     <message>
-        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <source>Larger tetrahedra are split; in the file&apos;s units, cubed. Half the volume makes about twice as many. At a surface that is kept, some may stay larger.</source>
         <translation>更大的四面体会被分割；以文件单位的立方计。减半则数量约增一倍。若保留表面，表面附近可能仍有较大的四面体。</translation>
     </message>
     <message>
@@ -1177,7 +1177,7 @@
         <translation>细分表面(&amp;U)</translation>
     </message>
     <message>
-        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <source>Allows the surface&apos;s triangles to be split where they are larger than the tetrahedra inside. If off, the surface is kept exactly as it is.</source>
         <translation>表面三角形大于内部四面体时允许分割。关闭时，表面完全保持原样。</translation>
     </message>
     <message>
@@ -1193,7 +1193,7 @@
         <translation>最大孔洞</translation>
     </message>
     <message>
-        <source>“Repair” fills holes of at most so many edges.</source>
+        <source>“Repair” fills holes of at most this many edges.</source>
         <translation>“修复”填补边数不超过此值的孔洞。</translation>
     </message>
     <message>
@@ -1225,7 +1225,7 @@
         <translation>平衡值(&amp;B)</translation>
     </message>
     <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
         <translation>以数值 φ 表示保持内容，与项目文件中相同：0.002 保持面积或体积，0.464 保持长度，1.571 为刚性，2.678 保持角度（实体为 2.498）。</translation>
     </message>
     <message>
@@ -1241,7 +1241,7 @@
         <translation>平滑长度(&amp;N)</translation>
     </message>
     <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads, as a fraction of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
         <translation>图钉拉力的扩散范围，以形状大小的比例表示。小：集中在图钉附近，较尖锐。大：柔和而宽广。</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>无</translation>
     </message>
     <message>
-        <source>number of frames, at equal times from the start to the last time</source>
+        <source>number of frames, evenly spaced from the start to the last time</source>
         <translation>从开始到最后时刻等间隔的帧数</translation>
     </message>
     <message>
@@ -1261,7 +1261,7 @@
         <translation>帧数(&amp;R)</translation>
     </message>
     <message>
-        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <source>whether distortion, φ, directions and velocity are written with meshes, in formats that carry values</source>
         <translation>在支持附加数值的格式中，网格是否附带畸变、φ、方向和速度</translation>
     </message>
     <message>
@@ -1277,7 +1277,7 @@
         <translation>仅形状</translation>
     </message>
     <message>
-        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <source>how numbers are stored in mesh files that offer a choice (ply, stl, msh, vtk, vtu)</source>
         <translation>支持多种编码的网格文件（ply、stl、msh、vtk、vtu）中数值的编码方式</translation>
     </message>
     <message>
@@ -1349,7 +1349,7 @@
         <translation>适合形状</translation>
     </message>
     <message>
-        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <source>bits per channel in pictures: as in the source, 8 or 16, or half or full floating point; values stay what they are</source>
         <translation>图片每通道的位数：与原图相同、8、16，或半精度、单精度浮点数；数值保持不变</translation>
     </message>
     <message>
@@ -1377,7 +1377,7 @@
         <translation>32 位浮点</translation>
     </message>
     <message>
-        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <source>what pictures show around the shape: nothing, its border drawn outwards, the source as it was, or a colour</source>
         <translation>形状以外显示的内容：无、延伸的边缘、原图，或一种颜色</translation>
     </message>
     <message>
@@ -1389,7 +1389,7 @@
         <translation>透明</translation>
     </message>
     <message>
-        <source>The border, drawn out</source>
+        <source>The border, drawn outwards</source>
         <translation>延伸边缘</translation>
     </message>
     <message>
@@ -1405,7 +1405,7 @@
         <translation>黑色</translation>
     </message>
     <message>
-        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <source>How far apart growing the outline keeps parts and limbs, so that they do not become one.</source>
         <translation>扩展时各部分与肢体之间保持这么远，以免连成一体。</translation>
     </message>
     <message>
@@ -1453,7 +1453,7 @@
         <translation> fps</translation>
     </message>
     <message>
-        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with losses that are hardly seen</source>
+        <source>whether WebP pictures and films keep every pixel, or are a fraction of the size with hardly visible losses</source>
         <translation>WebP 图片和影片是保留每个像素，还是以几乎看不出的损失换取小得多的文件</translation>
     </message>
     <message>
@@ -1473,7 +1473,7 @@
         <translation>回弹</translation>
     </message>
     <message>
-        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: what it ends in depends on the way. Fully: it is as it was.</source>
+        <source>Lead a pin around and back: how far does the shape come back, too? Not at all: where it ends depends on the path. Fully: it is as it was.</source>
         <translation>图钉绕一圈回到原处时，形状会恢复多少？无：最终形状取决于路径。完全：恢复原样。</translation>
     </message>
     <message>
@@ -1484,19 +1484,19 @@
 <context>
     <name>OutlineTool</name>
     <message>
-        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend, too; Ctrl takes it away, Esc cancels</source>
         <translation>圈出也要变形的部分；按住 Ctrl 减去。按 Esc 放弃</translation>
     </message>
     <message>
-        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend, too; Ctrl takes it away, [ and ] change the size</source>
         <translation>用画笔刷过也要变形的部分，[ 和 ] 更改大小；按住 Ctrl 减去</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend, too; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>单击也要变形的颜色；按住 Ctrl 减去，[ 和 ] 缩小或扩大颜色范围</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <source>Draw a line along which to part the shape; Esc cancels</source>
         <translation>画一条线，形状沿此线切开；按 Esc 放弃</translation>
     </message>
     <message>
@@ -1504,7 +1504,7 @@
         <translation>这样形状将什么都不剩。</translation>
     </message>
     <message numerus="yes">
-        <source>%n pins lay beside the new outline and were removed.</source>
+        <source>Pins outside the new outline were removed: %n.</source>
         <translation>
             <numerusform>%n 个图钉位于新轮廓之外，已移除。</numerusform>
         </translation>
@@ -1522,7 +1522,7 @@
         <translation>添加到轮廓</translation>
     </message>
     <message>
-        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <source>The tolerance, or [ and ], changes what was taken; click another colour to take it too, with Ctrl to take it away</source>
         <translation>容差（也可用 [ 和 ]）会改变已选取的范围；单击其他颜色可添加，按住 Ctrl 减去</translation>
     </message>
     <message>
@@ -1530,23 +1530,23 @@
         <translation>那是一条线。请圈出图像的一部分。</translation>
     </message>
     <message>
-        <source>The outline is as you draw it from now on, and has no margin to change. “Cut-out” as outline brings the found one back.</source>
+        <source>From now on the outline is as you draw it, and has no margin to change. Choose “Cut-out” as the outline to go back to the one that was found.</source>
         <translation>从现在起轮廓以您所画为准，没有可调的边距。将轮廓设为“抠图”可恢复自动找到的轮廓。</translation>
     </message>
     <message>
-        <source>Draw around what shall bend; with Ctrl it is taken away. Esc gives up</source>
+        <source>Draw around what should bend; Ctrl takes it away, Esc cancels</source>
         <translation>圈出要变形的部分；按住 Ctrl 减去。按 Esc 放弃</translation>
     </message>
     <message>
-        <source>Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <source>Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl takes away, Backspace removes the last corner, Esc cancels</source>
         <translation>逐个单击角点，按住 Shift 以 45° 为步长，双击闭合；按住 Ctrl 减去，按 Backspace 退回一个角点，按 Esc 放弃</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, [ and ] change the size; Ctrl takes away</source>
+        <source>Brush over what should bend; Ctrl takes it away, [ and ] change the size</source>
         <translation>用画笔刷过要变形的部分，[ 和 ] 更改大小；按住 Ctrl 减去</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>单击要变形的颜色；按住 Ctrl 减去，[ 和 ] 缩小或扩大颜色范围</translation>
     </message>
 </context>
@@ -1589,7 +1589,7 @@
         <translation>已平滑</translation>
     </message>
     <message>
-        <source>Take paint off %1</source>
+        <source>Erase paint from %1</source>
         <translation>擦除 %1 上的绘制</translation>
     </message>
     <message>
@@ -1605,27 +1605,27 @@
         <translation>在 %2 上绘制“%1”</translation>
     </message>
     <message>
-        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <source>There is no direction to follow: the numbers on the right were used.</source>
         <translation>没有可循的方向：已采用右侧的数值。</translation>
     </message>
     <message>
-        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>沿要加强刚度的方向梳理；按住 Ctrl 去除，按住 Shift 平滑，按住 Shift 单击画直线，按住 Alt 单击吸取，按 Esc 放弃笔画</translation>
     </message>
     <message>
-        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <source>Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc cancels the stroke</source>
         <translation>绘制右侧所选内容；按住 Ctrl 去除，按住 Shift 平滑，按住 Shift 单击画直线，按住 Alt 单击吸取，按 Esc 放弃笔画</translation>
     </message>
     <message>
-        <source>Stiffness ×1 is as everywhere and changes nothing here: choose on the right how many times stiffer it is to be</source>
+        <source>Stiffness ×1 is the same as everywhere and changes nothing: choose on the right how many times stiffer it should be</source>
         <translation>刚度 ×1 与别处相同，在此不会改变任何内容：请在右侧选择刚度的倍数</translation>
     </message>
     <message>
-        <source>Take paint off</source>
+        <source>Erase paint</source>
         <translation>擦除绘制</translation>
     </message>
     <message>
-        <source>Takes paint off all layers that are seen: brush over what shall be as everywhere again; Shift-click draws a line, Esc gives up the stroke</source>
+        <source>Erases paint from all visible layers: brush over what should be like the rest again; Shift-click draws a line, Esc cancels the stroke</source>
         <translation>擦除所有可见图层上的绘制：用画笔刷过要恢复为与别处相同的部分；Shift+单击画直线，按 Esc 放弃这一笔</translation>
     </message>
     <message>
@@ -1655,19 +1655,19 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click on the pin whose path you want to draw</source>
+        <source>Click the pin whose path you want to draw</source>
         <translation>单击要绘制路径的图钉</translation>
     </message>
     <message>
-        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <source>Click where the selected pin should go, point by point; drag for a smooth point</source>
         <translation>逐点单击所选图钉要去的位置；拖动添加平滑点</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
         <translation>拖动得到平滑点：Shift 以 45° 为步长，Alt 只改这一侧</translation>
     </message>
     <message>
-        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>单击得到拐角，拖动得到平滑点，Shift 以 45° 为步长；Enter 结束，Backspace 退回一点，Esc 放弃</translation>
     </message>
 </context>
@@ -1709,11 +1709,11 @@
 <context>
     <name>PinTool</name>
     <message>
-        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <source>Drag as far as the pin should hold; Esc cancels</source>
         <translation>拖动到图钉要抓取的范围；按 Esc 放弃</translation>
     </message>
     <message>
-        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <source>Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number</source>
         <translation>拖动圆点旋转，按住 Shift 以 15° 为步长；拖动方块缩放；可键入数值</translation>
     </message>
     <message>
@@ -1729,11 +1729,11 @@
         <translation>%1：从 %2 秒起固定</translation>
     </message>
     <message>
-        <source>%1: let go at %2 s</source>
+        <source>%1: released at %2 s</source>
         <translation>%1：在 %2 秒松开</translation>
     </message>
     <message>
-        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <source>Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl records it; digits set the number</source>
         <translation>在任意处拖动可旋转所选内容，Shift 每次 15°，Ctrl 录制；输入数字可设定数值</translation>
     </message>
     <message>
@@ -1745,7 +1745,7 @@
         <translation>单个点无法缩放 – 按住 Alt 拖动以扩大</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
         <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
     </message>
     <message>
@@ -1795,22 +1795,22 @@
         <translation>%1 秒</translation>
     </message>
     <message>
-        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <source>Recording until you let go; Esc cancels</source>
         <translation>松开之前的动作会原样录制；按 Esc 放弃</translation>
     </message>
 </context>
 <context>
     <name>RegionTool</name>
     <message>
-        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>从表面上一点拖动，以球体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <source>Drag from a point on the surface towards the side to hold: all that lies beyond the point</source>
         <translation>从表面上一点朝要抓取的一侧拖动：该点以外的部分全部抓取</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <source>Drag from a point on the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
         <translation>从表面上一点拖动，以长方体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
     </message>
     <message>
@@ -1940,7 +1940,7 @@
 <context>
     <name>SizeTool</name>
     <message>
-        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <source>Brush over what should be meshed finer; Shift makes it coarser, Ctrl evens it out again, [ and ] change the size</source>
         <translation>用画笔刷过网格要更细的部分；按住 Shift 变粗，按住 Ctrl 恢复均匀，[ 和 ] 更改大小</translation>
     </message>
     <message>
@@ -2025,7 +2025,7 @@
         <translation>球体抓取(&amp;A)</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <source>Take hold of all that lies in a ball around a point on the surface</source>
         <translation>抓取以表面上一点为中心的球体内的全部内容</translation>
     </message>
     <message>
@@ -2033,7 +2033,7 @@
         <translation>长方体抓取(&amp;K)</translation>
     </message>
     <message>
-        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <source>Take hold of all that lies in a block around a point on the surface</source>
         <translation>抓取以表面上一点为中心的长方体内的全部内容</translation>
     </message>
     <message>
@@ -2041,7 +2041,7 @@
         <translation>单侧抓取(&amp;O)</translation>
     </message>
     <message>
-        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <source>Take hold of all that lies beyond a plane through a point on the surface</source>
         <translation>抓取经过表面上一点的平面另一侧的全部内容</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@
         <translation>套索轮廓(&amp;L)</translation>
     </message>
     <message>
-        <source>Draw around what shall bend, or shall not</source>
+        <source>Draw around what should bend, or should not</source>
         <translation>圈出要变形或不变形的部分</translation>
     </message>
     <message>
@@ -2057,7 +2057,7 @@
         <translation>多边形轮廓(&amp;P)</translation>
     </message>
     <message>
-        <source>Set the corners of what shall bend, or shall not</source>
+        <source>Set the corners of what should bend, or should not</source>
         <translation>逐点设定要变形或不变形部分的角点</translation>
     </message>
     <message>
@@ -2065,7 +2065,7 @@
         <translation>画笔轮廓(&amp;B)</translation>
     </message>
     <message>
-        <source>Brush over what shall bend, or shall not</source>
+        <source>Brush over what should bend, or should not</source>
         <translation>用画笔刷过要变形或不变形的部分</translation>
     </message>
     <message>
@@ -2073,7 +2073,7 @@
         <translation>颜色轮廓(&amp;C)</translation>
     </message>
     <message>
-        <source>Click on a colour that shall bend, or shall not</source>
+        <source>Click a colour that should bend, or should not</source>
         <translation>单击要变形或不变形的颜色</translation>
     </message>
     <message>
@@ -2081,7 +2081,7 @@
         <translation>切开(&amp;A)</translation>
     </message>
     <message>
-        <source>Draw a line along which the shape is parted</source>
+        <source>Draw a line along which to part the shape</source>
         <translation>画一条线，沿此线切开形状</translation>
     </message>
     <message>
@@ -2089,7 +2089,7 @@
         <translation>精细度画笔(&amp;D)</translation>
     </message>
     <message>
-        <source>Brush where the mesh is to be finer or coarser</source>
+        <source>Brush where the mesh should be finer or coarser</source>
         <translation>用画笔刷过网格要更细或更粗的部分</translation>
     </message>
     <message>
@@ -2105,7 +2105,7 @@
         <translation>梳理(&amp;C)</translation>
     </message>
     <message>
-        <source>Comb the direction along which it is stiff</source>
+        <source>Comb the direction along which the shape is stiff</source>
         <translation>梳理刚度的方向</translation>
     </message>
     <message>
@@ -2113,7 +2113,7 @@
         <translation>渐变(&amp;G)</translation>
     </message>
     <message>
-        <source>Drag: what is there changes evenly into what is chosen</source>
+        <source>Drag to blend evenly from what is there to what is chosen</source>
         <translation>拖动：从原有内容均匀过渡到所选内容</translation>
     </message>
     <message>
@@ -2121,7 +2121,7 @@
         <translation>填充(&amp;F)</translation>
     </message>
     <message>
-        <source>Fill with what is chosen all that hangs together</source>
+        <source>Fill a connected area with what is chosen</source>
         <translation>用所选内容填充相连的全部</translation>
     </message>
     <message>
@@ -2129,7 +2129,7 @@
         <translation>吸管(&amp;Y)</translation>
     </message>
     <message>
-        <source>Take up what is painted under the pointer</source>
+        <source>Pick up what is painted under the pointer</source>
         <translation>吸取指针处绘制的内容</translation>
     </message>
     <message>
@@ -2153,7 +2153,7 @@
         <translation>橡皮擦(&amp;R)</translation>
     </message>
     <message>
-        <source>Take paint off: what is brushed is as everywhere again</source>
+        <source>Erase paint: what you brush over is like the rest again</source>
         <translation>去除绘制：刷过的部分恢复为与别处相同</translation>
     </message>
     <message>
@@ -2161,7 +2161,7 @@
         <translation>裁剪(&amp;C)</translation>
     </message>
     <message>
-        <source>Draw a rectangle around what exports keep of the picture</source>
+        <source>Draw a rectangle around the part of the picture that exports keep</source>
         <translation>用矩形框住导出时要保留的图片部分</translation>
     </message>
     <message>
@@ -2177,7 +2177,7 @@
         <translation>平移(&amp;N)</translation>
     </message>
     <message>
-        <source>Drag the view to another place; in every step the space bar does so</source>
+        <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>将视图拖到别处；在每个步骤中空格键也可以</translation>
     </message>
 </context>
@@ -2212,7 +2212,7 @@
         <translation>图片(&amp;P)…</translation>
     </message>
     <message>
-        <source>Write the picture as it is bent now, at its full size</source>
+        <source>Write the bent picture at its full size</source>
         <translation>按原尺寸导出当前变形的图片</translation>
     </message>
     <message>
@@ -2300,11 +2300,11 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Take back the last step</source>
+        <source>Undo the last step</source>
         <translation>撤销上一步操作</translation>
     </message>
     <message>
-        <source>Do again what was taken back</source>
+        <source>Redo what was undone</source>
         <translation>重做已撤销的操作</translation>
     </message>
     <message>
@@ -2312,7 +2312,7 @@
         <translation>历史记录(&amp;S)…</translation>
     </message>
     <message>
-        <source>See what was done, and go back to any of it</source>
+        <source>See what was done, and go back to any step</source>
         <translation>查看做过的操作，并可回到其中任意一步</translation>
     </message>
     <message>
@@ -2376,7 +2376,7 @@
         <translation>刚度标记(&amp;S)</translation>
     </message>
     <message>
-        <source>Show where it is stiff, and along which direction</source>
+        <source>Show where the shape is stiff, and along which direction</source>
         <translation>显示何处有刚度以及沿哪个方向</translation>
     </message>
     <message>
@@ -2452,11 +2452,11 @@
         <translation>使用整个屏幕</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>跟随桌面(&amp;D)</translation>
     </message>
     <message>
-        <source>Light or dark as the desktop is</source>
+        <source>Light or dark, like the desktop</source>
         <translation>明暗与桌面一致</translation>
     </message>
     <message>
@@ -2488,7 +2488,7 @@
         <translation>循环(&amp;L)</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Start over at the end</source>
         <translation>播放到结尾后从头开始</translation>
     </message>
     <message>
@@ -2512,7 +2512,7 @@
         <translation>显示运动的结尾</translation>
     </message>
     <message>
-        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <source>Let the shape relax at the end, with the pins where they are</source>
         <translation>在运动结尾，图钉不动，让形状向原始形状松弛</translation>
     </message>
     <message>
@@ -2528,7 +2528,7 @@
         <translation>按键与鼠标(&amp;K)</translation>
     </message>
     <message>
-        <source>What pointer and keys do</source>
+        <source>What the mouse and the keys do</source>
         <translation>鼠标与按键的作用</translation>
     </message>
     <message>
@@ -2588,7 +2588,7 @@
         <translation>实体没有像素：请导出视图。</translation>
     </message>
     <message>
-        <source>Of a picture, export the picture itself.</source>
+        <source>For a picture, export the picture itself.</source>
         <translation>对于图片，请导出图片本身。</translation>
     </message>
     <message>
@@ -2624,7 +2624,7 @@
         <translation>比较能量(&amp;C)</translation>
     </message>
     <message>
-        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <source>Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape</source>
         <translation>在旁边显示相同图钉下的另一种能量；也可将“保持”中的图块拖到形状上</translation>
     </message>
     <message>
@@ -2636,7 +2636,7 @@
         <translation>录制(&amp;R)</translation>
     </message>
     <message>
-        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <source>Record every drag as it happens, in real time; Ctrl does so for one drag</source>
         <translation>每次拖动都按实际时间原样保留；按住 Ctrl 仅对一次拖动有效</translation>
     </message>
     <message>
@@ -2648,7 +2648,7 @@
         <translation>洋葱皮(&amp;O)</translation>
     </message>
     <message>
-        <source>Show what was a little before and what comes a little after</source>
+        <source>Show the shape as it was a little before and as it is a little after</source>
         <translation>显示稍前和稍后的形状</translation>
     </message>
     <message>
@@ -2660,7 +2660,7 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>How fast it plays, and by which clock drags are recorded</source>
+        <source>How fast the motion plays, and how fast time goes while drags are recorded</source>
         <translation>播放的速度，也是录制所用的时钟</translation>
     </message>
     <message>
@@ -2672,7 +2672,7 @@
         <translation>减少动画(&amp;M)</translation>
     </message>
     <message>
-        <source>Nothing moves in the window but what shows something</source>
+        <source>Turn off animations that are only for show</source>
         <translation>窗口中只有表达内容的部分才会动</translation>
     </message>
     <message>
@@ -2680,11 +2680,11 @@
         <translation>提示(&amp;I)</translation>
     </message>
     <message>
-        <source>Say beside the shape what to do first</source>
+        <source>Show beside the shape what to do first</source>
         <translation>在形状旁提示先做什么</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>播放或暂停运动；轻按空格键也可</translation>
     </message>
     <message>
@@ -2692,7 +2692,7 @@
         <translation>属性(&amp;P)</translation>
     </message>
     <message>
-        <source>Show the properties at the right, or leave their room to the shape</source>
+        <source>Show the properties on the right, or give their room to the shape</source>
         <translation>在右侧显示属性，或把空间留给形状</translation>
     </message>
     <message>
@@ -2700,7 +2700,7 @@
         <translation>标记大小(&amp;A)</translation>
     </message>
     <message>
-        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <source>How large pins, rings and curves are drawn, so that they are easy to see and to hit</source>
         <translation>形状上图钉、圆环和曲线的大小，便于看清和抓取</translation>
     </message>
     <message>
@@ -2727,7 +2727,7 @@
         <translation>白色(&amp;W)</translation>
     </message>
     <message>
-        <source>White behind the shape: dark edges are seen on it</source>
+        <source>White behind the shape, to see dark edges</source>
         <translation>形状后为白色：可看出暗边</translation>
     </message>
     <message>
@@ -2743,7 +2743,7 @@
         <translation>黑色(&amp;B)</translation>
     </message>
     <message>
-        <source>Black behind the shape: light edges are seen on it</source>
+        <source>Black behind the shape, to see light edges</source>
         <translation>形状后为黑色：可看出亮边</translation>
     </message>
 </context>
@@ -2757,7 +2757,7 @@
 <context>
     <name>wend::BorderOffer</name>
     <message>
-        <source>This picture fills its frame. With its border held it bends inside, and no gap opens at the edges.</source>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
         <translation>这张图片充满画框。固定边缘后只在内部变形，边上不会露出空隙。</translation>
     </message>
     <message>
@@ -2808,7 +2808,7 @@
         <translation>大小</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ], or by dragging to the right with Alt and the right button.</source>
         <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键，或用 Alt+右键向右拖动来更改。</translation>
     </message>
     <message>
@@ -2820,7 +2820,7 @@
         <translation>硬度</translation>
     </message>
     <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <source>How much of the brush paints fully; beyond that it fades out. Also by Shift with [ and ], or by dragging upwards with Alt and the right button.</source>
         <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ]，或用 Alt+右键向上拖动来更改。</translation>
     </message>
     <message>
@@ -2848,7 +2848,7 @@
         <translation>顺序</translation>
     </message>
     <message>
-        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <source>What you brush over lies in front if this is greater than 0, behind if it is less</source>
         <translation>画笔刷过的部分，大于 0 时在前，小于 0 时在后</translation>
     </message>
     <message>
@@ -2856,7 +2856,7 @@
         <translation>边长</translation>
     </message>
     <message>
-        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <source>How long the mesh&apos;s edges are where you brush, compared with elsewhere</source>
         <translation>画笔刷过处的网格边长，相对于别处</translation>
     </message>
 </context>
@@ -2902,7 +2902,7 @@
         <translation>恢复为只显示一个形状。</translation>
     </message>
     <message>
-        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <source>What this half keeps, or how it is without paint, with the same pins and motions.</source>
         <translation>这一半保持什么，或不涂绘时的样子；图钉与运动相同。</translation>
     </message>
     <message>
@@ -2921,7 +2921,7 @@
         <translation>编辑路径(&amp;P)</translation>
     </message>
     <message>
-        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <source>Turn the last path of the selected pin into a Bézier curve</source>
         <translation>将所选图钉的最后一段路径变为贝塞尔曲线</translation>
     </message>
     <message>
@@ -2933,7 +2933,7 @@
         <translation>插入点(&amp;I)</translation>
     </message>
     <message>
-        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <source>Split the curve at the pointer, or after the chosen point; its shape stays</source>
         <translation>在所指位置或所选点之后分割曲线；其形状不变</translation>
     </message>
     <message>
@@ -2957,7 +2957,7 @@
         <translation>自由(&amp;F)</translation>
     </message>
     <message>
-        <source>Let both directions at the point go their own way</source>
+        <source>Let the two directions at the point be independent</source>
         <translation>点两侧的方向各自独立</translation>
     </message>
     <message>
@@ -2981,7 +2981,7 @@
         <translation>自动(&amp;U)</translation>
     </message>
     <message>
-        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <source>Lead the curve smoothly through the point, guided by its neighbours</source>
         <translation>根据相邻点使曲线平滑地通过该点</translation>
     </message>
     <message>
@@ -2989,7 +2989,7 @@
         <translation>Alt+3</translation>
     </message>
     <message>
-        <source>Select one pin that was dragged along a way.</source>
+        <source>Select one pin that was dragged along a path.</source>
         <translation>请选择一个沿路径拖动过的图钉。</translation>
     </message>
     <message>
@@ -2997,7 +2997,7 @@
         <translation>请选择一个沿曲线移动的图钉。</translation>
     </message>
     <message>
-        <source>Click a point of the curve first; two must stay.</source>
+        <source>Click a point of the curve first; two must remain.</source>
         <translation>请先单击曲线上的点；至少须保留两个。</translation>
     </message>
     <message>
@@ -3012,7 +3012,7 @@
         <translation>编辑路径</translation>
     </message>
     <message>
-        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <source>Turns the drawn path into a Bézier curve with points to drag.</source>
         <translation>将画出的路径变为可拖动各点的贝塞尔曲线。</translation>
     </message>
     <message>
@@ -3080,7 +3080,7 @@
         <translation>缓动</translation>
     </message>
     <message>
-        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
         <translation>所示时刻的运动如何开始和结束：匀速或缓动。</translation>
     </message>
     <message>
@@ -3134,11 +3134,11 @@
         <translation>另一侧</translation>
     </message>
     <message>
-        <source>Turns the plane so that it stands across this axis.</source>
+        <source>Turns the plane so that it is perpendicular to this axis.</source>
         <translation>使剖切面垂直于此轴。</translation>
     </message>
     <message>
-        <source>Takes away the other side of the plane.</source>
+        <source>Cuts away the other side of the plane.</source>
         <translation>去掉剖切面的另一侧。</translation>
     </message>
     <message>
@@ -3154,7 +3154,7 @@
         <translation>剖切面法线</translation>
     </message>
     <message>
-        <source>The direction that the plane looks in, as x, y and z.</source>
+        <source>The direction that the plane faces, as x, y and z.</source>
         <translation>剖切面朝向的方向，以 x、y、z 表示。</translation>
     </message>
     <message>
@@ -3178,7 +3178,7 @@
         <translation>距离(&amp;D)</translation>
     </message>
     <message>
-        <source>There is no solid yet that could be cut.</source>
+        <source>There is no solid to cut yet.</source>
         <translation>还没有可剖切的实体。</translation>
     </message>
     <message>
@@ -3225,7 +3225,7 @@
         <translation>数值(&amp;N)…</translation>
     </message>
     <message>
-        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <source>Give what is around the selected pins an order: the greater number lies in front</source>
         <translation>为所选图钉周围的部分指定顺序：数值越大越靠前</translation>
     </message>
     <message>
@@ -3233,7 +3233,7 @@
         <translation>深度(&amp;D)</translation>
     </message>
     <message>
-        <source>A solid has its depth by itself.</source>
+        <source>A solid has depth of its own.</source>
         <translation>实体本身就有深度。</translation>
     </message>
     <message>
@@ -3299,7 +3299,7 @@
         <translation>选择蒙皮</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
         <translation>从文件载入精细的、可带纹理的表面：它随实体变形，显示在视图中，并写入各种表面格式。</translation>
     </message>
     <message>
@@ -3307,7 +3307,7 @@
         <translation>移除蒙皮</translation>
     </message>
     <message>
-        <source>The solid is seen and exported with its own surface again.</source>
+        <source>Shows and exports the solid with its own surface again.</source>
         <translation>重新以实体自身的表面显示和导出。</translation>
     </message>
     <message>
@@ -3322,7 +3322,7 @@
         <translation>固定当前配色</translation>
     </message>
     <message>
-        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <source>Keep the range of the colours, to compare different shapes and energies.</source>
         <translation>固定颜色的范围，便于比较不同的形状和能量。</translation>
     </message>
     <message>
@@ -3382,11 +3382,11 @@
         <translation>σ₁σ₂ + 1/(σ₁σ₂) − 2 在整个形状上的总和：所有面积都保持时为零。</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
         <translation>按色图所示的量，与变形前相差最大的四面体。</translation>
     </message>
     <message>
-        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <source>The triangle that is farthest from rest in what the map shows.</source>
         <translation>按色图所示的量，与变形前相差最大的三角形。</translation>
     </message>
     <message>
@@ -3422,7 +3422,7 @@
         <translation>平滑颜色</translation>
     </message>
     <message>
-        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
         <translation>使图的颜色在单元之间均匀过渡。关闭时，每个单元只有其值的一种颜色。</translation>
     </message>
     <message>
@@ -3438,19 +3438,19 @@
         <translation>自身交叉</translation>
     </message>
     <message>
-        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
         <translation>姿态静止后表面自身穿透的处数，每处由若干对三角形组成。单击查看下一处；在图中以红色标出。</translation>
     </message>
     <message>
-        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
         <translation>姿态静止后轮廓与自身相交之处：一部分盖在另一部分上。单击查看下一处；在图中以红色标出。</translation>
     </message>
     <message>
-        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>体积超过原来十倍或不足十分之一的四面体。单击查看下一处；在图中以红色标出。</translation>
     </message>
     <message>
-        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
         <translation>面积超过原来十倍或不足十分之一的三角形。单击查看下一处；在图中以红色标出。</translation>
     </message>
     <message>
@@ -3478,7 +3478,7 @@
         </translation>
     </message>
     <message>
-        <source>That is looked for once the pose rests.</source>
+        <source>This is checked once the pose is at rest.</source>
         <translation>姿态静止后才会查找。</translation>
     </message>
     <message>
@@ -3497,11 +3497,11 @@
         <translation>保持内容</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>形状在变形时尽量保持的内容：从体积，经长度和刚性部分，到细节的外观。位于两个名称之间时兼具两者。</translation>
     </message>
     <message>
-        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>形状在变形时尽量保持的内容：从面积，经长度和刚性部分，到细节的外观。位于两个名称之间时兼具两者。</translation>
     </message>
 </context>
@@ -3559,7 +3559,7 @@
         <translation>与图片相同</translation>
     </message>
     <message>
-        <source>As the format holds it best</source>
+        <source>As it suits the format best</source>
         <translation>按格式取最佳</translation>
     </message>
     <message>
@@ -3583,7 +3583,7 @@
         <translation>、</translation>
     </message>
     <message>
-        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <source>As it moves, the shape leaves the picture and is cut off there: %1.</source>
         <translation>形状在运动途中超出图片，会被裁掉：%1。</translation>
     </message>
     <message>
@@ -3718,17 +3718,17 @@
         <translation>Wend</translation>
     </message>
     <message numerus="yes">
-        <source>%n of these frames exist. Replace them?</source>
+        <source>Replace the frames that already exist (%n)?</source>
         <translation>
             <numerusform>其中 %n 帧已存在。要替换吗？</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <source>What it holds now will be lost, and the project will no longer open as it is.</source>
         <translation>其当前内容将丢失，项目将无法再按原样打开。</translation>
     </message>
     <message>
-        <source>What they hold now is lost.</source>
+        <source>What they hold now will be lost.</source>
         <translation>它们当前的内容将丢失。</translation>
     </message>
     <message>
@@ -3752,7 +3752,7 @@
         <translation>已导出：%1</translation>
     </message>
     <message>
-        <source>Write Material</source>
+        <source>Export Material</source>
         <translation>导出材料</translation>
     </message>
     <message>
@@ -3823,7 +3823,7 @@
         <translation>文件数据</translation>
     </message>
     <message>
-        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <source>The surface as it is in its file. Lengths are in the file&apos;s units, which few files name.</source>
         <translation>文件中原样的表面。长度采用文件的单位，但很少有文件注明。</translation>
     </message>
     <message>
@@ -3843,11 +3843,11 @@
         <translation>笼子封闭的同一部件内的缝隙：两侧会一起移动。</translation>
     </message>
     <message>
-        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <source>Goes to the tetrahedron with the largest ratio.</source>
         <translation>查看比值最大的四面体。</translation>
     </message>
     <message>
-        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <source>Goes through the gaps that the cage closes, one after another.</source>
         <translation>依次查看笼子封闭的缝隙。</translation>
     </message>
     <message>
@@ -3855,7 +3855,7 @@
         <translation>将笼子细化到使其中最宽的缝隙保持打开。</translation>
     </message>
     <message>
-        <source>The file is looked at …</source>
+        <source>Looking at the file …</source>
         <translation>正在检查文件…</translation>
     </message>
     <message>
@@ -3993,7 +3993,7 @@
         <translation>查找 %1</translation>
     </message>
     <message>
-        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <source>Your changes cannot be recovered if the program crashes: please save. %1</source>
         <translation>如果程序崩溃，您的更改没有副本：请保存。%1</translation>
     </message>
     <message>
@@ -4025,11 +4025,11 @@
         <translation>要重新载入“%1”吗？</translation>
     </message>
     <message>
-        <source>Your changes since it was saved are lost.</source>
+        <source>Your changes since it was saved will be lost.</source>
         <translation>您自上次保存以来的更改将丢失。</translation>
     </message>
     <message>
-        <source>Saving replaces those changes; reloading drops yours.</source>
+        <source>Saving replaces those changes; reloading discards yours.</source>
         <translation>保存会替换那些更改；重新载入会丢弃您的更改。</translation>
     </message>
     <message>
@@ -4049,7 +4049,7 @@
         <translation>要保存对“%1”的更改吗？</translation>
     </message>
     <message>
-        <source>If you do not save, they are lost.</source>
+        <source>If you do not save, they will be lost.</source>
         <translation>如果不保存，更改将丢失。</translation>
     </message>
     <message>
@@ -4069,7 +4069,7 @@
         <translation>要保存您用“%1”做的内容吗？</translation>
     </message>
     <message>
-        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made is lost.</source>
+        <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>它会成为单独的项目，原文件保持不变。如果不保存，所做的内容将丢失。</translation>
     </message>
 </context>
@@ -4106,7 +4106,7 @@
         <translation>松弛</translation>
     </message>
     <message>
-        <source>The pins stay where they are, and what lies between them lets go of its tension. It takes a second at the end of the film.</source>
+        <source>The pins stay where they are, and what lies between them releases its tension. This takes one second at the end of the film.</source>
         <translation>图钉不动，图钉之间的部分释放张力。这会占用影片末尾的一秒。</translation>
     </message>
     <message>
@@ -4145,7 +4145,7 @@
         <translation>精确变换</translation>
     </message>
     <message>
-        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <source>Moves, rotates or scales what is selected by exact numbers.</source>
         <translation>按精确数值移动、旋转或缩放所选内容。</translation>
     </message>
     <message>
@@ -4173,11 +4173,11 @@
         <translation>轴</translation>
     </message>
     <message>
-        <source>The axis of the turn, through the middle of what is selected.</source>
+        <source>The axis of the rotation, through the middle of what is selected.</source>
         <translation>经过所选内容中心的旋转轴。</translation>
     </message>
     <message>
-        <source>Does this step; it becomes part of the motion.</source>
+        <source>Applies this step; it becomes part of the motion.</source>
         <translation>执行此变换，并计入运动。</translation>
     </message>
     <message>
@@ -4215,7 +4215,7 @@
         <translation>窗口使用哪种语言</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop</source>
+        <source>Like the &amp;Desktop</source>
         <translation>跟随桌面(&amp;D)</translation>
     </message>
     <message>
@@ -4230,7 +4230,7 @@
 <context>
     <name>wend::LayerPanel</name>
     <message>
-        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <source>The material is the same everywhere: brush over the shape to change a part.</source>
         <translation>各处相同：用画笔刷过形状可更改局部。</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@
         <translation>移除</translation>
     </message>
     <message>
-        <source>Takes the chosen layer away.</source>
+        <source>Removes the chosen layer.</source>
         <translation>移除所选图层。</translation>
     </message>
     <message>
@@ -4278,7 +4278,7 @@
         <translation>刚度</translation>
     </message>
     <message>
-        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the layer is along its direction; ×1 is the same as everywhere.</source>
         <translation>图层沿其方向的刚度是几倍；×1 与别处相同。</translation>
     </message>
     <message>
@@ -4286,7 +4286,7 @@
         <translation>刚度方向</translation>
     </message>
     <message>
-        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <source>At rest; it turns with the shape. A change is for all regions of the layer.</source>
         <translation>变形前的方向；随形状转动。更改后适用于图层的所有区域。</translation>
     </message>
     <message>
@@ -4326,7 +4326,7 @@
         <translation>未命名</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <source>Where the material differs. The topmost layer wins; drag a layer to move it. A click shows its values, a double-click changes its name, its eye or the space bar switches it off.</source>
         <translation>材料与别处不同之处。最上面的图层优先：可将图层拖到所需位置。单击显示其数值，双击更改名称，单击眼睛图标或按空格键将其关闭。</translation>
     </message>
     <message>
@@ -4334,7 +4334,7 @@
         <translation>图片</translation>
     </message>
     <message>
-        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <source>Imports the material from pictures made in a paint program, and exports it as such.</source>
         <translation>从绘画软件的图片导入材料，也可导出为图片。</translation>
     </message>
     <message>
@@ -4342,7 +4342,7 @@
         <translation>重新读取</translation>
     </message>
     <message>
-        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <source>Takes the pictures as they are now, after they have been saved in a paint program.</source>
         <translation>读取图片的当前内容：在绘画软件中保存之后使用。</translation>
     </message>
     <message>
@@ -4402,15 +4402,15 @@
         <translation>刚度 ×1 没有方向：请先选择刚度的倍数。</translation>
     </message>
     <message>
-        <source>What a file says of each cell stays lowest.</source>
+        <source>What a file gives cell by cell stays lowest.</source>
         <translation>文件给出的逐单元数值始终在最底层。</translation>
     </message>
     <message>
-        <source>It is the lowest layer already.</source>
+        <source>This is already the lowest layer.</source>
         <translation>已经是最底层。</translation>
     </message>
     <message>
-        <source>It is the topmost layer already.</source>
+        <source>This is already the topmost layer.</source>
         <translation>已经是最顶层。</translation>
     </message>
     <message>
@@ -4487,11 +4487,11 @@
         <translation>后退</translation>
     </message>
     <message>
-        <source>The page before</source>
+        <source>The previous page</source>
         <translation>上一个页面</translation>
     </message>
     <message>
-        <source>This stands on no page.</source>
+        <source>No page has these words.</source>
         <translation>没有页面包含此内容。</translation>
     </message>
     <message>
@@ -4499,58 +4499,58 @@
         <translation>搜索手册</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <source>Enter goes to the next place with these words, on this page or another.</source>
         <translation>按 Enter 转到下一处含这些词的位置，在本页或其他页。</translation>
     </message>
 </context>
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Bring In What Is &amp;Kept…</source>
+        <source>Import What Is &amp;Kept…</source>
         <translation>导入保持内容(&amp;K)…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>覆盖整体的灰度图片，作为图层：黑色保持面积，白色保持角度</translation>
     </message>
     <message>
-        <source>Bring In &amp;Stiffness…</source>
+        <source>Import &amp;Stiffness…</source>
         <translation>导入刚度(&amp;S)…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <source>A grey picture over the whole, as a layer: black is the same as everywhere, white is 1000 times stiffer</source>
         <translation>覆盖整体的灰度图片，作为图层：黑色与别处相同，白色的刚度为 1000 倍</translation>
     </message>
     <message>
-        <source>Bring In &amp;Directions…</source>
+        <source>Import &amp;Directions…</source>
         <translation>导入方向(&amp;D)…</translation>
     </message>
     <message>
-        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <source>A grey picture over the whole, as a layer, of the direction of stiffness: black is level, middle grey upright</source>
         <translation>覆盖整体的灰度图片，作为图层：黑色为水平，中灰为竖直，刚度沿该方向起作用</translation>
     </message>
     <message>
-        <source>Bring In Values of &amp;Cells…</source>
+        <source>Import Values of &amp;Cells…</source>
         <translation>导入单元数值(&amp;C)…</translation>
     </message>
     <message>
-        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>从含有 φ 和 B 的网格文件（例如导出的文件）读取每个单元的 φ 和 B</translation>
     </message>
     <message>
-        <source>Write What Is K&amp;ept…</source>
+        <source>Export What Is K&amp;ept…</source>
         <translation>导出保持内容(&amp;E)…</translation>
     </message>
     <message>
-        <source>As a gray picture, to go on with in a paint program</source>
+        <source>As a grey picture, to be edited in a paint program</source>
         <translation>导出为灰度图片，以便在绘画软件中继续绘制</translation>
     </message>
     <message>
-        <source>Write S&amp;tiffness…</source>
+        <source>Export S&amp;tiffness…</source>
         <translation>导出刚度(&amp;T)…</translation>
     </message>
     <message>
-        <source>Write Di&amp;rections…</source>
+        <source>Export Di&amp;rections…</source>
         <translation>导出方向(&amp;R)…</translation>
     </message>
     <message>
@@ -4562,7 +4562,7 @@
         <translation>请先打开图片。</translation>
     </message>
     <message>
-        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <source>For a solid, these are values of cells; they are exported with its mesh.</source>
         <translation>对于实体，这些是单元数值，随其网格一起导出。</translation>
     </message>
     <message>
@@ -4574,7 +4574,7 @@
         <translation>图片 (%1)</translation>
     </message>
     <message>
-        <source>Bring in %1</source>
+        <source>Import %1</source>
         <translation>导入 %1</translation>
     </message>
     <message>
@@ -4582,7 +4582,7 @@
         <translation>单元数值 (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
-        <source>The layers are switched off: what is brought in stands below them.</source>
+        <source>The layers were switched off: what was imported lies below them.</source>
         <translation>图层已关闭：导入的内容位于图层之下。</translation>
     </message>
 </context>
@@ -4668,13 +4668,13 @@
         <translation>整体</translation>
     </message>
     <message numerus="yes">
-        <source>Selected: %n vertices</source>
+        <source>Selected vertices: %n</source>
         <translation>
             <numerusform>已选择：%n 个顶点</numerusform>
         </translation>
     </message>
     <message>
-        <source>Point at the solid for the values there.</source>
+        <source>Point at the solid to see the values there.</source>
         <translation>将指针移到实体上以查看该处的数值。</translation>
     </message>
     <message>
@@ -4740,7 +4740,7 @@
         <translation>目标</translation>
     </message>
     <message>
-        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <source>What sets how fine the mesh is: how many vertices it has in total, or how large a tetrahedron may be.</source>
         <translation>网格的精细度由什么决定：顶点总数，或允许的最大四面体。</translation>
     </message>
     <message>
@@ -4752,7 +4752,7 @@
         <translation>单元尺寸</translation>
     </message>
     <message>
-        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <source>Paints where the mesh should be finer or coarser, or sets it by regions in numbers.</source>
         <translation>绘制网格要更细或更粗之处，或用区域以数值指定。</translation>
     </message>
     <message>
@@ -4811,7 +4811,7 @@
         <translation>缩放</translation>
     </message>
     <message>
-        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <source>How large the picture is shown; a click shows its pixels as they are.</source>
         <translation>图像的显示比例；点击后按原始像素显示。</translation>
     </message>
     <message>
@@ -4819,7 +4819,7 @@
         <translation>%1%</translation>
     </message>
     <message>
-        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>导出所显示的内容：图片、序列、ST 贴图、网格或视图</translation>
     </message>
 </context>
@@ -4840,7 +4840,7 @@
 <context>
     <name>wend::PaintPanel</name>
     <message>
-        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <source>How many times stiffer the painted part is along its direction; ×1 is the same as everywhere.</source>
         <translation>绘制部分沿其方向的刚度是几倍；×1 与别处相同。</translation>
     </message>
     <message>
@@ -4848,7 +4848,7 @@
         <translation>刚度方向</translation>
     </message>
     <message>
-        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the path of the selected pin where it is nearest.</source>
         <translation>变形前的方向，随形状转动：笔画的方向、原有方向、轴、数值，或所选图钉的路径在最近处的方向。</translation>
     </message>
     <message>
@@ -4896,7 +4896,7 @@
         <translation>沿视线</translation>
     </message>
     <message>
-        <source>along the pin&apos;s way</source>
+        <source>along the pin&apos;s path</source>
         <translation>沿图钉路径</translation>
     </message>
     <message>
@@ -4915,7 +4915,7 @@
         <translation>添加(&amp;A)</translation>
     </message>
     <message>
-        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <source>What you draw will bend, too; Ctrl takes it away instead</source>
         <translation>所画部分也要变形；按住 Ctrl 减去</translation>
     </message>
     <message>
@@ -4923,7 +4923,7 @@
         <translation>减去(&amp;T)</translation>
     </message>
     <message>
-        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <source>What you draw will not bend; Ctrl adds it instead</source>
         <translation>所画部分不变形；按住 Ctrl 添加</translation>
     </message>
     <message>
@@ -4931,7 +4931,7 @@
         <translation>大小</translation>
     </message>
     <message>
-        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <source>Diameter of the brush on the screen; also [ and ]</source>
         <translation>画笔在屏幕上的宽度；也可用 [ 和 ]</translation>
     </message>
     <message>
@@ -4947,7 +4947,7 @@
         <translation>%</translation>
     </message>
     <message>
-        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>颜色可以相差多少，对最后一次单击也有效；也可用 [ 和 ]</translation>
     </message>
 </context>
@@ -5014,7 +5014,7 @@
         <translation>透明背景</translation>
     </message>
     <message>
-        <source>Only the solid, on nothing.</source>
+        <source>Only the solid, without a background.</source>
         <translation>只有实体，没有背景。</translation>
     </message>
     <message>
@@ -5034,7 +5034,7 @@
         <translation>色图的颜色及其数值。</translation>
     </message>
     <message>
-        <source>Show a map first: only then there is something to explain.</source>
+        <source>Show a map first: only then is there something to explain.</source>
         <translation>请先显示色图：只有这样才有图例。</translation>
     </message>
     <message>
@@ -5085,7 +5085,7 @@
         <translation>隐藏(&amp;H)</translation>
     </message>
     <message>
-        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <source>The selected pins still hold, but are neither drawn nor picked</source>
         <translation>所选图钉仍起作用，但不显示，也无法选取</translation>
     </message>
     <message>
@@ -5145,7 +5145,7 @@
         <translation>镜像(&amp;M)</translation>
     </message>
     <message>
-        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <source>Set pins at the mirror images of the selected ones, across the middle of the shape, with mirrored motions</source>
         <translation>以形状中央为镜面，在所选图钉的对称位置放置图钉，其运动也成镜像</translation>
     </message>
     <message>
@@ -5261,7 +5261,7 @@
         <translation>移动(&amp;V)</translation>
     </message>
     <message>
-        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <source>Drag pins to move them; in a solid, also by the arrows</source>
         <translation>拖动图钉可移动它们；实体还可拖动箭头</translation>
     </message>
     <message>
@@ -5273,7 +5273,7 @@
         <translation>旋转(&amp;R)</translation>
     </message>
     <message>
-        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <source>Drag to rotate the selected pins; in a solid, by the rings</source>
         <translation>拖动可旋转所选图钉；实体请拖动圆环</translation>
     </message>
     <message>
@@ -5285,7 +5285,7 @@
         <translation>缩放(&amp;A)</translation>
     </message>
     <message>
-        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <source>Drag to scale the selected pins; in a solid, by the ring</source>
         <translation>拖动可缩放所选图钉；实体请拖动圆环</translation>
     </message>
     <message>
@@ -5301,7 +5301,7 @@
         <translation>选择图钉(&amp;P)</translation>
     </message>
     <message>
-        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <source>What the pin tool and the select tool draw around pins to select them</source>
         <translation>用图钉或选择工具在图钉旁拖动进行选择时所画的形状</translation>
     </message>
     <message>
@@ -5333,7 +5333,7 @@
         <translation>吸附(&amp;N)</translation>
     </message>
     <message>
-        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <source>New pins sit on corners of the mesh instead of where you click</source>
         <translation>将新图钉放在网格顶点上，而不是单击处</translation>
     </message>
     <message>
@@ -5341,7 +5341,7 @@
         <translation>大小</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <source>Diameter of the brush on the screen. Also by the keys [ and ].</source>
         <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键更改。</translation>
     </message>
     <message>
@@ -5356,7 +5356,7 @@
         <translation>图钉</translation>
     </message>
     <message>
-        <source>Does not hold at the time that is shown.</source>
+        <source>Does not hold at the time shown.</source>
         <translation>在当前显示的时刻不起作用。</translation>
     </message>
     <message>
@@ -5364,7 +5364,7 @@
         <translation>重命名</translation>
     </message>
     <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock protects from changes; a right-click groups, links and mirrors.</source>
         <translation>在此选择图钉；F2 重命名，Delete 移除，按 Enter 转到图片，可用方向键移动图钉。眼睛图标用于隐藏，锁图标用于防止更改；右键单击可编组、链接和镜像。</translation>
     </message>
     <message>
@@ -5485,7 +5485,7 @@
         <translation>拉力范围</translation>
     </message>
     <message>
-        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <source>How far a pin&apos;s pull spreads. Near: close to the pin, sharp. Far: soft and wide.</source>
         <translation>图钉的拉力扩散多远。近：靠近图钉，锐利。远：柔和而宽广。</translation>
     </message>
     <message>
@@ -5508,11 +5508,11 @@
 <context>
     <name>wend::RegionList</name>
     <message>
-        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <source>The mesh is equally fine everywhere: brush over what should be finer or coarser.</source>
         <translation>网格处处同样精细：用画笔刷过要更细或更粗的部分。</translation>
     </message>
     <message>
-        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <source>Nothing has an order of its own: brush over what should lie in front or behind.</source>
         <translation>没有部分有自己的次序：用画笔刷过要在前或在后的部分。</translation>
     </message>
     <message>
@@ -5524,7 +5524,7 @@
         <translation>位于前面的部分</translation>
     </message>
     <message>
-        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <source>The strokes and regions so far; where two overlap, the upper one counts. A click shows where it lies and its number, a double-click changes its name.</source>
         <translation>现有的笔触和区域；同一处有两个时，以上面的为准。单击显示其位置和数值，双击更改名称。</translation>
     </message>
     <message>
@@ -5540,11 +5540,11 @@
         <translation>次序</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: less is finer, more is coarser.</source>
         <translation>该处的边长，相对于别处：越小越细，越大越粗。</translation>
     </message>
     <message>
-        <source>Greater than 0 lies in front, less behind.</source>
+        <source>Greater than 0 lies in front, less than 0 behind.</source>
         <translation>大于 0 在前，小于 0 在后。</translation>
     </message>
     <message>
@@ -5552,7 +5552,7 @@
         <translation>移除</translation>
     </message>
     <message>
-        <source>Takes the chosen region away.</source>
+        <source>Removes the chosen region.</source>
         <translation>移除所选的区域。</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@
         <translation>更改区域</translation>
     </message>
     <message numerus="yes">
-        <source>%n vertices</source>
+        <source>Vertices: %n</source>
         <translation>
             <numerusform>%n 个顶点</numerusform>
         </translation>
@@ -5704,7 +5704,7 @@
         <translation>半径(&amp;D)</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. In the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
         <translation>图钉抓取周围形状的范围：0 抓取一点，更大则抓取一个圆，立体则为球。以形状自身的单位计；图片则以像素计。Alt 拖动图钉效果相同。</translation>
     </message>
 </context>
@@ -5722,7 +5722,7 @@
 <context>
     <name>wend::ShapeNotices</name>
     <message>
-        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <source>“Refine surface” in the panel “Mesh” allows the surface&apos;s triangles to be split.</source>
         <translation>“网格”面板中的“细分表面”允许分割表面的三角形。</translation>
     </message>
     <message>
@@ -5730,11 +5730,11 @@
         <translation>用图钉固定</translation>
     </message>
     <message>
-        <source>A part is joined to the rest at a mere point, and may swing around it unless a pin holds it.</source>
+        <source>A part is joined to the rest at a single point, and may swing around it unless a pin holds it.</source>
         <translation>有一部分只以一点与其余相连，若没有图钉固定，可能会绕该点摆动。</translation>
     </message>
     <message numerus="yes">
-        <source>%n parts are joined to the rest at mere points, and may swing around them unless pins hold them.</source>
+        <source>%n parts are joined to the rest at single points, and may swing around them unless pins hold them.</source>
         <translation>
             <numerusform>有 %n 个部分只以一点与其余相连，若没有图钉固定，可能会绕该点摆动。</numerusform>
         </translation>
@@ -5763,7 +5763,7 @@
         <translation>已取消：一切恢复到上次更改之前。</translation>
     </message>
     <message>
-        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <source>Meshing was cancelled. Any change, such as fewer vertices, starts it again.</source>
         <translation>网格划分已取消。任何更改都会重新划分网格，例如减少顶点数。</translation>
     </message>
     <message>
@@ -5775,7 +5775,7 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>There is no pin: this place lies outside of the shape.</source>
+        <source>No pin was set: this place lies outside the shape.</source>
         <translation>没有放置图钉：此处在形状之外。</translation>
     </message>
     <message>
@@ -5795,7 +5795,7 @@
         <translation>移动 %1</translation>
     </message>
     <message>
-        <source>%1 does not hold the shape at the time that is shown.</source>
+        <source>%1 does not hold the shape at the time shown.</source>
         <translation>%1 在当前显示的时刻不起作用。</translation>
     </message>
     <message>
@@ -5803,7 +5803,7 @@
         <translation>缩放 %1</translation>
     </message>
     <message>
-        <source>What came after is replaced by this; Undo brings it back.</source>
+        <source>This replaces what came after; Undo brings it back.</source>
         <translation>此后的内容已被替换；撤销可恢复。</translation>
     </message>
     <message numerus="yes">
@@ -5817,11 +5817,11 @@
         <translation>%1（镜像）</translation>
     </message>
     <message>
-        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <source>No pin was set where the mirror image lies outside the shape.</source>
         <translation>镜像落在形状之外的地方不放置图钉。</translation>
     </message>
     <message>
-        <source>There is a pin already where the mirror image would be.</source>
+        <source>There is already a pin where the mirror image would be.</source>
         <translation>镜像所在的位置已有图钉。</translation>
     </message>
     <message>
@@ -5873,11 +5873,11 @@
         <translation>取消 %1 的链接</translation>
     </message>
     <message>
-        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <source>%1 is locked. A right-click or the list of pins unlocks it.</source>
         <translation>%1 已锁定。可通过右键单击或图钉列表解锁。</translation>
     </message>
     <message>
-        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <source>%1 are locked. A right-click or the list of pins unlocks them.</source>
         <translation>%1 已锁定。可通过右键单击或图钉列表解锁。</translation>
     </message>
     <message>
@@ -5921,7 +5921,7 @@
         <translation>旋转 %1</translation>
     </message>
     <message>
-        <source>What %1 did later is replaced by this; Undo brings it back.</source>
+        <source>This replaces what %1 did later; Undo brings it back.</source>
         <translation>%1 此后的运动已被替换；撤销可恢复。</translation>
     </message>
     <message>
@@ -5944,7 +5944,7 @@
         <translation>打开时的状态</translation>
     </message>
     <message>
-        <source>What was done; a click goes back to that step, or forth.</source>
+        <source>What was done; a click goes back or forward to that step.</source>
         <translation>做过的操作；单击可后退或前进到该步。</translation>
     </message>
     <message>
@@ -5963,7 +5963,7 @@
         <translation>边长</translation>
     </message>
     <message>
-        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
         <translation>该处的边长，相对于别处：0.5 为一半，更细；2 为两倍，更粗。</translation>
     </message>
     <message>
@@ -5971,7 +5971,7 @@
         <translation>单元更细或更粗之处</translation>
     </message>
     <message>
-        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
         <translation>下一笔的效果，以及已有的笔画和区域；同一处有两个时以下方为准。单击可显示数值并更改。</translation>
     </message>
     <message>
@@ -5987,7 +5987,7 @@
         <translation>添加区域</translation>
     </message>
     <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
         <translation>位于中央的球体、长方体或半空间，或所选手柄抓取的区域；之后可更改其数值。</translation>
     </message>
     <message>
@@ -5995,7 +5995,7 @@
         <translation>移除尺寸</translation>
     </message>
     <message>
-        <source>Takes the chosen stroke or region away.</source>
+        <source>Removes the chosen stroke or region.</source>
         <translation>移除所选的笔画或区域。</translation>
     </message>
     <message>
@@ -6003,7 +6003,7 @@
         <translation>羽化</translation>
     </message>
     <message>
-        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
         <translation>尺寸过渡到周围尺寸的宽度，以文件单位计。</translation>
     </message>
     <message>
@@ -6063,11 +6063,11 @@
         <translation>在其之下：%1 中的系数。</translation>
     </message>
     <message>
-        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
         <translation>表面的三角形保持不变，只有内部改变。“网格”面板中的“细分表面”也允许分割它们。</translation>
     </message>
     <message>
-        <source>Select a pin first that holds a ball, a box or one side.</source>
+        <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>请先选择抓取球、块或单侧的图钉。</translation>
     </message>
 </context>
@@ -6078,7 +6078,7 @@
         <translation>这张图片的柔边或阴影超出了抠图范围，会被裁掉。</translation>
     </message>
     <message>
-        <source>Take Them Along</source>
+        <source>Include Them</source>
         <translation>一并保留</translation>
     </message>
 </context>
@@ -6125,7 +6125,7 @@
         <translation>选择蒙皮(&amp;I)…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
+        <source>Embed a detailed, perhaps textured surface from a file in the solid</source>
         <translation>让文件中精细的、可带纹理的表面随实体变形</translation>
     </message>
     <message>
@@ -6133,7 +6133,7 @@
         <translation>移除蒙皮(&amp;M)</translation>
     </message>
     <message>
-        <source>See and export the solid with its own surface again</source>
+        <source>Show and export the solid with its own surface again</source>
         <translation>重新以实体自身的表面显示和导出</translation>
     </message>
     <message>
@@ -6300,7 +6300,7 @@
 <context>
     <name>wend::SolidCanvas</name>
     <message>
-        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <source>there is not enough memory for a picture of %1 x %2 pixels</source>
         <translation>内存不足以生成 %1 x %2 像素的图片</translation>
     </message>
     <message>
@@ -6323,7 +6323,7 @@
 <context>
     <name>wend::SolidWorkshop</name>
     <message>
-        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) still works with them.</source>
         <translation>实体需要 OpenGL 3.3，而此系统不支持。命令行（wend run）仍可处理实体。</translation>
     </message>
     <message>
@@ -6402,7 +6402,7 @@
         <translation>放弃 %1</translation>
     </message>
     <message>
-        <source>Forgets these changes for good.</source>
+        <source>Deletes these changes for good.</source>
         <translation>永久丢弃这些更改。</translation>
     </message>
 </context>
@@ -6433,7 +6433,7 @@
         <translation>变形最大处</translation>
     </message>
     <message>
-        <source>How far the worst place is from rest, by what the map shows</source>
+        <source>How far the worst place is from rest in what the map shows</source>
         <translation>按色图所示的量，变形最大处与变形前相差多少</translation>
     </message>
     <message>
@@ -6474,14 +6474,14 @@
         <translation>体积 %1%</translation>
     </message>
     <message>
-        <source>In a drag: how long what you see comes after the hand. At rest: what computing it took</source>
+        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
         <translation>拖动时：所见比手慢多久。静止时：计算所用的时间</translation>
     </message>
 </context>
 <context>
     <name>wend::SurfaceCheck</name>
     <message>
-        <source>Triangles of missing points</source>
+        <source>Triangles with missing points</source>
         <translation>缺少顶点的三角形</translation>
     </message>
     <message>
@@ -6501,7 +6501,7 @@
         <translation>面积为零的三角形</translation>
     </message>
     <message>
-        <source>Double triangles</source>
+        <source>Duplicate triangles</source>
         <translation>重复的三角形</translation>
     </message>
     <message>
@@ -6553,7 +6553,7 @@
         <translation>将执行：%1。</translation>
     </message>
     <message>
-        <source>No simple step puts this one right.</source>
+        <source>No simple step fixes this one.</source>
         <translation>没有简单的步骤能修正此处。</translation>
     </message>
     <message>
@@ -6569,7 +6569,7 @@
         <translation>修正一处问题</translation>
     </message>
     <message>
-        <source>No simple steps put all of these right.</source>
+        <source>No simple steps fix all of these.</source>
         <translation>没有简单的步骤能把它们全部修正。</translation>
     </message>
     <message>
@@ -6577,7 +6577,7 @@
         <translation>修正某一类的所有问题</translation>
     </message>
     <message>
-        <source>Looking for what puts all of these right …</source>
+        <source>Looking for what fixes all of these …</source>
         <translation>正在寻找全部修正的方法…</translation>
     </message>
 </context>
@@ -6600,7 +6600,7 @@
         <translation>问题</translation>
     </message>
     <message>
-        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <source>The kinds of faults, and how often each occurs.</source>
         <translation>问题的种类，以及各有多少处。</translation>
     </message>
     <message>
@@ -6608,7 +6608,7 @@
         <translation>上一处</translation>
     </message>
     <message>
-        <source>Looks at the previous place where this is wrong.</source>
+        <source>Goes to the previous place where this is wrong.</source>
         <translation>查看存在此问题的上一处。</translation>
     </message>
     <message>
@@ -6616,7 +6616,7 @@
         <translation>下一处</translation>
     </message>
     <message>
-        <source>Looks at the next place where this is wrong.</source>
+        <source>Goes to the next place where this is wrong.</source>
         <translation>查看存在此问题的下一处。</translation>
     </message>
     <message>
@@ -6624,7 +6624,7 @@
         <translation>显示三角形</translation>
     </message>
     <message>
-        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <source>Colours the triangles that are wrong and shows them: what hides them is left out.</source>
         <translation>为有问题的三角形着色并查看：遮挡它们的部分会略去。</translation>
     </message>
     <message>
@@ -6636,7 +6636,7 @@
         <translation>将所有有问题的三角形和边的编号写入文件。</translation>
     </message>
     <message>
-        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <source>Merges coincident points, drops degenerate and duplicate triangles, orients the others and fills small holes.</source>
         <translation>合并同一位置的点，去除退化和重复的三角形，统一朝向，并填补小孔洞。</translation>
     </message>
     <message>
@@ -6672,7 +6672,7 @@
         <translation>生成笼体</translation>
     </message>
     <message>
-        <source>Takes the cage away: without repair there is no solid then.</source>
+        <source>Removes the cage: without a repair there is then no solid.</source>
         <translation>去掉笼体：若不修复，就没有实体。</translation>
     </message>
     <message>
@@ -6696,7 +6696,7 @@
         <translation>修正此处</translation>
     </message>
     <message>
-        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <source>Fixes only what is shown: what it adds is green, what it takes away or turns is yellow.</source>
         <translation>只修正正在查看的一处：添加的为绿色，去除或翻转的为黄色。</translation>
     </message>
     <message>
@@ -6704,7 +6704,7 @@
         <translation>全部修正</translation>
     </message>
     <message>
-        <source>Puts right all of this kind that simple steps can, in one step of undo; of holes those of no more edges than are chosen below.</source>
+        <source>Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no more edges than chosen below.</source>
         <translation>修正此类中简单步骤能修正的全部问题，只占一步撤销；孔洞只修正边数不超过下方所选数目的。</translation>
     </message>
     <message>
@@ -6857,7 +6857,7 @@
         <translation>%1：%2 到 %3 秒，%4</translation>
     </message>
     <message>
-        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>还没有任何运动。拖动图钉，或按住 Ctrl 录制：所做的动作会按图钉列在这里。</translation>
     </message>
     <message>
@@ -6877,7 +6877,7 @@
         <translation>删除动作</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>将条或其两端拖到别的时间；Shift、Ctrl 或框选可选多个。右键设定其开始和结束方式。线的两端表示图钉何时固定</translation>
     </message>
 </context>
@@ -6896,7 +6896,7 @@
         <translation>只有钉住的地方才固定不动。&lt;b&gt;单击长颈鹿的一只蹄子&lt;/b&gt;，将它钉住。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too, with a click each. Ctrl+Z undoes a pin.</source>
         <translation>&lt;b&gt;把其他蹄子也钉住&lt;/b&gt;，各单击一次。Ctrl+Z 撤销一个图钉。</translation>
     </message>
     <message>
@@ -6920,7 +6920,7 @@
         <translation>您的拖动已经成为一段影片：&lt;b&gt;按 K&lt;/b&gt; 播放。单击下方的时间条可跳到某一时间，并从那里继续拖动。</translation>
     </message>
     <message>
-        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
         <translation>最后，&lt;b&gt;按 Ctrl+5&lt;/b&gt; 进入&lt;i&gt;“导出”&lt;/i&gt;步骤：图片、序列、变形贴图或网格。</translation>
     </message>
     <message>
@@ -6958,7 +6958,7 @@
         <translation>取消 (Esc)</translation>
     </message>
     <message>
-        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <source>Stops what is being computed and goes back to the last complete state</source>
         <translation>停止正在进行的计算，并回到上一个完整状态</translation>
     </message>
     <message>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "core/mesh/error.h"
@@ -106,7 +105,7 @@ std::string kindOfOther(std::string_view head) {
     if (isSvg(head)) return "an SVG drawing";
     if (const auto known = marked(kNotRead, head); known != kNotRead.end()) return known->what;
     if (arePoints(head)) return "a list of points without a surface";
-    return isText(head) ? "a text file" : "no picture that Wend knows";
+    return isText(head) ? "a text file" : "not a picture that Wend knows";
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct Domain {
     double quality = 1.414;                  // Surface
     double maxVolume = 0;                    // Surface; > 0: wins over vertices
     bool refineSurface = false;              // Surface: its triangles may be split
-    std::vector<SurfaceFix> fixes;           // Surface: single faults that are put right before all else
+    std::vector<SurfaceFix> fixes;           // Surface: single faults that are fixed before anything else
     bool repair = false;                     // Surface: the simple repairs are made first
     int largestHole = 30;                    // edges of a hole that the repair closes
     std::string sizesFile;                   // Surface: a factor per vertex, painted

@@ -22,20 +22,20 @@ constexpr const char* kSentences[] = {
                       "at time %1 the shape is too stiff to settle further near %2: the steps would be "
                       "too short; allow a larger tolerance"),
     QT_TRANSLATE_NOOP("Core",
-                      "the shape would fold over near %1, in cell %2; let it go less far or another "
-                      "way, or free what holds the shape there"),
+                      "the shape would fold over near %1, in cell %2; move it less far or along another "
+                      "path, or release what holds the shape there"),
     QT_TRANSLATE_NOOP("Core",
-                      "the shape would fold over near %1; let it go less far or another way, or free "
+                      "the shape would fold over near %1; move it less far or along another path, or release "
                       "what holds the shape there"),
     QT_TRANSLATE_NOOP("Core",
-                      "it is too fast near %1, the steps would be too short; give its motion more time, "
+                      "it moves too fast near %1: the steps would be too short; give its motion more time, "
                       "or allow a larger tolerance"),
     QT_TRANSLATE_NOOP("Core",
-                      "the shape near %1 is so much stretched or squeezed that no velocity can be "
-                      "computed; let it go less far, or make the material or the mesh more even there"),
-    QT_TRANSLATE_NOOP("Core",
-                      "it is so fast near %1 that numbers overflow; let it go less far, or give its "
-                      "motion more time"),
+                      "the shape near %1 is stretched or squeezed so much that no velocity can be computed; "
+                      "move it less far, or make the material or the mesh more even there"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "it moves so fast near %1 that numbers overflow; move it less far, or give its motion more time"),
     QT_TRANSLATE_NOOP("Core", "%1 and %2 move the point %3 in different ways at time %4"),
     QT_TRANSLATE_NOOP("Core", "handle \"%1\""),
     QT_TRANSLATE_NOOP("Core", "handle %1"),
@@ -54,7 +54,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "the outline crosses or overlaps itself near %1"),
     QT_TRANSLATE_NOOP("Core", "the outline cannot be triangulated (%1)"),
     QT_TRANSLATE_NOOP("Core", "points %1 and %2 are the same, %3"),
-    QT_TRANSLATE_NOOP("Core", "point %1, %2, is outside of the shape"),
+    QT_TRANSLATE_NOOP("Core", "point %1, %2, is outside the shape"),
     QT_TRANSLATE_NOOP("Core", "an edge length of %1 would take more than %2 vertices"),
     // Files.
     QT_TRANSLATE_NOOP("Core", "is empty"),
@@ -85,7 +85,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "a ZIP archive"),
     QT_TRANSLATE_NOOP("Core", "a list of points without a surface"),
     QT_TRANSLATE_NOOP("Core", "a text file"),
-    QT_TRANSLATE_NOOP("Core", "no picture that Wend knows"),
+    QT_TRANSLATE_NOOP("Core", "not a picture that Wend knows"),
     QT_TRANSLATE_NOOP("Core", "cannot be read as a picture: %1"),
     QT_TRANSLATE_NOOP("Core", "has no pixels"),
     QT_TRANSLATE_NOOP("Core", "is a volume, not a picture"),
@@ -160,9 +160,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "its %1 parts share cells of the cage and move together as %2: smaller cells keep "
                       "more of them apart"),
-    QT_TRANSLATE_NOOP("Core",
-                      "the cage is in %1 bodies that do not hang together: each needs a handle of its own "
-                      "to follow"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "the cage consists of %1 bodies that are not connected: each needs a handle of its own to follow"),
     QT_TRANSLATE_NOOP("Core",
                       "the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves "
                       "together"),
@@ -192,25 +192,25 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1: the surface is kept as it is and forces it, at its triangles %2"),
     QT_TRANSLATE_NOOP("Core",
                       "1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written "
-                      "without it, and so with other numbers behind it"),
+                      "without it, so that later vertices have other numbers"),
     QT_TRANSLATE_NOOP("Core",
                       "1 vertex belongs to no cell. It stays in what is written: some solvers want it taken "
                       "out first"),
     QT_TRANSLATE_NOOP("Core",
-                      "%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
-                      "written without them, and so with other numbers behind them"),
+                      "%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written "
+                      "without them, so that later vertices have other numbers"),
     QT_TRANSLATE_NOOP("Core",
                       "%1 vertices belong to no cell. They stay in what is written: some solvers want them "
                       "taken out first"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "parts that touch vertex to vertex are connected: %1 vertices move with others at the same place"),
     QT_TRANSLATE_NOOP("Core",
-                      "parts that touch vertex on vertex hang together: %1 vertices move with others at "
-                      "their place"),
+                      "a part of %1 hangs only on %2 near %3: what turns freely there may be flung far away "
+                      "unless handles hold it"),
     QT_TRANSLATE_NOOP("Core",
-                      "a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far "
-                      "away, unless handles hold it"),
-    QT_TRANSLATE_NOOP("Core",
-                      "%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: "
-                      "what turns there freely may be flung far away, unless handles hold it"),
+                      "%1 parts hang only on a vertex or an edge, the first, of %2, on %3 near %4: what "
+                      "turns freely there may be flung far away unless handles hold it"),
     QT_TRANSLATE_NOOP("Core", "%1 cells"),
     QT_TRANSLATE_NOOP("Core", "%1 cell"),
     QT_TRANSLATE_NOOP("Core", "vertex %1"),

@@ -50,29 +50,26 @@ CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
 }
 
 void CurvePanel::makeControls() {
-    m_make->setToolTip(tr("Turns the way that was drawn into a Bézier curve with points to drag."));
+    m_make->setToolTip(tr("Turns the drawn path into a Bézier curve with points to drag."));
     m_make->setStatusTip(m_make->toolTip());
     for (const Ease ease : kEases) m_ease->addItem(withoutKey(easeName(ease)));
     m_ease->setObjectName(QStringLiteral("ease"));
-    fitToEntries(m_ease, 116);
-    describe(m_ease, tr("Ease"),
-             tr("How the motion that goes on at the time shown begins and ends: evenly, or softly."));
+    fitToEntries(m_ease);
+    describe(m_ease, tr("Ease"), tr("How the motion at the time shown begins and ends: evenly or softly."));
     m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
     m_frame->setObjectName(QStringLiteral("curveFrame"));
-    fitToEntries(m_frame, 116);
+    fitToEntries(m_frame);
     describe(m_frame, tr("Rotate with path"), tr("Whether what is held turns along the curve, and how."));
     m_twist->setRange(-3600, 3600);
     m_twist->setDecimals(1);
     m_twist->setSingleStep(15);
     m_twist->setSuffix(QStringLiteral(" °"));
-    m_twist->setFixedWidth(116);
     describe(m_twist, tr("Twist"),
              tr("How far it turns around the curve's direction, over the whole curve."));
     m_scale->setRange(0.05, 20);
     m_scale->setDecimals(3);
     m_scale->setSingleStep(0.05);
     m_scale->setPrefix(QStringLiteral("×"));
-    m_scale->setFixedWidth(116);
     describe(m_scale, tr("Scale"), tr("How large it has become at the end of the curve."));
 }
 

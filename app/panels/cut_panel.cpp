@@ -46,26 +46,18 @@ void CutPanel::makeControls() {
         m_ways[k]->setText(names[k]);
         m_ways[k]->setProperty("role", "chip");
         describe(m_ways[k], k < 3 ? tr("Cut across %1").arg(names[k]) : tr("Other side"),
-                 k < 3 ? tr("Turns the plane so that it stands across this axis.")
-                       : tr("Takes away the other side of the plane."));
+                 k < 3 ? tr("Turns the plane so that it is perpendicular to this axis.")
+                       : tr("Cuts away the other side of the plane."));
         connect(m_ways[k], &QToolButton::clicked, this,
                 [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); });
     }
     m_slider->setRange(0, kSteps);
     describe(m_slider, tr("Place of the cut"), tr("Moves the plane through the solid."));
-    for (ExactBox*& box : m_normal) {
-        box = new ExactBox(this);
-        box->setRange(-1, 1);
-        box->setDecimals(3);
-        box->setSingleStep(0.05);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Normal of the cut"), tr("The direction that the plane looks in, as x, y and z."));
-    }
+    m_normal = coordinateBoxes(1, 3, tr("Normal of the cut"),
+                               tr("The direction that the plane faces, as x, y and z."), this);
+    for (ExactBox* box : m_normal) box->setSingleStep(0.05);
     m_place->setDecimals(4);
     m_place->setRange(-1e9, 1e9);
-    m_place->setFixedWidth(116);
     describe(m_place, tr("Distance of the cut"),
              tr("How far the plane is from the origin, along its normal."));
 }
@@ -75,14 +67,9 @@ void CutPanel::arrange() {
     layout->addWidget(panelTitle(tr("Cut"), this));
     layout->addLayout(panelRow(tr("&Look inside"), m_kind, this));
     auto* inner = bareColumn(m_numbers, 10);
-    auto* ways = new QHBoxLayout;
-    for (QToolButton* button : m_ways) ways->addWidget(button);
-    ways->addStretch(1);
-    inner->addLayout(ways);
+    inner->addLayout(sideBySide({m_ways[0], m_ways[1], m_ways[2], m_ways[3], nullptr}));
     inner->addWidget(m_slider);
-    auto* normal = new QHBoxLayout;
-    for (ExactBox* box : m_normal) normal->addWidget(box);
-    inner->addLayout(normal);
+    inner->addLayout(sideBySide({m_normal[0], m_normal[1], m_normal[2]}));
     inner->addLayout(panelRow(tr("&Distance"), m_place, m_numbers));
     layout->addWidget(m_numbers);
 }
@@ -113,7 +100,7 @@ void CutPanel::chooseNumbers() {
 void CutPanel::showNothing() {
     m_kind->setCurrentIndex(0);
     m_kind->setEnabled(false);
-    describe(m_kind, tr("Cut"), tr("There is no solid yet that could be cut."));
+    describe(m_kind, tr("Cut"), tr("There is no solid to cut yet."));
     m_numbers->hide();
 }
 

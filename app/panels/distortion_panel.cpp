@@ -28,8 +28,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_measure(new QComboBox(this)),
       m_legend(new Legend(this)),
-      m_opacityRow(new QWidget(this)),
-      m_opacity(new JumpSlider(m_opacityRow)),
+      m_opacity(new JumpSlider(this)),
       m_keep(new QAction(tr("Keep these colours"), this)),
       m_lock(new QToolButton(this)),
       m_details(new QWidget(this)),
@@ -76,9 +75,9 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
 }
 
 void DistortionPanel::makeControls() {
-    fitToEntries(m_measure, 116);
+    fitToEntries(m_measure);
     m_opacity->setObjectName(QStringLiteral("mapOpacity"));
-    m_opacity->setFixedWidth(116);
+    m_opacity->setFixedWidth(kControlWidth);
     m_opacity->setRange(5, 100);
     m_opacity->setPageStep(10);
     m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());
@@ -87,10 +86,10 @@ void DistortionPanel::makeControls() {
     m_smooth->setObjectName(QStringLiteral("mapSmooth"));
     m_smooth->setChecked(QSettings().value("mapSmooth", false).toBool());
     describe(m_smooth, tr("Smooth colours"),
-             tr("Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of "
-                "its value."));
+             tr("Blends the colours of a map from cell to cell. If off, each cell has the one colour of its "
+                "value."));
     m_keep->setCheckable(true);
-    m_keep->setStatusTip(tr("Keep the colours' range, to compare different shapes and energies."));
+    m_keep->setStatusTip(tr("Keep the range of the colours, to compare different shapes and energies."));
     m_lock->setDefaultAction(m_keep);
     m_lock->setToolButtonStyle(Qt::ToolButtonTextOnly);
     describe(m_lock, m_keep->text(), m_keep->statusTip());
@@ -108,19 +107,13 @@ void DistortionPanel::arrange() {
     layout->addWidget(panelTitle(tr("What changed"), this));
     layout->addLayout(panelRow(tr("Colour &by"), m_measure, this));
     layout->addWidget(m_legend);
-    m_opacityRow->setLayout(panelRow(tr("O&pacity"), m_opacity, m_opacityRow));
-    m_opacityRow->layout()->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_opacityRow);
+    layout->addWidget(m_opacityRow = panelRowIn(tr("O&pacity"), m_opacity, this));
     auto* details = new QVBoxLayout(m_details);
     details->setContentsMargins(16, 4, 16, 10);
     details->setSpacing(6);
     details->addWidget(m_smooth);
     details->addLayout(totals());
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_lock);
-    buttons->addStretch(1);
-    buttons->addWidget(m_find);
-    layout->addLayout(buttons);
+    layout->addLayout(sideBySide({m_lock, nullptr, m_find}));
 }
 
 QLayout* DistortionPanel::totals() {
@@ -163,8 +156,8 @@ void DistortionPanel::setDimension(int dimension) {
                              ? tr("Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.")
                              : tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.");
     for (QLabel* label : {m_areaName, m_area}) label->setToolTip(help);
-    m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest by what the map shows.")
-                              : tr("The triangle that is farthest from rest by what the map shows."));
+    m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest in what the map shows.")
+                              : tr("The triangle that is farthest from rest in what the map shows."));
     describeFaults();
     describe(m_measure, tr("Colour by"),
              solid
@@ -178,15 +171,16 @@ void DistortionPanel::describeFaults() {
     const bool solid = m_dimension == 3;
     m_crossingsName->setText(solid ? tr("Passes through itself") : tr("Crosses itself"));
     describe(m_crossings, m_crossingsName->text(),
-             solid ? tr("How often the surface passes through itself once the pose rests: places, each of "
-                        "pairs of triangles. A click looks at the next; the map marks them in red.")
-                   : tr("Where the outline crosses itself once the pose rests: one part lies over another. A "
-                        "click looks at the next; the map marks them in red."));
+             solid
+                 ? tr("In how many places the surface passes through itself once the pose is at rest, each "
+                      "with its pairs of triangles. A click goes to the next one; the map marks them in red.")
+                 : tr("Where the outline crosses itself once the pose is at rest: one part lies over "
+                      "another. A click goes to the next one; the map marks them in red."));
     describe(m_blown, tr("Blown up"),
-             solid ? tr("Tetrahedra of more than ten times their volume, or less than a tenth of it. A click "
-                        "looks at the next place; the map marks them in red.")
-                   : tr("Triangles of more than ten times their area, or less than a tenth of it. A click "
-                        "looks at the next place; the map marks them in red."));
+             solid ? tr("Tetrahedra with more than ten times their volume, or less than a tenth of it. A "
+                        "click goes to the next place; the map marks them in red.")
+                   : tr("Triangles with more than ten times their area, or less than a tenth of it. A click "
+                        "goes to the next place; the map marks them in red."));
 }
 
 /// While a pose moves, nothing is known of it.
@@ -197,7 +191,8 @@ void DistortionPanel::showFaults() {
     for (QToolButton* button : {m_crossings, m_blown}) button->setText(kUnknown);
     showFaults<2>();
     showFaults<3>();
-    const QString moves = tr("That is looked for once the pose rests."), none = tr("There is no such place.");
+    const QString moves = tr("This is checked once the pose is at rest."),
+                  none = tr("There is no such place.");
     allow(m_crossings, !m_crossed.empty(), m_crossings->text() == kUnknown ? moves : none);
     allow(m_blown, !m_grown.empty(), m_blown->text() == kUnknown ? moves : none);
 }

@@ -65,7 +65,7 @@ class DistortionPanel : public QWidget {
     ShapeSession& m_session;
     QComboBox* m_measure;
     Legend* m_legend;
-    QWidget* m_opacityRow;
+    QWidget* m_opacityRow = nullptr;
     QSlider* m_opacity;
     QAction* m_keep;
     QToolButton* m_lock;

@@ -89,14 +89,14 @@ FactsPanel::FactsPanel(ShapeSession& session, QWidget* parent)
       m_open(new QPushButton(tr("Open the widest"), this)) {
     arrange();
     describe(m_surface, tr("Facts of the file"),
-             tr("The surface as its file has it. Lengths are in the file's unit, which few files tell."));
+             tr("The surface as it is in its file. Lengths are in the file's units, which few files name."));
     describe(m_mesh, tr("Quality of the cells"),
              tr("Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are "
                 "above that, and how many triangles of the surface force them."));
     describe(m_cage, tr("Closed gaps"),
              tr("Gaps within one part that the cage closes: what lies on both sides moves together."));
-    describe(m_worst, m_worst->text(), tr("Looks at the tetrahedron with the largest ratio."));
-    describe(m_gap, m_gap->text(), tr("Looks at the gaps that the cage closes, one after another."));
+    describe(m_worst, m_worst->text(), tr("Goes to the tetrahedron with the largest ratio."));
+    describe(m_gap, m_gap->text(), tr("Goes through the gaps that the cage closes, one after another."));
     describe(m_open, m_open->text(), tr("Makes the cage so fine that the widest of these gaps stays open."));
     connect(m_worst, &QPushButton::clicked, this, [this] {
         if (const auto frame = m_session.frame<3>(); frame && frame->built->verdict)
@@ -123,9 +123,7 @@ void FactsPanel::arrange() {
     layout->addWidget(m_mesh);
     layout->addWidget(m_worst);
     layout->addWidget(m_cage);
-    auto* gaps = new QHBoxLayout;
-    for (QPushButton* button : {m_gap, m_open}) gaps->addWidget(button);
-    layout->addLayout(gaps);
+    layout->addLayout(sideBySide({m_gap, m_open}));
 }
 
 void FactsPanel::showEvent(QShowEvent*) {
@@ -151,7 +149,7 @@ void FactsPanel::lookAtFile() {
     if (path == m_path && document.generation() == m_generation) return;
     m_path = path;
     m_generation = document.generation();
-    m_surface->setText(tr("The file is looked at …"));
+    m_surface->setText(tr("Looking at the file …"));
     const auto look = [path]() -> QString {
         try {
             return factsOfFile(path.toStdString());

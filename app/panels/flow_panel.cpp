@@ -19,19 +19,14 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
       m_settle(new QPushButton(tr("Relax"), this)) {
     m_settle->setObjectName(QStringLiteral("settle"));
     describe(m_settle, tr("Relax"),
-             tr("The pins stay where they are, and what lies between them lets go of its tension. It takes a "
-                "second "
-                "at the end of the film."));
+             tr("The pins stay where they are, and what lies between them releases its tension. This takes "
+                "one second at the end of the film."));
     showInTip(m_settle, relaxPictures);
     showInTip(m_memory->slider(), memoryPictures);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
     layout->setSpacing(8);
-    auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(tr("Springs back"), this));
-    head->addStretch(1);
-    head->addWidget(m_settle);
-    layout->addLayout(head);
+    layout->addLayout(sideBySide({panelTitle(tr("Springs back"), this), nullptr, m_settle}));
     layout->addWidget(m_memory);
     connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
     connect(m_memory, &MemorySlider::memoryChosen, this, [this](double memory, int gesture) {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "app/panels/curve_panel.h"
-#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/look/theme.h"
@@ -52,30 +52,20 @@ void HandlePanel::makeControls() {
     m_place->setWordWrap(false);
     m_apply->setIcon(wendIcon(QStringLiteral("apply"), palette()));
     m_kind->addItems({tr("Move by"), tr("Rotate by"), tr("Scale by")});
-    describe(m_kind, tr("Exact step"), tr("Moves, turns or scales what is selected by exact numbers."));
-    for (QDoubleSpinBox*& box : m_numbers) {
-        box = new NumberBox(this);
-        box->setRange(-1e9, 1e9);
-        box->setDecimals(3);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(42);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Amount"), tr("How far along x, y and z; an angle; or a factor."));
-    }
+    describe(m_kind, tr("Exact step"), tr("Moves, rotates or scales what is selected by exact numbers."));
+    m_numbers =
+        coordinateBoxes(1e9, 3, tr("Amount"), tr("How far along x, y and z; an angle; or a factor."), this);
+    for (ExactBox* box : m_numbers) box->setMinimumWidth(42);
     m_axis->addItems({tr("around X"), tr("around Y"), tr("around Z")});
     m_axis->setCurrentIndex(2);
-    describe(m_axis, tr("Axis"), tr("The axis of the turn, through the middle of what is selected."));
-    describe(m_apply, tr("Apply"), tr("Does this step; it becomes part of the motion."));
+    describe(m_axis, tr("Axis"), tr("The axis of the rotation, through the middle of what is selected."));
+    describe(m_apply, tr("Apply"), tr("Applies this step; it becomes part of the motion."));
     m_apply->setObjectName(QStringLiteral("applyStep"));
 }
 
 void HandlePanel::arrange() {
     auto* layout = sectionColumn(this);
-    auto* title = new QHBoxLayout;
-    title->addWidget(panelTitle(tr("Pin"), this));
-    title->addStretch(1);
-    title->addWidget(m_place);
-    layout->addLayout(title);
+    layout->addLayout(sideBySide({panelTitle(tr("Pin"), this), nullptr, m_place}));
     layout->addWidget(m_none);
     layout->addWidget(m_body);
     auto* body = bareColumn(m_body, 10);
@@ -124,7 +114,7 @@ void HandlePanel::showStep() {
 }
 
 void HandlePanel::apply() {
-    for (QDoubleSpinBox* box : m_numbers) box->interpretText();
+    for (ExactBox* box : m_numbers) box->interpretText();
     const auto centre = isSolid() ? middle<3>() : middle<2>();
     if (!centre) return;
     const int kind = m_kind->currentIndex();

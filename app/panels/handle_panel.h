@@ -1,17 +1,19 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 
 #include "app/session/shape_session.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
 namespace wend {
+
+class ExactBox;
 
 /// What is selected in numbers: its place, exact steps, and the way of a single handle.
 class HandlePanel : public QWidget {
@@ -37,7 +39,7 @@ class HandlePanel : public QWidget {
     QWidget* m_body;
     QLabel* m_place;
     QComboBox* m_kind;
-    std::array<QDoubleSpinBox*, 3> m_numbers;
+    std::array<ExactBox*, 3> m_numbers;
     QComboBox* m_axis;
     QToolButton* m_apply;
     QHBoxLayout *m_step = nullptr, *m_space = nullptr;

@@ -3,8 +3,7 @@
 #include <QPainter>
 
 #include "app/panels/look/theme.h"
-#include "app/session/accent.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 
 namespace wend {
 

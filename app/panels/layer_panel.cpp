@@ -39,7 +39,8 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
       m_rename(new QAction(tr("&Rename"), m_list)),
       m_merge(new QAction(tr("&Merge Down"), this)),
       m_takeAway(new QAction(tr("Remove"), m_list)),
-      m_none(secondLabel(tr("It is the same everywhere: brush over the shape to change a part."), this)),
+      m_none(secondLabel(tr("The material is the same everywhere: brush over the shape to change a part."),
+                         this)),
       m_values(new QWidget(this)),
       m_paint(new QWidget(m_values)),
       m_pictures(new QWidget(m_values)),
@@ -48,7 +49,8 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
       m_hasPhi(new QCheckBox(tr("Keep here"), m_paint)),
       m_phi(new EnergySlider(m_paint)),
       m_ratio(stiffnessField(
-          tr("How many times stiffer the layer is along its direction; ×1 is as everywhere."), m_paint)),
+          tr("How many times stiffer the layer is along its direction; ×1 is the same as everywhere."),
+          m_paint)),
       m_axisNote(secondLabel(tr("Each along a direction of its own."), m_paint)),
       m_feather(new MagnitudeBox(m_values)) {
     makeList();
@@ -61,7 +63,6 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
 void LayerPanel::makeList() {
     m_list->setObjectName(QStringLiteral("layers"));
     m_list->setFixedHeight(76);  // four rows: with the buttons below it is seen on a small screen
-    m_none->setObjectName(QStringLiteral("noLayers"));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
@@ -73,8 +74,8 @@ void LayerPanel::makeList() {
     m_merge->setObjectName(QStringLiteral("layerMerge"));
     m_merge->setStatusTip(tr("Makes one layer of the chosen one and the one below it"));
     describe(m_list, tr("Layers"),
-             tr("Where the material is another. The topmost wins: drag a layer to its place. A click shows "
-                "its values, a double click changes its name, its eye or the space bar switches it off."));
+             tr("Where the material differs. The topmost layer wins; drag a layer to move it. A click shows "
+                "its values, a double-click changes its name, its eye or the space bar switches it off."));
     const auto make = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
         button->setObjectName(QLatin1String(id));
         button->setText(text);
@@ -83,12 +84,12 @@ void LayerPanel::makeList() {
     };
     make(m_up, "layerUp", tr("Up"), tr("Lets the chosen layer win over the one above it."));
     make(m_down, "layerDown", tr("Down"), tr("Lets the layer below win over the chosen one."));
-    make(m_remove, "layerRemove", tr("Remove"), tr("Takes the chosen layer away."));
+    make(m_remove, "layerRemove", tr("Remove"), tr("Removes the chosen layer."));
     make(m_pictureMenu, "layerPictures", tr("Pictures"),
-         tr("Brings the material in from pictures of a paint program, and writes it as such."));
+         tr("Imports the material from pictures made in a paint program, and exports it as such."));
     m_pictureMenu->setPopupMode(QToolButton::InstantPopup);
     make(m_readAgain, "layerReadAgain", tr("Read Again"),
-         tr("Takes the pictures as they are now: after they were saved in a paint program."));
+         tr("Takes the pictures as they are now, after they have been saved in a paint program."));
 }
 
 void LayerPanel::makeControls() {
@@ -101,25 +102,16 @@ void LayerPanel::makeControls() {
     }
     m_feather->setObjectName(QStringLiteral("layerFeather"));
     m_feather->setRange(0, 1e9);
-    m_feather->setFixedWidth(116);
     m_feather->setDigits(4);
     describe(m_feather, tr("Soft edge"), tr("How wide the edge fades, in the shape's own units."));
 }
 
 void LayerPanel::arrange() {
     auto* layout = sectionColumn(this);
-    auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(tr("Layers"), this));
-    head->addStretch(1);
-    head->addWidget(m_pictureMenu);
-    layout->addLayout(head);
+    layout->addLayout(sideBySide({panelTitle(tr("Layers"), this), nullptr, m_pictureMenu}));
     layout->addWidget(m_none);
     layout->addWidget(m_list);
-    auto* buttons = new QHBoxLayout;
-    for (QToolButton* button : {m_up, m_down}) buttons->addWidget(button);
-    buttons->addStretch(1);
-    buttons->addWidget(m_remove);
-    layout->addLayout(buttons);
+    layout->addLayout(sideBySide({m_up, m_down, nullptr, m_remove}));
     const auto column = [](QWidget* of) {
         auto* values = bareColumn(of, 8);
         return values;
@@ -272,11 +264,11 @@ void LayerPanel::allowOrder(bool has) {
     if (!has) return allow(m_merge, false, chooseFirst());
     const QListWidgetItem* below = m_list->item(m_list->currentRow() + 1);
     const bool onCells = below && below->data(kCells).toBool();
-    const QString stays = tr("What a file says of each cell stays lowest."),
-                  lowest = tr("It is the lowest layer already.");
+    const QString stays = tr("What a file gives cell by cell stays lowest."),
+                  lowest = tr("This is already the lowest layer.");
     const auto why = [&](const QString& atTheEnd) { return isCells() || onCells ? stays : atTheEnd; };
     allow(m_up, m_list->currentRow() > 0 && !isCells(),
-          isCells() ? stays : tr("It is the topmost layer already."));
+          isCells() ? stays : tr("This is already the topmost layer."));
     allow(m_down, below && !onCells, why(lowest));
     const bool merges = !isCells() && withGroupMergedDown(m_session.document().design(), selected());
     allow(m_merge, merges,

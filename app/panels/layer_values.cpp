@@ -58,9 +58,8 @@ void LayerPanel::allowDirection(bool isStiff) {
     for (ExactBox* box : m_axis) {
         box->setEnabled(isStiff);
         describe(box, tr("Stiff direction"),
-                 isStiff
-                     ? tr("At rest; it turns with the shape. Another one is for all regions of the layer.")
-                     : tr("Stiffness ×1 has no direction: first choose how many times stiffer it is."));
+                 isStiff ? tr("At rest; it turns with the shape. A change is for all regions of the layer.")
+                         : tr("Stiffness ×1 has no direction: first choose how many times stiffer it is."));
     }
 }
 

@@ -33,12 +33,8 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 6, 16, 6);
     layout->setSpacing(6);
-    auto* head = new QHBoxLayout;
     m_title->setMinimumHeight(kHead);
-    head->addWidget(m_title);
-    head->addStretch(1);
-    head->addWidget(m_grown);
-    layout->addLayout(head);
+    layout->addLayout(sideBySide({m_title, nullptr, m_grown}));
     layout->addWidget(m_slider);
     layout->addWidget(m_help);
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);

@@ -11,7 +11,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/legend.h"
 #include "app/panels/look/colour_map.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/shape/shape.h"
 #include "core/mesh/quality.h"
 
@@ -112,7 +112,7 @@ void MeasurePanel::showSizes() {
             for (const int v : m_session.verticesOf(handle)) held.push_back(v);
     m_part->setVisible(!held.empty());
     if (held.empty()) return;
-    m_part->setText(text(tr("Selected: %n vertices", nullptr,
+    m_part->setText(text(tr("Selected vertices: %n", nullptr,
                             static_cast<int>(std::set<int>(held.begin(), held.end()).size())),
                          sizeOf(*frame, frame->pose, held), sizeOf(*frame, frame->rest->points, held)));
 }
@@ -122,7 +122,7 @@ void MeasurePanel::showPointed() {
     const bool has = frame && m_pointedCell >= 0 && m_pointedCell < frame->cells && m_vertex >= 0 &&
                      m_vertex < frame->vertices;
     if (!has) {
-        m_point->setText(tr("Point at the solid for the values there."));
+        m_point->setText(tr("Point at the solid to see the values there."));
         m_cell->clear();
         return;
     }

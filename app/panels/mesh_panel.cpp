@@ -66,13 +66,13 @@ void MeshPanel::makeControls() {
     m_aim->addItems({tr("Vertices"), tr("Maximum volume")});
     fitToEntries(m_aim, 150);
     describe(m_aim, tr("Aim"),
-             tr("What says how fine the mesh is: how many vertices it has in all, or how large a "
+             tr("What sets how fine the mesh is: how many vertices it has in total, or how large a "
                 "tetrahedron may be."));
     m_sizes->setText(tr("Paint…"));
     m_sizes->setObjectName(QStringLiteral("paintSizes"));
     m_sizes->setProperty("role", "chip");
     describe(m_sizes, tr("Cell sizes"),
-             tr("Paints where the mesh is to be finer or coarser, or says it by regions in numbers."));
+             tr("Paints where the mesh should be finer or coarser, or sets it by regions in numbers."));
 }
 
 void MeshPanel::arrange() {

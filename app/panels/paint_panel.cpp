@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QStackedWidget>
 #include <algorithm>
-#include <cmath>
 
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/exact_box.h"
@@ -33,7 +32,8 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
       m_pages(new QStackedWidget(this)),
       m_phi(new EnergySlider(this)),
       m_ratio(stiffnessField(
-          tr("How many times stiffer the painted part is along its direction; ×1 is as everywhere."), this)),
+          tr("How many times stiffer the painted part is along its direction; ×1 is the same as everywhere."),
+          this)),
       m_direction(new QComboBox(this)),
       m_numbersRow(new QWidget(this)) {
     m_phi->setName(tr("What the brush paints"));
@@ -46,11 +46,10 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
 
 void PaintPanel::makeControls() {
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
-    m_direction->setObjectName(QStringLiteral("brushDirection"));
     fitToEntries(m_direction, 150);
     describe(m_direction, tr("Stiff direction"),
              tr("The direction at rest, which turns with the shape: the stroke's own, the one that is there, "
-                "an axis, numbers, or the way of the selected pin where it is nearest."));
+                "an axis, numbers, or the path of the selected pin where it is nearest."));
     auto* row = new QHBoxLayout(m_numbersRow);
     row->setContentsMargins(0, 0, 0, 0);
     m_numbers =
@@ -129,7 +128,7 @@ void PaintPanel::fillDirections() {
     if (m_dimension == 3) add(tr("along Z"), kFirstAxis + 2);
     addAlong(tr("as numbers"), StiffAlong::Axis);
     if (m_dimension == 3) addAlong(tr("along the view"), StiffAlong::View);
-    addAlong(tr("along the pin's way"), StiffAlong::Way);
+    addAlong(tr("along the pin's path"), StiffAlong::Way);
 }
 
 void PaintPanel::chooseDirection(int index) {

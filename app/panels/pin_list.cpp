@@ -102,8 +102,8 @@ void PinList::makeList() {
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     describe(m_list, tr("Pins"),
              tr("Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow "
-                "keys move them. The eye hides, the lock holds back from changes; a right click groups, "
-                "links and mirrors."));
+                "keys move them. The eye hides, the lock protects from changes; a right-click groups, links "
+                "and mirrors."));
     m_list->installEventFilter(this);
     m_list->viewport()->installEventFilter(this);
 }
@@ -217,7 +217,7 @@ void PinList::showRow(int handle) {
     QFont font = m_list->font();
     font.setItalic(!holds);
     if (item.font(Name) != font) item.setFont(Name, font);
-    const QString tip = holds ? QString() : tr("Does not hold at the time that is shown.");
+    const QString tip = holds ? QString() : tr("Does not hold at the time shown.");
     if (item.toolTip(Name) != tip) item.setToolTip(Name, tip);
     showSigns(item, isLinked(design, handle), traits.hidden, traits.locked);
     const bool selected = m_session.selection().contains(handle);
@@ -305,7 +305,7 @@ void PinList::renamePin(int handle, const std::string& name) {
     if (name != before) renameHandle(document, tr("Rename"), handle, name);
 }
 
-/// What a sign is clicked for goes for all that is selected, if its row is.
+/// A click on a sign applies to all that is selected, if its row is.
 bool PinList::takePress(const QMouseEvent& press) {
     const QModelIndex index = m_list->indexAt(press.position().toPoint());
     const QTreeWidgetItem* item = m_list->itemAt(press.position().toPoint());

@@ -41,8 +41,8 @@ RegionList::RegionList(ShapeSession& session, RegionsOf of, QWidget* parent)
       m_session(session),
       m_of(of),
       m_none(secondLabel(
-          isDetail() ? tr("The mesh is as fine everywhere: brush over what shall be finer or coarser.")
-                     : tr("Nothing has an order of its own: brush over what shall lie in front or behind."),
+          isDetail() ? tr("The mesh is equally fine everywhere: brush over what should be finer or coarser.")
+                     : tr("Nothing has an order of its own: brush over what should lie in front or behind."),
           this)),
       m_list(new QListWidget(this)),
       m_value(new ExactBox(this)),
@@ -60,8 +60,8 @@ void RegionList::makeControls() {
     m_list->setItemDelegate(new ValueDelegate(m_list));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     describe(m_list, isDetail() ? tr("Where the mesh is finer or coarser") : tr("What lies in front"),
-             tr("The strokes and regions that are there; of two at one place the upper one counts. A click "
-                "shows where it lies and its number, a double click changes its name."));
+             tr("The strokes and regions so far; where two overlap, the upper one counts. A click shows "
+                "where it lies and its number, a double-click changes its name."));
     const Range range = option(isDetail() ? "domain.sizes[].factor" : "depth[].order").range;
     const double unit = isDetail() ? kPercent : 1;
     m_value->setObjectName(id + QStringLiteral("Value"));
@@ -69,23 +69,20 @@ void RegionList::makeControls() {
     m_value->setDecimals(isDetail() ? 0 : 1);
     m_value->setSuffix(isDetail() ? tr(" %") : QString());
     m_value->setSingleStep(isDetail() ? 10 : 1);
-    m_value->setFixedWidth(116);
     describe(m_value, isDetail() ? tr("Length of edges") : tr("Order"),
-             isDetail() ? tr("How long edges are there, against elsewhere: less is finer, more is coarser.")
-                        : tr("Greater than 0 lies in front, less behind."));
+             isDetail()
+                 ? tr("How long edges are there, compared with elsewhere: less is finer, more is coarser.")
+                 : tr("Greater than 0 lies in front, less than 0 behind."));
     m_remove->setObjectName(id + QStringLiteral("Remove"));
     m_remove->setText(tr("Remove"));
     m_remove->setProperty("role", "chip");
-    describe(m_remove, tr("Remove"), tr("Takes the chosen region away."));
+    describe(m_remove, tr("Remove"), tr("Removes the chosen region."));
 }
 
 void RegionList::arrange() {
     auto* layout = sectionColumn(this);
-    auto* head = new QHBoxLayout;
-    head->addWidget(panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this));
-    head->addStretch(1);
-    head->addWidget(m_remove);
-    layout->addLayout(head);
+    QLabel* title = panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this);
+    layout->addLayout(sideBySide({title, nullptr, m_remove}));
     layout->addWidget(m_none);
     layout->addWidget(m_list);
     layout->addWidget(m_row = panelRowIn(isDetail() ? tr("E&dges") : tr("O&rder"), m_value, this));

@@ -5,8 +5,8 @@
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/region_numbers.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/pins/pin_shapes.h"
-#include "app/session/pins/solid_places.h"
 
 namespace wend {
 
@@ -21,11 +21,10 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(m_numbers);
     m_radius->setObjectName(QStringLiteral("circleRadius"));
     m_radius->setRange(0, 1e9);
-    m_radius->setFixedWidth(116);
     describe(
         m_radius, tr("Radius"),
-        tr("How far the pin holds the shape around it: 0 holds a point, more a circle, of a solid a ball. "
-           "In the shape's own units; of a picture its pixels. Alt-drag of the pin does the same."));
+        tr("How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. "
+           "In the shape's own units, for a picture its pixels. Alt-dragging the pin does the same."));
     layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
     layout->addWidget(m_count);
     m_count->setObjectName(QStringLiteral("regionCount"));
@@ -72,7 +71,7 @@ void RegionPanel::apply(const Region<3>& next) {
     const auto frame = m_session.frame<3>();
     const Region<3>* now = region<3>();
     if (!now || !frame || next == *now) return;
-    if (verticesIn(next, *frame->rest).empty()) {
+    if (verticesInside<3>(next, *frame->rest).empty()) {
         m_count->setText(tr("There is no vertex in this region: nothing was changed."));
         return;
     }
@@ -128,7 +127,7 @@ void RegionPanel::showRadius(double radius, double diagonal) {
 template <int Dim>
 void RegionPanel::showCount() {
     const auto held = verticesInside<Dim>(*region<Dim>(), *m_session.frame<Dim>()->rest);
-    m_count->setText(tr("%n vertices", nullptr, static_cast<int>(held.size())));
+    m_count->setText(tr("Vertices: %n", nullptr, static_cast<int>(held.size())));
 }
 
 }  // namespace wend

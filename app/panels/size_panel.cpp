@@ -50,30 +50,27 @@ void SizePanel::makeControls() {
     const Range range = option("domain.sizes[].factor").range;
     m_factor->setRange(range.min, range.max);
     m_factor->setPrefix(QStringLiteral("×"));
-    m_factor->setFixedWidth(116);
     m_factor->setObjectName(QStringLiteral("sizeFactor"));
-    describe(
-        m_factor, tr("Length of edges"),
-        tr("How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice "
-           "as long, which is coarser."));
+    describe(m_factor, tr("Length of edges"),
+             tr("How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 "
+                "is twice as long, which is coarser."));
     m_list->setFixedHeight(96);
     m_list->setObjectName(QStringLiteral("sizeList"));
     describe(m_list, tr("Where cells are finer or coarser"),
-             tr("What the next stroke does, and the strokes and regions that are there; of two at one place "
-                "the lower one counts. A click shows the numbers, for changing."));
+             tr("What the next stroke does, and the strokes and regions so far; where two overlap, the lower "
+                "one counts. A click shows the numbers, which can be changed."));
     m_add->setText(tr("Add"));
     m_add->setPopupMode(QToolButton::InstantPopup);
     m_remove->setText(tr("Remove"));
     for (QToolButton* button : {m_add, m_remove}) button->setProperty("role", "chip");
     describe(m_add, tr("Add region"),
              tr("A ball, a box or a half-space in the middle, or what the selected handle holds as a region; "
-                "its numbers can be changed then."));
-    describe(m_remove, tr("Remove sizes"), tr("Takes the chosen stroke or region away."));
+                "its numbers can then be changed."));
+    describe(m_remove, tr("Remove sizes"), tr("Removes the chosen stroke or region."));
     m_feather->setRange(0, 1e9);
-    m_feather->setFixedWidth(116);
     m_feather->setObjectName(QStringLiteral("sizeFeather"));
     describe(m_feather, tr("Soft edge"),
-             tr("Over what width the size goes over into that around, in units of the file."));
+             tr("Over what width the size blends into that around it, in the file's units."));
 }
 
 void SizePanel::makeAddMenu() {
@@ -97,11 +94,7 @@ void SizePanel::arrange() {
     layout->addWidget(panelTitle(tr("Cell sizes"), this));
     layout->addLayout(panelRow(tr("E&dges"), m_factor, this));
     layout->addWidget(m_list);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_add);
-    buttons->addStretch(1);
-    buttons->addWidget(m_remove);
-    layout->addLayout(buttons);
+    layout->addLayout(sideBySide({m_add, nullptr, m_remove}));
     auto* shape = bareColumn(m_shape, 10);
     shape->addWidget(m_numbers);
     shape->addLayout(panelRow(tr("Soft ed&ge"), m_feather, m_shape));
@@ -136,7 +129,7 @@ void SizePanel::connectControls() {
 }
 
 void SizePanel::allowSelected(bool allowed) {
-    allow(m_selected, allowed, tr("Select a pin first that holds a ball, a box or one side."));
+    allow(m_selected, allowed, tr("First select a pin that holds a ball, a box or one side."));
 }
 
 /// The place in sizeGroups(); −1 for the next stroke.
@@ -203,8 +196,8 @@ void SizePanel::showSizes() {
                      .arg(QFileInfo(QString::fromStdString(domain.sizesFile)).fileName());
     if (!domain.refineSurface)
         notes << tr(
-            "The surface's triangles are kept, and only what is inside changes. “Refine surface” in "
-            "the panel “Mesh” lets them be split, too.");
+            "The surface's triangles are kept, and only the inside changes. “Refine surface” in the panel "
+            "“Mesh” allows them to be split, too.");
     m_note->setText(notes.join(QLatin1Char('\n')));
     m_note->setVisible(!notes.isEmpty());
     showGroup();

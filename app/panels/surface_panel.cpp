@@ -50,39 +50,31 @@ void SurfacePanel::arrange() {
         steps->addWidget(widget, widget == m_case);
     layout->addLayout(steps);
     layout->addWidget(m_fixText);
-    auto* fixes = new QHBoxLayout;
-    for (QPushButton* button : {m_fix, m_fixAll}) fixes->addWidget(button);
-    layout->addLayout(fixes);
+    layout->addLayout(sideBySide({m_fix, m_fixAll}));
     layout->addWidget(m_text);
-    auto* row = new QHBoxLayout;
-    for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
-    layout->addLayout(row);
-    m_hole->setWidth(116, 80);
+    layout->addLayout(sideBySide({m_show, m_save}));
+    m_hole->setWidth(kControlWidth, 80);
     layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
-    auto* repairs = new QHBoxLayout;
-    for (QPushButton* button : {m_preview, m_repair}) repairs->addWidget(button);
-    layout->addLayout(repairs);
+    layout->addLayout(sideBySide({m_preview, m_repair}));
     layout->addWidget(m_fit);
 }
 
 void SurfacePanel::describeControls() {
-    describe(m_kind, tr("What is wrong"), tr("The kinds of what is wrong, and how often each occurs."));
-    describe(m_previous, tr("Previous place"), tr("Looks at the previous place where this is wrong."));
-    describe(m_next, tr("Next place"), tr("Looks at the next place where this is wrong."));
+    describe(m_kind, tr("What is wrong"), tr("The kinds of faults, and how often each occurs."));
+    describe(m_previous, tr("Previous place"), tr("Goes to the previous place where this is wrong."));
+    describe(m_next, tr("Next place"), tr("Goes to the next place where this is wrong."));
     describe(m_show, tr("Show the triangles"),
-             tr("Colours the triangles that are wrong, and looks at them: what hides them is left out."));
+             tr("Colours the triangles that are wrong and shows them: what hides them is left out."));
     describe(m_save, tr("Save the list"),
              tr("Writes the numbers of all wrong triangles and edges to a file."));
     describe(m_fix, m_fix->text(),
-             tr("Puts right only what is looked at: what it adds is green, what it takes away or turns is "
-                "yellow."));
+             tr("Fixes only what is shown: what it adds is green, what it takes away or turns is yellow."));
     describe(m_preview, m_preview->text(),
              tr("Shows the surface as the repair would leave it: what it adds in green, what stays wrong in "
                 "red."));
-    describe(
-        m_repair, tr("Repair"),
-        tr("Merges points at one place, drops degenerate and double triangles, orients them and fills small "
-           "holes."));
+    describe(m_repair, tr("Repair"),
+             tr("Merges coincident points, drops degenerate and duplicate triangles, orients the others and "
+                "fills small holes."));
 }
 
 void SurfacePanel::connectControls() {
@@ -156,7 +148,7 @@ void SurfacePanel::showProblems(const Contents& contents) {
     m_fit->setText(contents.isCaged ? tr("Exact surface only") : tr("Fit a cage"));
     describe(m_fit, m_fit->text(),
              contents.isCaged
-                 ? tr("Takes the cage away: without repair there is no solid then.")
+                 ? tr("Removes the cage: without a repair there is then no solid.")
                  : tr("Fills a cage of even cells around the surface, which is embedded in it."));
     emit told(contents.isCaged);
 }
@@ -197,8 +189,8 @@ void SurfacePanel::offer(QPushButton* button, bool offered) {
 /// What it would do comes with its help: it may come late, and moves nothing.
 void SurfacePanel::showFixOfAll(const QString& text, bool mayFix) {
     const QString help =
-        tr("Puts right all of this kind that simple steps can, in one step of undo; of holes those "
-           "of no more edges than are chosen below.");
+        tr("Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no "
+           "more edges than chosen below.");
     describe(m_fixAll, m_fixAll->text(), text.isEmpty() ? help : text + ' ' + help);
     const int kind = m_kind->currentIndex();
     offer(m_fixAll, mayFix && kind >= 0 && m_contents.kinds[kind].count > 1);

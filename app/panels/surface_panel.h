@@ -24,7 +24,7 @@ class SurfacePanel : public QWidget {
     struct Contents {
         std::vector<Kind> kinds;
         QStringList more;      // what has no place
-        bool isCaged = false;  // the surface is embedded in a cage all the same
+        bool isCaged = false;  // the surface is embedded in a cage nonetheless
         int largestHole = 30;
         int kind = 0, number = 0;  // the place to begin with
     };
@@ -50,7 +50,7 @@ class SurfacePanel : public QWidget {
     /// The solid again, in place of the surface and what is wrong with it.
     void solidWanted();
     void saveRequested();
-    /// Only what is looked at is to be put right.
+    /// Only what is looked at is to be fixed.
     void fixRequested();
     /// All of the kind that is looked at are.
     void fixAllRequested();

@@ -11,7 +11,7 @@ namespace wend {
 /// What a stroke changes: what is kept (φ), how stiff the shape is, or along which direction.
 enum class BrushTarget { Keep, Stiffness, Direction };
 /// Where the direction of what is painted stiff comes from: the stroke's own way, what is stiff there
-/// already, an axis of the rest shape, the direction of view, or the way of the selected pin.
+/// already, an axis of the rest shape, the direction of view, or the path of the selected pin.
 enum class StiffAlong { Stroke, AsItIs, Axis, View, Way };
 
 struct BrushSettings {

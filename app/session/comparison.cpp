@@ -1,6 +1,5 @@
 #include "app/session/comparison.h"
 
-#include "app/document/design.h"
 #include "app/document/edits/material_edits.h"
 #include "app/document/options/options.h"
 

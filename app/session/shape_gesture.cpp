@@ -17,7 +17,7 @@ namespace {
 constexpr int kTick = 20;        // milliseconds
 constexpr int kCurveSteps = 24;  // of a piece of a curve, to tell how long it is
 // A sample that comes sooner after the last one waits for the next: more frames than a screen shows take time
-// from those that it does. Not where a shape takes long to compute: then it shall begin with the newest.
+// from those that it does. Not where a shape takes long to compute: then it is to begin with the newest.
 constexpr double kPace = 12, kQuick = 25;  // milliseconds
 constexpr int kLongestWait = 20;           // of a sample that none follows
 
@@ -68,10 +68,10 @@ std::vector<int> ShapeGesture::unlocked(std::vector<int> handles) {
     for (const int h : handles)
         if (traitsOf(m_document.design(), h).locked) locked.push_back(h);
     if (locked.size() == 1)
-        emit notice(ShapeSession::tr("%1 is locked. A right click or the list of pins unlocks it.")
+        emit notice(ShapeSession::tr("%1 is locked. A right-click or the list of pins unlocks it.")
                         .arg(m_pins.nameOf(locked)));
     else if (!locked.empty())
-        emit notice(ShapeSession::tr("%1 are locked. A right click or the list of pins unlocks them.")
+        emit notice(ShapeSession::tr("%1 are locked. A right-click or the list of pins unlocks them.")
                         .arg(m_pins.nameOf(locked)));
     std::erase_if(handles, [&](int h) { return traitsOf(m_document.design(), h).locked; });
     return handles;
@@ -92,7 +92,7 @@ std::vector<int> ShapeGesture::movableHandles() {
     };
     keepHolding();
     if (handles.empty()) {
-        emit notice(ShapeSession::tr("%1 does not hold the shape at the time that is shown.")
+        emit notice(ShapeSession::tr("%1 does not hold the shape at the time shown.")
                         .arg(m_pins.nameOf(m_selection.handles())));
         return {};
     }
@@ -329,9 +329,9 @@ void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const st
     if (!movesAfter<Dim>(replaced, from)) {
         if (!otherwise.isEmpty()) emit notice(otherwise);
     } else if (own.empty()) {
-        emit notice(ShapeSession::tr("What came after is replaced by this; Undo brings it back."));
+        emit notice(ShapeSession::tr("This replaces what came after; Undo brings it back."));
     } else {
-        emit notice(ShapeSession::tr("What %1 did later is replaced by this; Undo brings it back.")
+        emit notice(ShapeSession::tr("This replaces what %1 did later; Undo brings it back.")
                         .arg(m_pins.nameOf(own)));
     }
 }

@@ -147,8 +147,8 @@ void ShapeMotion::cancelWork() {
     showTime();
     m_failed = meshing;
     if (meshing)
-        emit problem(ShapeSession::tr(
-            "Meshing was cancelled. Any change makes a mesh again, such as fewer vertices."));
+        emit problem(
+            ShapeSession::tr("Meshing was cancelled. Any change, such as fewer vertices, starts it again."));
     else
         emit notice(ShapeSession::tr("The motion was cancelled. Any change computes it again."));
 }

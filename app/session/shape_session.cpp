@@ -68,7 +68,7 @@ int ShapeSession::addPin(const Vec<Dim>& p) {
 template <int Dim>
 int ShapeSession::addPin(const std::optional<Location<Dim>>& place) {
     const auto shape = frame<Dim>();
-    if (!place) emit notice(tr("There is no pin: this place lies outside of the shape."));
+    if (!place) emit notice(tr("No pin was set: this place lies outside the shape."));
     if (!place || !shape) return -1;
     return addHandle<Dim>(std::vector<Vec<Dim>>{positionOf<Dim>(*place, *shape->rest, shape->rest->points)},
                           tr("Pin").toStdString());

@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/shape.h"
 #include "app/tools/drag_label.h"
 
@@ -38,10 +38,10 @@ Vec<2> highOf(const PixelRect& part) {
 }  // namespace
 
 QString CropTool::hint() const {
-    return QCoreApplication::translate("CropTool",
-                                       "Drag a rectangle around what exports keep; drag its inside or its "
-                                       "sides; Shift keeps the proportions, Delete "
-                                       "or a double click takes it away");
+    return QCoreApplication::translate(
+        "CropTool",
+        "Drag a rectangle around what exports keep, then drag its inside or its sides; Shift keeps the "
+        "proportions, Delete or a double-click removes it");
 }
 
 QCursor CropTool::cursor() const {
@@ -219,9 +219,10 @@ void CropTool::paint(QPainter& painter) const {
 }
 
 ToolKind cropTool() {
-    return toolKind("crop", "crop", QT_TRANSLATE_NOOP("Tools", "&Crop"),
-                    QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
-                    "C", Mode::Export, picturesOnly<CropTool>(&Workbench::crop));
+    return toolKind(
+        "crop", "crop", QT_TRANSLATE_NOOP("Tools", "&Crop"),
+        QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around the part of the picture that exports keep"), "C",
+        Mode::Export, picturesOnly<CropTool>(&Workbench::crop));
 }
 
 }  // namespace wend

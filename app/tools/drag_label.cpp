@@ -44,7 +44,7 @@ void paintRecording(QPainter& painter, const ShapeSession& session, const QPoint
 }
 
 QString recordingHint() {
-    return QCoreApplication::translate("Recording", "Recorded as it goes until you let go; Esc gives it up");
+    return QCoreApplication::translate("Recording", "Recording until you let go; Esc cancels");
 }
 
 }  // namespace wend

@@ -3,7 +3,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 
@@ -64,7 +64,7 @@ void Manipulator::place(const Vec<3>& centre, const Mat<3>& axes) {
 
 QString Manipulator::hint() {
     return QCoreApplication::translate("PinTool",
-                                       "Drag an arrow, a square or a ring; G moves, R turns, S scales");
+                                       "Drag an arrow, a square or a ring; G moves, R rotates, S scales");
 }
 
 double Manipulator::length(const SolidSurface& surface) const {

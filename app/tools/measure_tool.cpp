@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "app/document/domain.h"
-#include "app/session/pins/mark_size.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {
@@ -51,7 +51,7 @@ QString MeasureTool<Dim>::hint() const {
     if (!measured.isEmpty()) return measured;
     return said(QT_TRANSLATE_NOOP(
         "MeasureTool",
-        "Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears"));
+        "Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears"));
 }
 
 template <int Dim>

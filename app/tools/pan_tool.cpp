@@ -29,7 +29,8 @@ class PanTool : public ShapeTool<Dim> {
 ToolKind panTool() {
     return toolKind(
         "pan", "pan", QT_TRANSLATE_NOOP("Tools", "Pa&n"),
-        QT_TRANSLATE_NOOP("Tools", "Drag the view to another place; in every step the space bar does so"),
+        QT_TRANSLATE_NOOP(
+            "Tools", "Drag the view to another place; in every step, holding the space bar does so, too"),
         "Q", Mode::Export, both<PanTool>());
 }
 

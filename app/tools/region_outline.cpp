@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 
 namespace wend {
 
@@ -126,7 +126,7 @@ void paintRegions(QPainter& painter, SolidSurface& surface, const std::vector<Re
     painter.setBrush(Qt::NoBrush);
     const Points<3>& rest = frame->rest->points;
     for (const Region<3>& region : regions) {
-        const Carrying carry = carryingOf(*frame, verticesIn(region, *frame->rest));
+        const auto carry = carryingOf(*frame, verticesInside<3>(region, *frame->rest));
         const auto* ball = std::get_if<Ball<3>>(&region);
         if (ball && regions.size() > 1) {
             const Vec<3> centre = carry(ball->centre);

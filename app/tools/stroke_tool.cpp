@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

@@ -75,7 +75,7 @@ enum class ToolOption {
     SelectBy,  // what is drawn beside pins
     Through,   // takes what is hidden, too
     Snap,
-    AddsOrTakes,  // what is drawn shall bend, or not
+    AddsOrTakes,  // what is drawn will bend, or not
     PenSize,
     Tolerance,
     Edges,

@@ -68,7 +68,6 @@ CompareView::CompareView(const Parts& parts, QWidget* parent)
     other->addWidget(m_picture, 1);
     row->addWidget(m_other, 1);
     m_picture->followOther();
-    m_picture->setObjectName(QStringLiteral("comparedPicture"));
     m_picture->setAccessibleName(tr("The same with another energy"));
     m_ownHead->hide();
     m_other->hide();
@@ -96,7 +95,7 @@ QWidget* CompareView::otherHead() {
     row->setContentsMargins(12, 0, 4, 0);
     m_energy->setObjectName(QStringLiteral("comparedEnergy"));
     describe(m_energy, tr("Compare with"),
-             tr("What this half keeps, or what it is without paint, on the same pins and motions."));
+             tr("What this half keeps, or how it is without paint, with the same pins and motions."));
     connect(m_energy, &QComboBox::activated, this,
             [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); });
     m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -165,7 +164,6 @@ void CompareView::makeSolid() {
     SolidCanvas* own = m_parts.solid();
     if (m_solid || !own) return;
     m_solid = new SolidCanvas(m_comparison.other());
-    m_solid->setObjectName(QStringLiteral("comparedSolid"));
     m_other->layout()->addWidget(m_solid);
     m_solid->installEventFilter(this);
     connect(own, &VolumeView::cameraChanged, this, [this, own] { m_solid->takeView(*own); });

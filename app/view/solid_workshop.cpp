@@ -14,8 +14,8 @@
 #include "app/panels/facts_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/measure_panel.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/opening.h"
-#include "app/session/pins/solid_places.h"
 #include "app/view/actions/actions.h"
 #include "app/view/export/picture_dialog.h"
 #include "app/view/export/save_dialog.h"
@@ -57,8 +57,8 @@ void SolidWorkshop::takeUpTool() {
 void SolidWorkshop::makePage() {
     if (!VolumeView::available()) {
         auto* label =
-            new QLabel(tr("Solids need OpenGL 3.3, which this system does not have. The command line "
-                          "(wend run) works with them all the same."));
+            new QLabel(tr("Solids need OpenGL 3.3, which this system does not have. The command line (wend "
+                          "run) still works with them."));
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
         m_page = label;
@@ -232,7 +232,7 @@ void SolidWorkshop::holdBeyondCut() {
     if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
     if (frame->pose == frame->rest->points) {  // where it is at rest it may be a region
         const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
-        if (!verticesIn(half, *frame->rest).empty())
+        if (!verticesInside<3>(half, *frame->rest).empty())
             m_around.session.addHandle<3>(half, tr("Region").toStdString());
         return;
     }

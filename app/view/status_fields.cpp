@@ -72,14 +72,15 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
     bar.addWidget(m_hint, 1);
     bar.setContentsMargins(0, 0, 12, 0);
-    m_time = add(tr("Time per frame"),
-                 tr("In a drag: how long what you see comes after the hand. At rest: what computing it took"),
-                 tr("%1 ms").arg(QStringLiteral("0000")));
+    m_time = add(
+        tr("Time per frame"),
+        tr("While you drag: how long the view lags behind your hand. At rest: how long computing it took"),
+        tr("%1 ms").arg(QStringLiteral("0000")));
     m_pointer = add(tr("Position"), tr("Where the pointer is, in the picture's pixels"),
                     QStringLiteral("00000.0, 00000.0"));
     m_pinError = add(tr("Pin error"), tr("How far the worst pin is from where it should be"),
                      tr("pin error %1 px").arg(QStringLiteral("0.00")));
-    m_worst = add(tr("Worst place"), tr("How far the worst place is from rest, by what the map shows"),
+    m_worst = add(tr("Worst place"), tr("How far the worst place is from rest in what the map shows"),
                   tr("worst %1").arg(QStringLiteral("stretch 0.000")));
     m_worst->setObjectName(QStringLiteral("worstField"));
     m_area = add(tr("Area change"), tr("How much larger or smaller the shape is than at rest"),

@@ -1,8 +1,5 @@
 #include "core/assembly/isotropic_back_end.h"
 
-#include <limits>
-#include <numeric>
-
 #include "core/assembly/block_kernels.h"
 #include "core/assembly/cpu_back_end.h"
 #include "core/assembly/isotropic_kernels.h"

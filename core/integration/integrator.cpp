@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "core/integration/contradictions.h"
 #include "core/mesh/error.h"

@@ -1,7 +1,6 @@
 // How far an engine steps, and what becomes of a step.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/integration/integrator.h"

@@ -18,18 +18,17 @@ std::string stopMessage(StopReason reason, const std::string& place, int cell) {
         case StopReason::CellInverted:
             return "the shape would fold over near " + place +
                    (cell < 0 ? "" : ", in cell " + std::to_string(cell)) +
-                   "; let it go less far or another way, or free what holds the shape there";
+                   "; move it less far or along another path, or release what holds the shape there";
         case StopReason::StepTooSmall:
-            return "it is too fast near " + place +
-                   ", the steps would be too short; give its motion more time, or allow a larger tolerance";
+            return "it moves too fast near " + place +
+                   ": the steps would be too short; give its motion more time, or allow a larger tolerance";
         case StopReason::Indefinite:
             return "the shape near " + place +
-                   " is so much stretched or squeezed that no velocity can be computed; let it go less far, "
-                   "or "
+                   " is stretched or squeezed so much that no velocity can be computed; move it less far, or "
                    "make the material or the mesh more even there";
         case StopReason::NotFinite:
-            return "it is so fast near " + place +
-                   " that numbers overflow; let it go less far, or give its motion more time";
+            return "it moves so fast near " + place +
+                   " that numbers overflow; move it less far, or give its motion more time";
     }
     return {};
 }

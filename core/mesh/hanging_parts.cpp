@@ -25,7 +25,7 @@ bool turnsFreely(const Points<Dim>& points, const std::vector<int>& joint) {
     });
 }
 
-/// What hangs together, and by which vertices.
+/// What is connected, and by which vertices.
 template <int Dim, std::size_t N>
 class Parts {
   public:

@@ -14,12 +14,12 @@ struct HangingPart {
     int cells = 0, firstCell = 0;
 };
 
-/// Of parts that hang together, the largest counts as what the others hang on. In the order of their first
+/// Of parts that touch, the largest counts as what the others hang on. In the order of their first
 /// cells.
 template <int Dim>
 std::vector<HangingPart> hangingParts(const SimplicialMesh<Dim>& mesh);
 
-/// The same of what a surface in space encloses: triangles hang together by edges of two.
+/// The same of what a surface in space encloses: triangles are connected by edges of two.
 std::vector<HangingPart> hangingParts(const Points<3>& points,
                                       const std::vector<std::array<int, 3>>& triangles);
 

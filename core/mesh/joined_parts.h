@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// A mesh whose parts hang together where their boundaries lie on each other, facet on facet and vertex on
+/// A mesh whose parts are connected where their boundaries lie on each other, facet on facet and vertex on
 /// vertex, from both sides: many programs write every triangle, or every patch of a texture, with vertices of
 /// its own. Points and the order of cells stay; vertices that were joined to others have no cell any more
 /// (see twinsOf). A slit, whose two sides belong to one part, stays open. The mesh must be valid, and is

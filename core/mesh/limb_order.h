@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// Where a shape in the plane covers itself, its limbs shall be seen whole. The place of every cell in an
+/// Where a shape in the plane covers itself, its limbs are to be seen whole. The place of every cell in an
 /// order of painting that does so, from 0 (behind everything) to cells − 1.
 ///
 /// The reach of a cell is its distance, through the shape, from the middle of its connected component: from

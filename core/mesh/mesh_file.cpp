@@ -1,6 +1,5 @@
 #include "core/mesh/mesh_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 

@@ -1,7 +1,6 @@
 #include "core/mesh/printable.h"
 
 #include <array>
-#include <cstdint>
 #include <cstdio>
 
 namespace wend {

@@ -111,7 +111,7 @@ PendingFile PendingFile::companion(const std::string& extension) const {
     return file;
 }
 
-/// What was written is on the disk, with the rights that it shall have.
+/// What was written is on the disk, with the permissions that it is to have.
 void PendingFile::settle() const {
     const int descriptor = open(m_temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) fail(m_path, std::strerror(errno));

@@ -1,7 +1,6 @@
 #include "core/mesh/skin_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "core/mesh/error.h"

@@ -24,7 +24,7 @@ struct Cage {
     SimplicialMesh<3> mesh;
     double edge = 0;              // of the cubes that the cells are made of
     bool aimMet = true;           // false: whole cubes, or the memory for them, allow nothing nearer
-    int bodies = 0;               // that hang together by faces
+    int bodies = 0;               // that are connected through faces
     int parts = 0;                // of the surface
     int apart = 0;                // sets of parts that share no cube: `parts` if none moves with another
     std::vector<ClosedGap> gaps;  // within parts, that it closes, the narrowest first

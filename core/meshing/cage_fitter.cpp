@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/error.h"
@@ -71,7 +70,7 @@ class CubeMesher {
         return find(m_full[i] + (side == 1 ? 1 : -1) * m_grid.stride(axis));
     }
 
-    /// One vertex for all cubes around the corner that hang together by faces there.
+    /// One vertex for all cubes around the corner that are connected through faces there.
     void placeCorner(int i, int corner) {
         CubeGrid::Place place = m_grid.place(m_full[i]);
         for (int k = 0; k < 3; ++k) place[k] += corner >> k & 1;

@@ -4,7 +4,6 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/mesh/error.h"

@@ -173,7 +173,7 @@ void requireInside(const MarkedTriangulation& triangulation) {
     for (auto v : triangulation.finite_vertex_handles())
         if (v->info() >= 0 && !touchesInside(triangulation, v))
             throw InputError("point " + std::to_string(v->info()) + ", " +
-                             placeName<2>({v->point().x(), v->point().y()}) + ", is outside of the shape");
+                             placeName<2>({v->point().x(), v->point().y()}) + ", is outside the shape");
 }
 
 /// CGAL's assertions (on in this file) throw; their own report on standard error adds nothing to that. Once:

@@ -2,7 +2,6 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <numeric>
 #include <queue>
 
 #include "core/meshing/surface_edges.h"

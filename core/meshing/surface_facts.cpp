@@ -63,7 +63,7 @@ int countSets(DisjointSets& sets, const std::vector<bool>& of) {
     return count;
 }
 
-/// Triangles that hang together by edges.
+/// Triangles that are connected through edges.
 struct Part {
     std::vector<int> triangles;
     Eigen::AlignedBox3d box;

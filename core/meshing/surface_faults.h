@@ -13,7 +13,7 @@ struct FaultKind {
     std::vector<std::vector<int>> cases;
 };
 
-/// All kinds that there are, the gravest first. A hole is all open edges that hang together.
+/// All kinds that there are, the gravest first. A hole is all open edges that are connected.
 std::vector<FaultKind> faultsOf(const Surface& surface, const SurfaceProblems& problems);
 
 }  // namespace wend

@@ -51,7 +51,7 @@ struct SoundPart {
         }
     }
 
-    /// The triangles that hang together with one over edges and agree with it, in the whole surface's
+    /// The triangles that are connected with one through edges and agree with it, in the whole surface's
     /// numbers.
     std::vector<int> patchOf(int triangle) const {
         const auto at = std::ranges::lower_bound(triangles, triangle);

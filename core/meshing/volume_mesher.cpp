@@ -56,7 +56,7 @@ bool inside(const Surface& surface, const std::vector<int>& shells, const Vec<3>
     return enclosing % 2 == 1;
 }
 
-/// The triangles with the first of all vertices at one place: a soup of triangles hangs together, too.
+/// The triangles with the first of all vertices at one place: a soup of triangles is connected, too.
 std::vector<std::array<int, 3>> joinedTriangles(const Surface& surface) {
     const std::vector<int> canonical = canonicalVertices(surface.points);
     std::vector<std::array<int, 3>> triangles = surface.triangles;

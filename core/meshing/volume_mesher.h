@@ -11,8 +11,8 @@
 
 namespace wend {
 
-/// How long edges shall be relative to elsewhere: factors on a regular grid over the surface's box, trilinear
-/// between.
+/// How long edges are to be relative to elsewhere: factors on a regular grid over the surface's box,
+/// trilinear between.
 struct SizeGrid {
     Vec<3> low = Vec<3>::Zero(), spacing = Vec<3>::Ones();
     std::array<int, 3> counts{};  // of nodes, x running fastest; 0: the same everywhere

@@ -73,7 +73,7 @@ void FactorCache<Dim>::recall(const FactorMemory<Dim>& memory) {
     m_policy.setCounts(memory.counts);
 }
 
-/// The back end is at that shape; null if the factor shall serve but once.
+/// The back end is at that shape; null if the factor is to serve only once.
 template <int Dim>
 SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kind,
                                          const std::stop_token& stop) {

@@ -1,6 +1,5 @@
 #include "core/solver/projection.h"
 
-#include <algorithm>
 #include <map>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "core/solver/reduced_system.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace wend {
 namespace {

@@ -111,7 +111,7 @@ class VelocitySolver {
     /// A wish to stop ends a solve that goes on: between the iterations, and within a factorization unless it
     /// is CHOLMOD's. What was remembered before it leads to the same bits again.
     void setStop(std::stop_token stop);
-    /// To be taken between solves, and given back before the solves that shall go on from it, after their
+    /// To be taken between solves, and given back before the solves that are to go on from it, after their
     /// constraints were set. A factor that is no longer there is made again when it is needed.
     FactorMemory<Dim> remember() const;
     void recall(const FactorMemory<Dim>& memory);

@@ -11,18 +11,11 @@
 using namespace wend;
 using samples::Bend;
 using samples::distance;
+using samples::runTo;
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-template <int Dim>
-Points<Dim> runTo(Deformer<Dim>& deformer, double time, const typename Deformer<Dim>::Watch& watch = {}) {
-    const AdvanceResult result = deformer.advance(time, watch);
-    if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
-    return result.outcome == Outcome::Done ? deformer.state().points
-                                           : Points<Dim>::Constant(Dim, deformer.state().points.cols(), NAN);
-}
 
 IntegrationOptions precise(double tolerance) {
     IntegrationOptions options;

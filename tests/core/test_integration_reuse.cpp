@@ -8,6 +8,7 @@
 using namespace wend;
 using samples::Bend;
 using samples::distance;
+using samples::runTo;
 
 namespace {
 
@@ -40,14 +41,6 @@ Bend<Dim> jerkyBend(double phi = phi::kMetr) {
     curve.start = 0.6, curve.end = 1;
     bend.handles[1].motions.push_back(curve);
     return bend;
-}
-
-template <int Dim>
-Points<Dim> runTo(Deformer<Dim>& deformer, double time, const typename Deformer<Dim>::Watch& watch = {}) {
-    const AdvanceResult result = deformer.advance(time, watch);
-    if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
-    return result.outcome == Outcome::Done ? deformer.state().points
-                                           : Points<Dim>::Constant(Dim, deformer.state().points.cols(), NAN);
 }
 
 }  // namespace

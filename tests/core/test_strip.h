@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <numeric>
 
 #include "core/integration/deformer.h"
@@ -83,6 +85,15 @@ struct Bend {
         return Deformer<Dim>(mesh, material, handles, options);
     }
 };
+
+/// The points at a time; no numbers where it cannot be reached, and why is told.
+template <int Dim>
+Points<Dim> runTo(Deformer<Dim>& deformer, double time, const typename Deformer<Dim>::Watch& watch = {}) {
+    const AdvanceResult result = deformer.advance(time, watch);
+    if (result.outcome != Outcome::Done) std::fprintf(stderr, "%s\n", result.message.c_str());
+    return result.outcome == Outcome::Done ? deformer.state().points
+                                           : Points<Dim>::Constant(Dim, deformer.state().points.cols(), NAN);
+}
 
 /// Largest distance of corresponding columns.
 template <class A, class B>

@@ -36,7 +36,7 @@ Built 27 of 30.
 Built 30 of 30.
 ninja: build stopped: subcommand failed.'
 expect "nothing to do is not told" "$(echo "ninja: no work to do." | narrate_build 2>/dev/null)" ""
-expect "a file by its path" "$(step_name "Building CXX object app/view/CMakeFiles/wend_view.dir/canvas.cpp.o")" "app/view/canvas/canvas.cpp"
+expect "a file by its path" "$(step_name "Building CXX object app/view/CMakeFiles/wend_view.dir/canvas/canvas.cpp.o")" "app/view/canvas/canvas.cpp"
 expect "headers" "$(step_name "Building CXX object CMakeFiles/wend_pch_qt.dir/cmake_pch.hxx.gch")" "headers that most files include"
 expect "a pace" "$(time_left 60 100 400)" ", about 3 minutes left"
 expect "no pace yet" "$(time_left 10 5 400)" ""

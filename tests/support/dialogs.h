@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 #include <functional>
@@ -31,6 +33,15 @@ inline void whileAsked(QObject* scope, const std::function<void(QWidget&)>& act)
     QTimer::singleShot(50, scope, [scope, act] {
         whileAsked(scope, act);
         if (QWidget* dialog = QApplication::activeModalWidget()) act(*dialog);
+    });
+}
+
+/// Presses the button of this name in the next message box.
+inline void answerNext(QObject* scope, const QString& name) {
+    withNext<QMessageBox>(scope, [name](QMessageBox& box) {
+        for (QAbstractButton* button : box.buttons())
+            if (button->text().remove('&') == name) return button->click();
+        box.reject();
     });
 }
 

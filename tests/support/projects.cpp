@@ -36,10 +36,19 @@ void setLength(Document& document, double length) {
 }
 
 template <int Dim>
+Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name) {
+    Project next = project;
+    next.design =
+        withHandle<Dim>(designOf<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+    return next;
+}
+
+template <int Dim>
 void addPin(Document& document, const Vec<Dim>& rest, const std::string& name) {
     document.change(QStringLiteral("Pin"), withPin<Dim>(*document.project(), rest, name));
 }
 
+template Project withPin<2>(const Project&, const Vec<2>&, const std::string&);
 template void addPin<2>(Document&, const Vec<2>&, const std::string&);
 template void addPin<3>(Document&, const Vec<3>&, const std::string&);
 

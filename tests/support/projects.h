@@ -20,6 +20,10 @@ namespace test {
 std::shared_ptr<Project> barProject(const QString& picture, int vertices = 400);
 std::shared_ptr<Project> solidProject(const QString& surface, int vertices);
 
+/// A handle of one point of the rest shape that holds at the end.
+template <int Dim = 2>
+Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name);
+
 // One step of the document each.
 void setVertices(Document& document, int vertices);
 void setLength(Document& document, double length);

@@ -129,8 +129,8 @@ void TestPictureFormat::notRead_data() {
     row("RIFF" + QByteArray("\0\0\1\0", 4) + "AVI LIST" + zeros, "a film");
     row("once upon a time\nthere was no picture", "a text file");
     row("0.5 1.25 -3e-2\n1 2 3\n", "a list of points without a surface");
-    row(QByteArray(64, '\x03'), "no picture that Wend knows");
-    row("FAKE" + QByteArray("\0\0\1\0", 4) + "WEBP" + zeros, "no picture that Wend knows");
+    row(QByteArray(64, '\x03'), "not a picture that Wend knows");
+    row("FAKE" + QByteArray("\0\0\1\0", 4) + "WEBP" + zeros, "not a picture that Wend knows");
 }
 
 void TestPictureFormat::notRead() {

@@ -3,9 +3,7 @@
 #include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 
 #include "core/mesh/error.h"

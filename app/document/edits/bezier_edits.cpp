@@ -1,7 +1,6 @@
 #include "app/document/edits/bezier_edits.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace wend {
 

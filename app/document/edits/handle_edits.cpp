@@ -118,14 +118,6 @@ Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::
 }
 
 template <int Dim>
-Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name) {
-    Project next = project;
-    next.design =
-        withHandle<Dim>(designOf<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
-    return next;
-}
-
-template <int Dim>
 Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at) {
     Design<Dim> next = design;
     next.handles.at(handle).at = std::move(at);
@@ -341,7 +333,6 @@ std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& p
     template bool movesAfter(const Design<Dim>&, double);                                                    \
     template bool isActive(const Handle<Dim>&, double);                                                      \
     template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double);    \
-    template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                      \
     template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                      \
     template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&,  \
                                      const std::vector<Vec<Dim>>&);                                          \

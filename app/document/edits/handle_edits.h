@@ -37,9 +37,6 @@ Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::
 /// Other names for its handles and layers; the same project where none differs.
 std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& project,
                                          const std::function<std::string(const std::string&)>& nameOf);
-/// A handle of one point of the rest shape that holds at the end.
-template <int Dim = 2>
-Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name);
 /// Other points to hold, or another name, which what it brings to the front or back has too.
 template <int Dim>
 Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at);

@@ -1,7 +1,5 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 
 #include "app/document/file/design_reader.h"
 #include "app/document/file/json_text.h"

@@ -20,17 +20,15 @@ DetailRow::DetailRow(QWidget* parent)
     m_remove->setText(tr("Remove"));
     m_remove->setObjectName(QStringLiteral("removeDetail"));
     for (QToolButton* button : {m_choose, m_remove}) button->setProperty("role", "chip");
-    describe(
-        m_choose, tr("Choose skin"),
-        tr("Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the "
-           "view shows and what surface formats get."));
-    describe(m_remove, tr("Remove skin"), tr("The solid is seen and exported with its own surface again."));
+    describe(m_choose, tr("Choose skin"),
+             tr("Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view "
+                "shows it, and surface formats contain it."));
+    describe(m_remove, tr("Remove skin"), tr("Shows and exports the solid with its own surface again."));
     layout->addLayout(panelRow(tr("Skin"), m_choose, this));
     auto* row = new QHBoxLayout;
     row->addWidget(m_name, 1);
     row->addWidget(m_remove);
     layout->addLayout(row);
-    m_name->setObjectName(QStringLiteral("detailName"));
     connect(m_choose, &QToolButton::clicked, this, &DetailRow::wanted);
     connect(m_remove, &QToolButton::clicked, this, &DetailRow::removed);
 }

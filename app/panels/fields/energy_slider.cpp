@@ -16,7 +16,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/panels/look/theme.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 
 namespace wend {
 
@@ -229,12 +229,11 @@ void EnergySlider::setDimension(int dimension) {
 QString EnergySlider::helpText() const {
     if (m_dimension == 3)
         return tr(
-            "What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, "
-            "to "
-            "the look of its details. Between two names it is something of both.");
+            "What the shape keeps where it has to give way: from its volume, through lengths and rigid "
+            "parts, to the look of its details. Between two names it is a mixture of both.");
     return tr(
-        "What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the "
-        "look of its details. Between two names it is something of both.");
+        "What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to "
+        "the look of its details. Between two names it is a mixture of both.");
 }
 
 void EnergySlider::choose(int value) {

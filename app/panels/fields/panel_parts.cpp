@@ -4,6 +4,8 @@
 #include <QFrame>
 #include <QRegularExpression>
 
+#include "app/panels/fields/exact_box.h"
+
 namespace wend {
 
 QLabel* panelTitle(const QString& text, QWidget* parent) {
@@ -51,14 +53,18 @@ QString tableLine(const QString& name, const QString& value) {
     return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
 }
 
-QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
+QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets) {
     auto* row = new QHBoxLayout;
-    row->setSpacing(8);
+    for (QWidget* widget : widgets) widget ? row->addWidget(widget) : row->addStretch(1);
+    return row;
+}
+
+QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
     auto* text = new QLabel(label, parent);
     text->setBuddy(control);
-    row->addWidget(text);
-    row->addStretch(1);
-    row->addWidget(control);
+    if (qobject_cast<QAbstractSpinBox*>(control)) control->setFixedWidth(kControlWidth);
+    auto* row = sideBySide({text, nullptr, control});
+    row->setSpacing(8);
     return row;
 }
 
@@ -74,6 +80,21 @@ void fitToEntries(QComboBox* box, int least) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     box->setMinimumWidth(least);
     box->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+}
+
+std::array<ExactBox*, 3> coordinateBoxes(double limit, int decimals, const QString& name, const QString& help,
+                                         QWidget* parent) {
+    std::array<ExactBox*, 3> boxes{};
+    for (ExactBox*& box : boxes) {
+        box = new ExactBox(parent);
+        box->setRange(-limit, limit);
+        box->setDecimals(decimals);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        describe(box, name, help);
+    }
+    return boxes;
 }
 
 QString withoutKey(QString label) {

@@ -43,7 +43,7 @@ ReachRow::ReachRow(Document& document, QWidget* parent)
     m_slider->setSingleStep(2);
     m_slider->setPageStep(20);
     describe(m_slider, tr("Pull reaches"),
-             tr("How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide."));
+             tr("How far a pin's pull spreads. Near: close to the pin, sharp. Far: soft and wide."));
     showInTip(m_slider, reachPictures);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(16, 0, 16, 6);

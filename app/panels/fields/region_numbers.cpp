@@ -51,32 +51,16 @@ RegionNumbers::RegionNumbers(Radius radius, QWidget* parent)
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { emit changed(numbers()); });
 }
 
-RegionNumbers::Numbers RegionNumbers::makeNumbers() {
-    Numbers boxes;
-    for (ExactBox*& box : boxes) {
-        box = new ExactBox(this);
-        box->setRange(-1e9, 1e9);
-        box->setDecimals(4);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Numbers of the region"),
-                 tr("As x, y and z, in the coordinates of the rest shape."));
-    }
-    return boxes;
-}
-
 void RegionNumbers::makeControls() {
     m_kind->addItems({tr("Ball"), tr("Box"), tr("Half-space")});
-    fitToEntries(m_kind, 116);
+    fitToEntries(m_kind);
     describe(m_kind, tr("Kind of region"), tr("What the region is; another kind keeps its place."));
-    m_first = makeNumbers();
-    m_second = makeNumbers();
-    m_radiusRow = new QWidget(this);
-    m_radius = new ExactBox(m_radiusRow);
+    for (Numbers* boxes : {&m_first, &m_second})
+        *boxes = coordinateBoxes(1e9, 4, tr("Numbers of the region"),
+                                 tr("As x, y and z, in the coordinates of the rest shape."), this);
+    m_radius = new ExactBox(this);
     m_radius->setRange(1e-9, 1e9);
     m_radius->setDecimals(4);
-    m_radius->setFixedWidth(116);
     describe(m_radius, tr("Radius"), tr("The radius of the ball."));
 }
 
@@ -85,14 +69,9 @@ void RegionNumbers::arrange() {
     layout->addLayout(panelRow(tr("&Region"), m_kind, this));
     for (const auto& [name, boxes] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
         layout->addWidget(name);
-        auto* row = new QHBoxLayout;
-        for (ExactBox* box : boxes) row->addWidget(box);
-        layout->addLayout(row);
+        layout->addLayout(sideBySide({boxes[0], boxes[1], boxes[2]}));
     }
-    auto* radius = panelRow(tr("Ra&dius"), m_radius, m_radiusRow);
-    radius->setContentsMargins(0, 0, 0, 0);
-    m_radiusRow->setLayout(radius);
-    layout->addWidget(m_radiusRow);
+    layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
 }
 
 Region<3> RegionNumbers::numbers() const {

@@ -34,7 +34,6 @@ class RegionNumbers : public QWidget {
   private:
     using Numbers = std::array<ExactBox*, 3>;
     void makeControls();
-    Numbers makeNumbers();
     void arrange();
     void chooseKind(int kind);
     Region<3> numbers() const;

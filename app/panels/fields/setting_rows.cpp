@@ -12,7 +12,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kNumber = 116, kNarrowNumber = 96, kWords = 150;  // pixels
+constexpr int kNarrowNumber = 96, kWords = 150;  // pixels
 
 }  // namespace
 
@@ -31,7 +31,7 @@ QWidget* SettingRows::row(std::string_view key) {
     if (auto* choice = field->findChild<QComboBox*>())
         fitToEntries(choice, kWords);
     else
-        field->setWidth(kNumber, kNarrowNumber);
+        field->setWidth(kControlWidth, kNarrowNumber);
     return panelRowIn(field->label(), field, m_panel);
 }
 

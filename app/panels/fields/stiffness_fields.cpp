@@ -15,24 +15,14 @@ ExactBox* stiffnessField(const QString& help, QWidget* parent) {
     box->setRange(ratios.min, ratios.max);
     box->setDecimals(1);
     box->setPrefix(QStringLiteral("×"));
-    box->setFixedWidth(116);
     describe(box, QCoreApplication::translate("StiffnessFields", "Stiffness"), help);
     showInTip(box, stiffnessPictures);
     return box;
 }
 
 std::array<ExactBox*, 3> directionFields(const QString& name, const QString& help, QWidget* parent) {
-    std::array<ExactBox*, 3> boxes{};
-    for (ExactBox*& box : boxes) {
-        box = new ExactBox(parent);
-        box->setRange(-1e6, 1e6);
-        box->setDecimals(3);
-        box->setSingleStep(0.1);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, name, help);
-    }
+    const auto boxes = coordinateBoxes(1e6, 3, name, help, parent);
+    for (ExactBox* box : boxes) box->setSingleStep(0.1);
     return boxes;
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/document/design.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/motion/fields.h"
 #include "core/energy/distortion.h"
 
@@ -87,7 +87,7 @@ const MeasureRow kMeasures[] = {
     MeasureRow{Measure::Shear, true, Scale::Even, 1, "", "°", &Distortion::angle, shearAt<2>, shearAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Shear"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
     MeasureRow{Measure::Way, true, Scale::Even, kNothing, "", "", nullptr, wayAt<2>, wayAt<3>,
-               QT_TRANSLATE_NOOP("Measure", "Way from rest")},
+               QT_TRANSLATE_NOOP("Measure", "Distance from rest")},
     MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
                QT_TRANSLATE_NOOP("Measure", "What is kept")},
     MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,

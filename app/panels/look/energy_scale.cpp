@@ -1,7 +1,6 @@
 #include "app/panels/look/energy_scale.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 #include <cmath>
 
 #include "core/energy/material.h"

@@ -3,7 +3,7 @@
 #include <QString>
 #include <array>
 
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 
 namespace wend {
 

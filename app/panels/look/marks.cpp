@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 

@@ -44,7 +44,7 @@ QString ghostName(const Handle<Dim>& handle, const QString& name, double time) {
     const bool isYetToCome = time < handle.activeFrom;
     const QString when = QLocale().toString(isYetToCome ? handle.activeFrom : handle.activeTo, 'f', 2);
     return (isYetToCome ? QCoreApplication::translate("PinTool", "%1: holds from %2 s")
-                        : QCoreApplication::translate("PinTool", "%1: let go at %2 s"))
+                        : QCoreApplication::translate("PinTool", "%1: released at %2 s"))
         .arg(name, when);
 }
 

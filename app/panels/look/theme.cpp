@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 
 namespace wend {
 

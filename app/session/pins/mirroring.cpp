@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/document/design.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 
 namespace wend {
 
@@ -148,9 +148,9 @@ void mirrorPinsOf(ShapeSession& session) {
     }
     if (beside)
         emit session.notice(
-            ShapeSession::tr("There is no pin where a mirror image lies outside of the shape."));
+            ShapeSession::tr("No pin was set where the mirror image lies outside the shape."));
     else if (taken)
-        emit session.notice(ShapeSession::tr("There is a pin already where the mirror image would be."));
+        emit session.notice(ShapeSession::tr("There is already a pin where the mirror image would be."));
     if (made.empty()) return;
     document.changeDesign(ShapeSession::tr("Mirror %1").arg(session.nameOf(session.selection().handles())),
                           std::move(next));

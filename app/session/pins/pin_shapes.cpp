@@ -2,7 +2,7 @@
 
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 
 namespace wend {
 

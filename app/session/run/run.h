@@ -48,7 +48,7 @@ struct RunOptions {
     bool lossy = false;                          // of WebP
     bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
     MeshWriteOptions meshes;
-    bool partial = false;  // if the deformation stops early, write the last good shape all the same
+    bool partial = false;  // if the deformation stops early, write the last good shape anyway
 };
 
 struct RunWatch {

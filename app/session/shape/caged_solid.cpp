@@ -44,9 +44,8 @@ void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>
             std::to_string(cage.apart) + ": smaller cells keep more of them apart" +
             (advice == Advice::Keys ? (domain.maxVolume > 0 ? " (`maxVolume`)" : " (`vertices`)") : ""));
     if (cage.bodies > 1)
-        solid.notices.push_back(
-            "the cage is in " + std::to_string(cage.bodies) +
-            " bodies that do not hang together: each needs a handle of its own to follow");
+        solid.notices.push_back("the cage consists of " + std::to_string(cage.bodies) +
+                                " bodies that are not connected: each needs a handle of its own to follow");
 }
 
 std::string fourDigits(double value) {

@@ -44,7 +44,7 @@ std::map<Key<Dim>, std::vector<int>> cellsOfFacets(const std::vector<Cell<Dim>>&
     return facets;
 }
 
-/// Parts that hang together by facets.
+/// Parts that are connected through facets.
 template <int Dim>
 int countParts(const std::map<Key<Dim>, std::vector<int>>& facets, int cells) {
     DisjointSets sets(cells);

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// The cells that hang together with one through facets, increasing.
+/// The cells that are connected with one through facets, increasing.
 template <int Dim>
 std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell);
 

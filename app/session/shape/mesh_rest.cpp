@@ -43,13 +43,13 @@ std::string hangingNotice(const SimplicialMesh<Dim>& rest) {
     if (parts.empty()) return {};
     const HangingPart& first = parts.front();
     const std::string one = std::to_string(first.cells) + (first.cells == 1 ? " cell" : " cells"),
-                      joint = jointName(first.joint) + " near " +
-                              placeName<Dim>(rest.points.col(first.joint[0])) + " alone";
+                      joint =
+                          jointName(first.joint) + " near " + placeName<Dim>(rest.points.col(first.joint[0]));
     return (parts.size() == 1
-                ? "a part of " + one + " hangs on " + joint
-                : std::to_string(parts.size()) + " parts hang on a vertex or an edge alone, the first, of " +
+                ? "a part of " + one + " hangs only on " + joint
+                : std::to_string(parts.size()) + " parts hang only on a vertex or an edge, the first, of " +
                       one + ", on " + joint) +
-           ": what turns there freely may be flung far away, unless handles hold it";
+           ": what turns freely there may be flung far away unless handles hold it";
 }
 
 template <int Dim>
@@ -63,8 +63,8 @@ std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>&
     tellOfUnused<Dim>(mesh, notices);
     JoinedParts<Dim> joined = joinedParts<Dim>(mesh);
     if (joined.vertices > 0)
-        notices.push_back("parts that touch vertex on vertex hang together: " +
-                          std::to_string(joined.vertices) + " vertices move with others at their place");
+        notices.push_back("parts that touch vertex to vertex are connected: " +
+                          std::to_string(joined.vertices) + " vertices move with others at the same place");
     return std::make_shared<const SimplicialMesh<Dim>>(std::move(joined.mesh));
 }
 

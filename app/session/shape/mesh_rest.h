@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// The rest mesh of a file's mesh: parts that touch vertex on vertex hang together. What the user should hear
+/// The rest mesh of a file's mesh: parts that touch vertex to vertex are connected. What the user should hear
 /// of vertices that were joined, or that no cell has, is added to the notices.
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,

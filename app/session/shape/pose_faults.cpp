@@ -1,7 +1,6 @@
 #include "app/session/shape/pose_faults.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -73,7 +72,7 @@ Points<Dim> takeBorder(const Shape<Dim>& shape, const Points<Dim>& pose, PoseFau
     return shape.rest->points;
 }
 
-/// Facets at a seam, whose vertices lie at one place, hang together there.
+/// Facets at a seam, whose vertices lie at one place, are connected there.
 template <int Dim>
 Facets<Dim> sewn(const Facets<Dim>& border, const Points<Dim>& rest) {
     const std::vector<int> first = firstAtPlace<Dim>(rest);
@@ -98,7 +97,7 @@ std::vector<Crossed> newCrossings(const PoseFaults<Dim>& faults, const Facets<Di
     return result;
 }
 
-/// What hangs together over the vertices of its members, in the order of the first of each.
+/// What is connected through the vertices of its members, in the order of the first of each.
 template <class Item, class Join>
 std::vector<std::vector<Item>> connected(const std::vector<Item>& items, int vertices, const Join& vertexOf) {
     DisjointSets sets(vertices);

@@ -24,7 +24,7 @@ struct PosePlace {
 };
 
 /// What is wrong with a pose of a shape. Facets that cross are counted if they have no vertex in common and
-/// did not cross at rest already. Triangles that cross, and cells, are one place where they hang together
+/// did not cross at rest already. Triangles that cross, and cells, are one place where they are connected
 /// over common vertices; outlines cross in points, each is a place.
 template <int Dim>
 struct PoseFaults {

@@ -140,11 +140,11 @@ void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
     if (spare == 1)
         solid.notices.push_back(
             "1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, "
-            "and so with other numbers behind it");
+            "so that later vertices have other numbers");
     if (spare > 1)
         solid.notices.push_back(std::to_string(spare) +
                                 " vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
-                                "written without them, and so with other numbers behind them");
+                                "written without them, so that later vertices have other numbers");
 }
 
 Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,

@@ -8,8 +8,8 @@
 #include "app/document/edits/handle_edits.h"
 #include "app/document/edits/outline_edits.h"
 #include "app/document/project.h"
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/flat_shape.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/in_steps.h"
@@ -51,43 +51,40 @@ bool OutlineTool::isFirst() const {
 QString OutlineTool::hint() const {
     if (isLive())
         return said(QT_TRANSLATE_NOOP("OutlineTool",
-                                      "The tolerance, also [ and ], changes what was taken; click on another "
-                                      "colour, Ctrl takes it away"));
+                                      "The tolerance, or [ and ], changes what was taken; click another "
+                                      "colour to take it too, with Ctrl to take it away"));
     switch (m_shape) {
         case Shape::Lasso:
             return isFirst()
                        ? said(QT_TRANSLATE_NOOP(
-                             "OutlineTool",
-                             "Draw around what shall bend; with Ctrl it is taken away. Esc gives up"))
+                             "OutlineTool", "Draw around what should bend; Ctrl takes it away, Esc cancels"))
                        : said(QT_TRANSLATE_NOOP(
                              "OutlineTool",
-                             "Draw around what shall bend too; with Ctrl it is taken away. Esc gives up"));
+                             "Draw around what should bend, too; Ctrl takes it away, Esc cancels"));
         case Shape::Polygon:
-            return said(QT_TRANSLATE_NOOP(
-                "OutlineTool",
-                "Click corner after corner, Shift by 45°, double-click closes; Ctrl takes away, "
-                "Backspace takes back a corner, Esc gives up"));
+            return said(
+                QT_TRANSLATE_NOOP("OutlineTool",
+                                  "Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl "
+                                  "takes away, Backspace removes the last corner, Esc cancels"));
         case Shape::Brush:
             return isFirst()
                        ? said(QT_TRANSLATE_NOOP(
                              "OutlineTool",
-                             "Brush over what shall bend, [ and ] change the size; Ctrl takes away"))
-                       : said(QT_TRANSLATE_NOOP(
-                             "OutlineTool",
-                             "Brush over what shall bend too, [ and ] change the size; Ctrl takes away"));
-        case Shape::Wand:
-            return isFirst()
-                       ? said(QT_TRANSLATE_NOOP("OutlineTool",
-                                                "Click on a colour that shall bend; Ctrl takes it away, [ "
-                                                "and ] take fewer or more colours"))
+                             "Brush over what should bend; Ctrl takes it away, [ and ] change the size"))
                        : said(QT_TRANSLATE_NOOP("OutlineTool",
-                                                "Click on a colour that shall bend too; Ctrl takes it away, "
-                                                "[ and ] take fewer or more colours"));
+                                                "Brush over what should bend, too; Ctrl takes it away, [ and "
+                                                "] change the size"));
+        case Shape::Wand:
+            return isFirst() ? said(QT_TRANSLATE_NOOP("OutlineTool",
+                                                      "Click a colour that should bend; Ctrl takes it away, "
+                                                      "[ and ] take fewer or more colours"))
+                             : said(QT_TRANSLATE_NOOP("OutlineTool",
+                                                      "Click a colour that should bend, too; Ctrl takes it "
+                                                      "away, [ and ] take fewer or more colours"));
         case Shape::Cut:
             break;
     }
-    return said(
-        QT_TRANSLATE_NOOP("OutlineTool", "Draw a line along which the shape is parted; Esc gives up"));
+    return said(QT_TRANSLATE_NOOP("OutlineTool", "Draw a line along which to part the shape; Esc cancels"));
 }
 
 /// The outline is drawn on the shape at rest.
@@ -329,7 +326,7 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     if (pinsGone > 0) {
         session().selection().clear();
         emit session().notice(QCoreApplication::translate(
-            "OutlineTool", "%n pins lay beside the new outline and were removed.", nullptr, pinsGone));
+            "OutlineTool", "Pins outside the new outline were removed: %n.", nullptr, pinsGone));
     }
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
@@ -337,8 +334,8 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     if (pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
         emit session().notice(
             said(QT_TRANSLATE_NOOP("OutlineTool",
-                                   "The outline is as you draw it from now on, and has no margin to change. "
-                                   "“Cut-out” as outline brings the found one back.")));
+                                   "From now on the outline is as you draw it, and has no margin to change. "
+                                   "Choose “Cut-out” as the outline to go back to the one that was found.")));
     document.change(said(name), std::move(changed), key);
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/edits/size_edits.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {
@@ -31,8 +31,8 @@ void paintMesh(QPainter& painter, ToolSurface& surface) {
 template <int Dim>
 QString SizeTool<Dim>::strokeHint() const {
     return said(QT_TRANSLATE_NOOP("SizeTool",
-                                  "Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even "
-                                  "again, [ and ] change the size"));
+                                  "Brush over what should be meshed finer; Shift makes it coarser, Ctrl "
+                                  "evens it out again, [ and ] change the size"));
 }
 
 template <int Dim>
@@ -76,7 +76,7 @@ template class SizeTool<3>;
 
 ToolKind detailBrushTool() {
     return toolKind("sizes", "sizes", QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
-                    QT_TRANSLATE_NOOP("Tools", "Brush where the mesh is to be finer or coarser"), "Shift+A",
+                    QT_TRANSLATE_NOOP("Tools", "Brush where the mesh should be finer or coarser"), "Shift+A",
                     Mode::Mesh, both<SizeTool>(&Workbench::brush), {ToolOption::Edges, ToolOption::BrushSize},
                     [](const Workbench&, int dimension) {
                         return dimension == 3 ? std::optional(Measure::CellSize) : std::nullopt;

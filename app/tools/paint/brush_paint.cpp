@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "app/document/edits/free_name.h"
-#include "app/session/accent.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/shape/material_raster.h"
 
 namespace wend {
@@ -141,8 +140,8 @@ bool paintsNothing(const BrushSettings& brush) {
 
 QString nothingToPaint() {
     return said(QT_TRANSLATE_NOOP("PaintTool",
-                                  "Stiffness ×1 is as everywhere and changes nothing here: choose on the "
-                                  "right how many times stiffer it is to be"));
+                                  "Stiffness ×1 is the same as everywhere and changes nothing: choose on the "
+                                  "right how many times stiffer it should be"));
 }
 
 template MaterialPaint<2> paintOf<2>(const BrushSettings&, const Vec<2>&);

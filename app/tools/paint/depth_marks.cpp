@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/tools/drag_label.h"
 #include "core/mesh/disjoint_sets.h"
 

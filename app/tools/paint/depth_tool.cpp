@@ -4,7 +4,7 @@
 
 #include "app/document/depth_region.h"
 #include "app/document/edits/depth_edits.h"
-#include "app/session/accent.h"
+#include "app/session/colours.h"
 #include "app/tools/paint/depth_marks.h"
 
 namespace wend {
@@ -18,10 +18,9 @@ QString said(const char* text) {
 }  // namespace
 
 QString DepthTool::strokeHint() const {
-    return said(
-        QT_TRANSLATE_NOOP("DepthTool",
-                          "Brush over what lies in front or behind; Ctrl takes it back, Shift turns it "
-                          "round, [ and ] change the size"));
+    return said(QT_TRANSLATE_NOOP("DepthTool",
+                                  "Brush over what lies in front or behind; Ctrl clears it, Shift swaps "
+                                  "front and back, [ and ] change the size"));
 }
 
 double DepthTool::order() const {
@@ -40,7 +39,7 @@ void DepthTool::take(const std::vector<Dab>& dabs) {
     Document& document = session().document();
     document.changeDepth(order() > 0   ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint in front"))
                          : order() < 0 ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint behind"))
-                                       : said(QT_TRANSLATE_NOOP("DepthTool", "Take back depth")),
+                                       : said(QT_TRANSLATE_NOOP("DepthTool", "Clear depth")),
                          withDepthStroke(document.depth(), balls, order()));
 }
 

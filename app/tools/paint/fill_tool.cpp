@@ -4,7 +4,7 @@
 
 #include "app/document/design.h"
 #include "app/session/brush.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/erasing.h"
 #include "app/session/shape/material_raster.h"
 #include "app/session/shape/mesh_parts.h"
@@ -16,10 +16,10 @@ namespace wend {
 template <int Dim>
 QString FillTool<Dim>::hint() const {
     return m_deed == Deed::Pick
-               ? QCoreApplication::translate("FillTool", "Click to take up what is painted there")
-               : QCoreApplication::translate("FillTool",
-                                             "Click to fill what hangs together there; Shift fills all, Ctrl "
-                                             "takes paint off, Alt picks up");
+               ? QCoreApplication::translate("FillTool", "Click to pick up what is painted there")
+               : QCoreApplication::translate(
+                     "FillTool",
+                     "Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up");
 }
 
 template <int Dim>
@@ -47,7 +47,7 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
         const Eraser<Dim> eraser{shape};
         show(withoutErasedLayers<Dim>(withErased<Dim>(design, std::span(&eraser, 1), rest, folder), rest,
                                       folder),
-             QCoreApplication::translate("PaintTool", "Take paint off"));
+             QCoreApplication::translate("PaintTool", "Erase paint"));
         return;
     }
     const BrushSettings& brush = m_brush.now();
@@ -98,14 +98,14 @@ template class FillTool<3>;
 
 ToolKind fillTool() {
     return toolKind("fill", "fill", QT_TRANSLATE_NOOP("Tools", "&Fill"),
-                    QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"), "Shift+G",
+                    QT_TRANSLATE_NOOP("Tools", "Fill a connected area with what is chosen"), "Shift+G",
                     Mode::Paint, both<FillTool>(&Workbench::brush, FillDeed::Fill), {ToolOption::Target},
                     paintedMap);
 }
 
 ToolKind eyedropperTool() {
     return toolKind("eyedropper", "pick", QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
-                    QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"), "I", Mode::Paint,
+                    QT_TRANSLATE_NOOP("Tools", "Pick up what is painted under the pointer"), "I", Mode::Paint,
                     both<FillTool>(&Workbench::brush, FillDeed::Pick), {}, paintedMap);
 }
 

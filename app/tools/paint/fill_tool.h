@@ -10,7 +10,7 @@ class Brush;
 
 enum class FillDeed { Fill, Pick };
 
-/// A click on the shape with what the brush paints: fills the part that hangs together there, with Shift the
+/// A click on the shape with what the brush paints: fills the connected area there, with Shift the
 /// whole shape; or picks up what is there.
 template <int Dim>
 class FillTool : public ShapeTool<Dim> {

@@ -5,10 +5,9 @@
 
 #include "app/document/design.h"
 #include "app/document/edits/free_name.h"
-#include "app/session/accent.h"
 #include "app/session/brush.h"
-#include "app/session/energy_stops.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 #include "app/session/shape/material_raster.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/paint/brush_paint.h"
@@ -40,9 +39,8 @@ void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radi
 template <int Dim>
 QString GradientTool<Dim>::hint() const {
     return QCoreApplication::translate("GradientTool",
-                                       "Drag over the shape: from what is there it changes evenly into what "
-                                       "is chosen on the right; Shift by "
-                                       "45°, Alt picks up, Esc gives up");
+                                       "Drag over the shape to blend evenly from what is there to what is "
+                                       "chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels");
 }
 
 /// Beside a picture's shape it goes with the nearest vertex; beside a solid there is no place.
@@ -242,8 +240,9 @@ template class GradientTool<3>;
 
 ToolKind gradientTool() {
     return toolKind("gradient", "gradient", QT_TRANSLATE_NOOP("Tools", "&Gradient"),
-                    QT_TRANSLATE_NOOP("Tools", "Drag: what is there changes evenly into what is chosen"), "G",
-                    Mode::Paint, both<GradientTool>(&Workbench::brush), {ToolOption::Target}, paintedMap);
+                    QT_TRANSLATE_NOOP("Tools", "Drag to blend evenly from what is there to what is chosen"),
+                    "G", Mode::Paint, both<GradientTool>(&Workbench::brush), {ToolOption::Target},
+                    paintedMap);
 }
 
 }  // namespace wend

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "app/document/design.h"
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "app/document/design.h"
-#include "app/session/energy_stops.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/colours.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/shape/erasing.h"
 #include "app/session/shape/material_raster.h"
 #include "app/tools/paint/brush_paint.h"
@@ -55,18 +55,18 @@ template <int Dim>
 QString PaintTool<Dim>::strokeHint() const {
     if (m_deed == Deed::Erase)
         return said(QT_TRANSLATE_NOOP("PaintTool",
-                                      "Takes paint off all layers that are seen: brush over what shall be as "
-                                      "everywhere again; Shift-click draws a line, Esc gives up the stroke"));
+                                      "Erases paint from all visible layers: brush over what should be like "
+                                      "the rest again; Shift-click draws a line, Esc cancels the stroke"));
     if (paintsNothing(brush().now())) return nothingToPaint();
     return brush().now().target == BrushTarget::Direction
                ? said(QT_TRANSLATE_NOOP(
                      "PaintTool",
-                     "Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, "
-                     "Shift-click draws a line, Alt-click picks up, Esc gives up the stroke"))
+                     "Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, "
+                     "Shift-click draws a line, Alt-click picks up, Esc cancels the stroke"))
                : said(QT_TRANSLATE_NOOP(
                      "PaintTool",
-                     "Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click "
-                     "draws a line, Alt-click picks up, Esc gives up the stroke"));
+                     "Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a "
+                     "line, Alt-click picks up, Esc cancels the stroke"));
 }
 
 template <int Dim>
@@ -276,8 +276,8 @@ QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
         return where.isEmpty() ? said(bare) : said(somewhere).arg(where);
     };
     if (erases)
-        return with(QT_TRANSLATE_NOOP("PaintTool", "Take paint off %1"),
-                    QT_TRANSLATE_NOOP("PaintTool", "Take paint off"));
+        return with(QT_TRANSLATE_NOOP("PaintTool", "Erase paint from %1"),
+                    QT_TRANSLATE_NOOP("PaintTool", "Erase paint"));
     if (deed() == Deed::Smooth)
         return with(QT_TRANSLATE_NOOP("PaintTool", "Smooth %1"), QT_TRANSLATE_NOOP("PaintTool", "Smooth"));
     if (brush().now().target == BrushTarget::Direction)
@@ -307,7 +307,7 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
                       brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
     if (lost)
         emit session().notice(said(QT_TRANSLATE_NOOP(
-            "PaintTool", "There is no direction to follow: the numbers on the right were taken.")));
+            "PaintTool", "There is no direction to follow: the numbers on the right were used.")));
     session().document().changeDesign(title(dabs), std::move(next));
     if (!erases) brush().layer().set({m_layer, aim()});
 }
@@ -324,15 +324,15 @@ ToolKind paintTool() {
 
 ToolKind combTool() {
     return toolKind("comb", "comb", QT_TRANSLATE_NOOP("Tools", "&Comb"),
-                    QT_TRANSLATE_NOOP("Tools", "Comb the direction along which it is stiff"), "N",
+                    QT_TRANSLATE_NOOP("Tools", "Comb the direction along which the shape is stiff"), "N",
                     Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Paint),
                     {ToolOption::Target, ToolOption::Separator, ToolOption::Tip}, paintedMap);
 }
 
 ToolKind eraserTool() {
     return toolKind("eraser", "eraser", QT_TRANSLATE_NOOP("Tools", "E&raser"),
-                    QT_TRANSLATE_NOOP("Tools", "Take paint off: what is brushed is as everywhere again"), "E",
-                    Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Erase), {ToolOption::Tip},
+                    QT_TRANSLATE_NOOP("Tools", "Erase paint: what you brush over is like the rest again"),
+                    "E", Mode::Paint, both<PaintTool>(&Workbench::brush, PaintDeed::Erase), {ToolOption::Tip},
                     paintedMap);
 }
 

@@ -6,8 +6,8 @@
 
 #include "app/document/design.h"
 #include "app/document/edits/pin_edits.h"
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 
@@ -29,10 +29,9 @@ double distance(const QPointF& a, const QPointF& b) {
 }  // namespace
 
 QString curveHint(bool onPoint) {
-    return onPoint ? said(QT_TRANSLATE_NOOP(
-                         "CurveEditor",
-                         "Drag the curve's point, with Shift straight, with Ctrl one direction alone; Delete "
-                         "removes it, a right click shows more"))
+    return onPoint ? said(QT_TRANSLATE_NOOP("CurveEditor",
+                                            "Drag the curve's point, Shift keeps it straight, Ctrl moves one "
+                                            "direction only; Delete removes it, a right-click shows more"))
                    : said(QT_TRANSLATE_NOOP("CurveEditor", "Double-click to insert a point into the curve"));
 }
 

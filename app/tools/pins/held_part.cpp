@@ -7,9 +7,9 @@
 
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/region_outline.h"
 
@@ -162,8 +162,7 @@ bool holdPart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part) {
     ShapeSession& session = surface.session();
     if (const auto place = placementOf(surface, part))
         return session.addHandle<Dim>(*place, said(QT_TRANSLATE_NOOP("GrabTool", "Part")).toStdString()) >= 0;
-    emit session.notice(
-        said(QT_TRANSLATE_NOOP("GrabTool", "There is nothing of the shape in this outline.")));
+    emit session.notice(said(QT_TRANSLATE_NOOP("GrabTool", "No part of the shape lies in this outline.")));
     return false;
 }
 
@@ -181,7 +180,7 @@ bool changePart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part, Qt::Keyboard
         session.changeHandle<Dim>(session.singleHandle(), *place);
     else
         emit session.notice(
-            said(QT_TRANSLATE_NOOP("GrabTool", "A handle cannot hold nothing: remove it with Delete.")));
+            said(QT_TRANSLATE_NOOP("GrabTool", "A handle must hold something; Delete removes it.")));
     return true;
 }
 
@@ -194,7 +193,7 @@ void paintCaught(QPainter& painter, SolidSurface& surface, const std::vector<int
     for (const int v : vertices)
         painter.drawEllipse(surface.toWidget(frame->pose.col(v)), marked(2.6), marked(2.6));
     paintLabel(painter, at + QPointF(16, 12),
-               QCoreApplication::translate("wend::RegionPanel", "%n vertices", nullptr,
+               QCoreApplication::translate("wend::RegionPanel", "Vertices: %n", nullptr,
                                            static_cast<int>(vertices.size())));
 }
 

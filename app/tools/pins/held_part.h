@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What a handle shall hold: of a picture an area of the screen, which becomes a polygon of the shape at
+/// What a handle is to hold: for a picture an area of the screen, which becomes a polygon of the shape at
 /// rest; of a solid vertices, increasing.
 template <int Dim>
 using HeldPart = std::conditional_t<Dim == 2, QPainterPath, std::vector<int>>;

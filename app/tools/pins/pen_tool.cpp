@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/pins/pin_picking.h"
 
@@ -41,15 +41,15 @@ template <int Dim>
 QString PenTool<Dim>::hint() const {
     if (isDrawing() && m_pressed)
         return said(QT_TRANSLATE_NOOP(
-            "PenTool", "Drag for a smooth point: Shift in steps of 45°, Alt on this side alone"));
+            "PenTool", "Drag for a smooth point: Shift snaps to 45°, Alt moves this side only"));
     if (isDrawing())
         return said(QT_TRANSLATE_NOOP("PenTool",
-                                      "Click for a corner, drag for a smooth point, Shift in steps of 45°; "
-                                      "Enter ends, Backspace takes a point back, Esc gives up"));
+                                      "Click for a corner, drag for a smooth point, Shift snaps to 45°; "
+                                      "Enter ends, Backspace removes the last point, Esc cancels"));
     if (session().selection().isEmpty())
-        return said(QT_TRANSLATE_NOOP("PenTool", "Click on the pin whose path you want to draw"));
+        return said(QT_TRANSLATE_NOOP("PenTool", "Click the pin whose path you want to draw"));
     return said(QT_TRANSLATE_NOOP(
-        "PenTool", "Click where the selected pin shall go, point after point; drag for a smooth point"));
+        "PenTool", "Click where the selected pin should go, point by point; drag for a smooth point"));
 }
 
 template <int Dim>

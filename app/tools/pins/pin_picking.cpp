@@ -1,9 +1,7 @@
 #include "app/tools/pins/pin_picking.h"
 
-#include <algorithm>
-
 #include "app/document/design.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/region_outline.h"

@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 
@@ -46,7 +46,8 @@ bool PinRing::isRefusedAt(const ToolSurface& surface, const QPointF& widget) con
 
 QString PinRing::hint() {
     return QCoreApplication::translate(
-        "PinTool", "Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number");
+        "PinTool",
+        "Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number");
 }
 
 void PinRing::begin(const Part& part, const ToolSurface& surface, const QPointF& widget) {

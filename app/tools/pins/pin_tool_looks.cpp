@@ -1,8 +1,8 @@
 // What the pin tool says and draws, which pointer it shows, and how the window offers it.
 #include <QCoreApplication>
 
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pins/pin_tool.h"
 
@@ -22,7 +22,7 @@ QString PinTool<Dim>::hint() const {
     if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
     if (isRecording(session())) return recordingHint();
     if (m_gesture == Gesture::Widen)
-        return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin shall hold; Esc gives it up"));
+        return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin should hold; Esc cancels"));
     const bool moves = m_gesture == Gesture::Drag && m_gizmo.part().kind == Grip::Kind::Move;
     if (Dim == 3 && m_gesture == Gesture::Drag)
         return said(QT_TRANSLATE_NOOP("PinTool",
@@ -50,10 +50,9 @@ QString PinTool<Dim>::gripHint() const {
     const Grip::Kind kind = m_gizmo.anywhere()->kind;
     if (!m_gizmo.canTurn()) return refusal(kind);
     return kind == Grip::Kind::Turn
-               ? said(
-                     QT_TRANSLATE_NOOP("PinTool",
-                                       "Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records "
-                                       "it; digits set the number"))
+               ? said(QT_TRANSLATE_NOOP("PinTool",
+                                        "Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl "
+                                        "records it; digits set the number"))
                : said(
                      QT_TRANSLATE_NOOP("PinTool",
                                        "Drag anywhere to scale what is selected, Ctrl records it; digits set "

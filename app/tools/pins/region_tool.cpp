@@ -2,9 +2,9 @@
 
 #include <QCoreApplication>
 
-#include "app/session/accent.h"
-#include "app/session/pins/mark_size.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/pins/held_part.h"
 #include "app/tools/region_outline.h"
 
@@ -20,17 +20,16 @@ QString said(const char* text) {
 
 QString RegionTool::hint() const {
     if (m_shape == Shape::Ball)
-        return said(
-            QT_TRANSLATE_NOOP("RegionTool",
-                              "Drag from a point of the surface to hold a ball; Shift adds what is in it "
-                              "to the selected handle, Ctrl takes it away"));
+        return said(QT_TRANSLATE_NOOP("RegionTool",
+                                      "Drag from a point on the surface to hold a ball; Shift adds what is "
+                                      "in it to the selected handle, Ctrl takes it away"));
     if (m_shape == Shape::Side)
         return said(QT_TRANSLATE_NOOP(
-            "RegionTool", "Drag from a point of the surface towards what to hold: all beyond the point"));
-    return said(QT_TRANSLATE_NOOP(
-        "RegionTool",
-        "Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, "
-        "Ctrl takes it away"));
+            "RegionTool",
+            "Drag from a point on the surface towards the side to hold: all that lies beyond the point"));
+    return said(QT_TRANSLATE_NOOP("RegionTool",
+                                  "Drag from a point on the surface to hold a box; Shift adds what is in it "
+                                  "to the selected handle, Ctrl takes it away"));
 }
 
 void RegionTool::press(const QMouseEvent& event) {
@@ -67,7 +66,7 @@ void RegionTool::release(const QMouseEvent& event) {
 }
 
 void RegionTool::take(Qt::KeyboardModifiers with) {
-    const auto vertices = verticesIn(region(), *session().frame<3>()->rest);
+    const auto vertices = verticesInside<3>(region(), *session().frame<3>()->rest);
     if (vertices.empty())
         return emit session().notice(
             said(QT_TRANSLATE_NOOP("RegionTool", "There is no vertex in this region.")));
@@ -96,27 +95,27 @@ void RegionTool::paint(QPainter& painter) const {
         for (const Vec<3>& p : line) screen << surface().toWidget(m_centre + m_turn * (p - m_restCentre));
         painter.drawPolyline(screen);
     }
-    paintCaught(painter, surface(), verticesIn(drawn, *frame->rest), m_at);
+    paintCaught(painter, surface(), verticesInside<3>(drawn, *frame->rest), m_at);
 }
 
 ToolKind grabBallTool() {
     return toolKind(
         "ball", "area-ball", QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
-        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point of the surface"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point on the surface"),
         "Shift+K", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Ball, &Workbench::toSelect));
 }
 
 ToolKind grabBlockTool() {
     return toolKind(
         "block", "area-box", QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
-        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point of the surface"),
+        QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point on the surface"),
         "Shift+X", Mode::Pins, solidsOnly<RegionTool>(RegionTool::Shape::Block, &Workbench::toSelect));
 }
 
 ToolKind grabSideTool() {
     return toolKind("side", "area-half", QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
                     QT_TRANSLATE_NOOP(
-                        "Tools", "Take hold of all that lies beyond a plane through a point of the surface"),
+                        "Tools", "Take hold of all that lies beyond a plane through a point on the surface"),
                     "Shift+P", Mode::Pins,
                     solidsOnly<RegionTool>(RegionTool::Shape::Side, &Workbench::toSelect));
 }

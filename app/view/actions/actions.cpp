@@ -39,7 +39,7 @@ void Actions::makeFile() {
         add({tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")}, QKeySequence::Open, "open");
     save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
     saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
-    exportPicture = add({tr("&Picture…"), tr("Write the picture as it is bent now, at its full size")},
+    exportPicture = add({tr("&Picture…"), tr("Write the bent picture at its full size")},
                         QKeySequence(tr("Ctrl+E")), "export");
     exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
                        QKeySequence(tr("Ctrl+Shift+E")), "frames");
@@ -63,10 +63,10 @@ void Actions::makeEdit(QUndoStack& stack) {
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
     undo->setProperty("iconName", "undo");
     redo->setProperty("iconName", "redo");
-    undo->setStatusTip(tr("Take back the last step"));
-    redo->setStatusTip(tr("Do again what was taken back"));
+    undo->setStatusTip(tr("Undo the last step"));
+    redo->setStatusTip(tr("Redo what was undone"));
     history =
-        add({tr("&Steps…"), tr("See what was done, and go back to any of it")}, QKeySequence(tr("Ctrl+H")));
+        add({tr("&Steps…"), tr("See what was done, and go back to any step")}, QKeySequence(tr("Ctrl+H")));
     selectAll = add({tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
     selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
     remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
@@ -78,8 +78,9 @@ void Actions::makeView() {
                          QKeySequence(tr("M")), "mesh");
     showMap =
         addToggle({tr("&Map"), tr("Colour the shape by what changed")}, QKeySequence(tr("D")), "distortion");
-    showMarks = addToggle({tr("&Stiffness Marks"), tr("Show where it is stiff, and along which direction")},
-                          QKeySequence(tr("Shift+S")), "marks");
+    showMarks =
+        addToggle({tr("&Stiffness Marks"), tr("Show where the shape is stiff, and along which direction")},
+                  QKeySequence(tr("Shift+S")), "marks");
     showArrows = addToggle({tr("&Velocity Arrows"), tr("Show where the shape moves at this time")},
                            QKeySequence(tr("Shift+V")));
     hideOverlays =
@@ -88,10 +89,10 @@ void Actions::makeView() {
     showRest = addToggle(
         {tr("&Before"), tr("Show the shape as it was before it was bent; hold \\ to do so for a moment")}, {},
         "compare");
-    compare =
-        addToggle({tr("&Compare Energies"),
-                   tr("Show another energy on the same pins beside; or drag a tile of Keep onto the shape")},
-                  QKeySequence(tr("Y")));
+    compare = addToggle(
+        {tr("&Compare Energies"),
+         tr("Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape")},
+        QKeySequence(tr("Y")));
     fit = add({tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
     actualSize = add({tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
                      QKeySequence(tr("1")), "zoom-100");
@@ -99,44 +100,42 @@ void Actions::makeView() {
     zoomOut = add({tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
     fullScreen = addToggle({tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
     showProperties = addToggle(
-        {tr("&Properties"), tr("Show the properties at the right, or leave their room to the shape")},
+        {tr("&Properties"), tr("Show the properties on the right, or give their room to the shape")},
         QKeySequence(Qt::Key_F4));
     showProperties->setChecked(true);
     auto* looks = new QActionGroup(this);
-    systemLook = addToggle({tr("As the &Desktop"), tr("Light or dark as the desktop is")}, {});
+    systemLook = addToggle({tr("Like the &Desktop"), tr("Light or dark, like the desktop")}, {});
     lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
     darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
-    lessMotion =
-        addToggle({tr("Less &Motion"), tr("Nothing moves in the window but what shows something")}, {});
+    lessMotion = addToggle({tr("Less &Motion"), tr("Turn off animations that are only for show")}, {});
     fillFactors(*markSizes, {100, 150, 200, 300});
     markSizes->setTitle(tr("Size of M&arks"));
     markSizes->menuAction()->setStatusTip(
-        tr("How large pins, rings and curves are over the shape, for the eye and for the hand"));
+        tr("How large pins, rings and curves are drawn, so that they are easy to see and to hit"));
     for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
     systemLook->setChecked(true);
 }
 
 void Actions::makeMotion() {
-    play = add({tr("&Play"), tr("Play the motion, or pause it; so does a tap of the space bar")},
+    play = add({tr("&Play"), tr("Play or pause the motion; tapping the space bar does so, too")},
                QKeySequence(tr("K")), "play");
-    loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("Shift+L")), "loop");
+    loop = addToggle({tr("&Loop"), tr("Start over at the end")}, QKeySequence(tr("Shift+L")), "loop");
     toStart =
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
     toEnd =
         add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
     record = addToggle(
-        {tr("&Record"), tr("Every drag is kept as it goes, in real time; Ctrl does so for one drag")},
+        {tr("&Record"), tr("Record every drag as it happens, in real time; Ctrl does so for one drag")},
         QKeySequence(tr("Ctrl+R")), "record");
-    onionSkin =
-        addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
-                  QKeySequence(tr("Shift+N")), "onion");
+    onionSkin = addToggle(
+        {tr("&Onion Skin"), tr("Show the shape as it was a little before and as it is a little after")},
+        QKeySequence(tr("Shift+N")), "onion");
     fillFactors(*speed, {25, 50, 100, 200});
-    speed->menuAction()->setStatusTip(tr("How fast it plays, and by which clock drags are recorded"));
+    speed->menuAction()->setStatusTip(
+        tr("How fast the motion plays, and how fast time goes while drags are recorded"));
     speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
     setSpeed(1);
-    settle = add(
-        {tr("Rela&x"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
-        {});
+    settle = add({tr("Rela&x"), tr("Let the shape relax at the end, with the pins where they are")}, {});
 }
 
 /// One of them holds, at first the usual one.
@@ -159,9 +158,9 @@ void Actions::makeHelp() {
     manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
                  "help");
     tutorial = add({tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
-    tips = add({tr("T&ips"), tr("Say beside the shape what to do first")}, {});
+    tips = add({tr("T&ips"), tr("Show beside the shape what to do first")}, {});
     tips->setCheckable(true);
-    shortcuts = add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence(tr("?")));
+    shortcuts = add({tr("&Keys and Mouse"), tr("What the mouse and the keys do")}, QKeySequence(tr("?")));
     about = add({tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
 }
@@ -228,7 +227,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString noPicture = tr("This project has no picture.");
     enable(exportPicture, has && hasPicture && !isSolid,
            isSolid ? tr("A solid has no pixels: export the view.") : (has ? noPicture : why));
-    enable(exportView, has && isSolid, has ? tr("Of a picture, export the picture itself.") : why);
+    enable(exportView, has && isSolid, has ? tr("For a picture, export the picture itself.") : why);
     enable(exportFrames, has, why);
     enable(exportStMap, has && hasPicture, has ? noPicture : why);
     const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // what one sees

@@ -4,7 +4,7 @@
 #include <QSettings>
 
 #include "app/panels/look/liveliness.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/tools/shape_surface.h"
 #include "app/view/actions/actions.h"
 #include "app/view/volume/solid_canvas.h"

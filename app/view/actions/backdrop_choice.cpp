@@ -16,9 +16,9 @@ BackdropChoice::BackdropChoice(QObject* parent)
     m_menu->setTitle(tr("Bac&kdrop"));
     const std::pair<Words, QColor> choices[] = {
         {{tr("&Checks"), tr("Checks behind a picture, the workspace behind a solid")}, QColor()},
-        {{tr("&White"), tr("White behind the shape: dark edges are seen on it")}, QColor(Qt::white)},
+        {{tr("&White"), tr("White behind the shape, to see dark edges")}, QColor(Qt::white)},
         {{tr("&Grey"), tr("Grey behind the shape")}, QColor(128, 128, 128)},
-        {{tr("&Black"), tr("Black behind the shape: light edges are seen on it")}, QColor(Qt::black)}};
+        {{tr("&Black"), tr("Black behind the shape, to see light edges")}, QColor(Qt::black)}};
     const int remembered = QSettings().value(kSetting, 0).toInt();
     for (const auto& [words, colour] : choices) {
         QAction* one = addToggle(words, {});

@@ -60,15 +60,15 @@ void BrushActions::makeTargets() {
 
 void BrushActions::makeTip() {
     size = new NumberAction(tr("Size"),
-                            tr("The brush across, on the screen; also by the keys [ and ], or by a drag with "
-                               "Alt and the right button to the right."),
+                            tr("Diameter of the brush on the screen. Also by the keys [ and ], or by "
+                               "dragging to the right with Alt and the right button."),
                             tr(" px"), this);
     size->box().setRange(static_cast<int>(2 * Brush::kSmallest), static_cast<int>(2 * Brush::kLargest));
-    hardness = new NumberAction(
-        tr("Hardness"),
-        tr("How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a "
-           "drag with Alt and the right button upwards."),
-        tr(" %"), this);
+    hardness =
+        new NumberAction(tr("Hardness"),
+                         tr("How much of the brush paints fully; beyond that it fades out. Also by Shift "
+                            "with [ and ], or by dragging upwards with Alt and the right button."),
+                         tr(" %"), this);
     hardness->box().setRange(0, 100);
     amount = new NumberAction(
         tr("Amount"), tr("How far a stroke goes from what is there to what is painted."), tr(" %"), this);
@@ -89,11 +89,11 @@ void BrushActions::makeTip() {
 
 void BrushActions::makeNumbers() {
     order = new NumberAction(
-        tr("Order"), tr("What is brushed lies in front where it is greater than 0, behind where it is less"),
+        tr("Order"), tr("What you brush over lies in front if this is greater than 0, behind if it is less"),
         {}, this);
     order->box().setRange(-99, 99);
     edges = new NumberAction(tr("Edges"),
-                             tr("How long the edges of the mesh are where it is brushed, of those elsewhere"),
+                             tr("How long the mesh's edges are where you brush, compared with elsewhere"),
                              tr(" %"), this);
     edges->box().setRange(10, 400);
     edges->box().setSingleStep(10);

@@ -9,9 +9,7 @@
 namespace wend {
 
 ContextMenu::ContextMenu(const Offers& offers, QObject* parent)
-    : QObject(parent), m_offers(offers), m_menu(std::make_unique<QMenu>()) {
-    m_menu->setObjectName(QStringLiteral("contextMenu"));
-}
+    : QObject(parent), m_offers(offers), m_menu(std::make_unique<QMenu>()) {}
 
 void ContextMenu::popUp(const QPoint& global, MenuPlace place) {
     if (place == MenuPlace::None || m_offers.session.document().isEmpty()) return;

@@ -20,20 +20,20 @@ CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditing*()>
 }
 
 void CurveActions::makeActions() {
-    make = add({tr("Edit &Path"), tr("Turn the last way of the selected pin into a Bézier curve")},
+    make = add({tr("Edit &Path"), tr("Turn the last path of the selected pin into a Bézier curve")},
                QKeySequence(tr("Shift+C")));
     insert = add({tr("&Insert Point"),
-                  tr("Split the curve where it was pointed at, or behind the chosen point; its shape stays")},
+                  tr("Split the curve at the pointer, or after the chosen point; its shape stays")},
                  QKeySequence(tr("I")));
     remove = add({tr("&Delete Point"), tr("Remove the chosen point from the curve")},
                  QKeySequence(tr("Ctrl+Del")));
-    free = addToggle({tr("&Free"), tr("Let both directions at the point go their own way")},
+    free = addToggle({tr("&Free"), tr("Let the two directions at the point be independent")},
                      QKeySequence(tr("Alt+1")));
     aligned = addToggle({tr("&Aligned"), tr("Keep both directions at the point on one line")},
                         QKeySequence(tr("Alt+2")));
-    automatic =
-        addToggle({tr("A&utomatic"), tr("Lead the curve smoothly through the point by its neighbours")},
-                  QKeySequence(tr("Alt+3")));
+    automatic = addToggle(
+        {tr("A&utomatic"), tr("Lead the curve smoothly through the point, guided by its neighbours")},
+        QKeySequence(tr("Alt+3")));
     auto* kinds = new QActionGroup(this);
     for (QAction* kind : {free, aligned, automatic}) kinds->addAction(kind);
     kinds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
@@ -62,9 +62,9 @@ void CurveActions::refresh() {
     const CurveEditing* curve = m_current();
     const bool has = curve && curve->hasCurve();
     const auto kind = has ? curve->chosenKind() : std::nullopt;
-    enable(make, canMakeCurve(m_session), tr("Select one pin that was dragged along a way."));
+    enable(make, canMakeCurve(m_session), tr("Select one pin that was dragged along a path."));
     enable(insert, has, tr("Select one pin that follows a curve."));
-    enable(remove, has && curve->canRemove(), tr("Click a point of the curve first; two must stay."));
+    enable(remove, has && curve->canRemove(), tr("Click a point of the curve first; two must remain."));
     for (QAction* action : {free, aligned, automatic})
         enable(action, kind.has_value(), tr("Click an inner point of a Bézier curve first."));
     free->setChecked(kind == JointKind::Free);

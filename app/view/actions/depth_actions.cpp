@@ -35,8 +35,9 @@ DepthActions::DepthActions(ShapeSession& session, QObject* parent)
                                      "behind all else")},
             QKeySequence(tr("Ctrl+Shift+[")));
     plain = add({tr("As &Drawn"), tr("What is around the selected pins has no order of its own")}, {});
-    number = add(
-        {tr("&Number…"), tr("Give what is around the selected pins an order: greater lies in front")}, {});
+    number = add({tr("&Number…"),
+                  tr("Give what is around the selected pins an order: the greater number lies in front")},
+                 {});
     m_menu->setTitle(tr("&Depth"));
     m_menu->addActions({front, behind, plain, number});
     connect(front, &QAction::triggered, this,
@@ -53,7 +54,7 @@ DepthActions::DepthActions(ShapeSession& session, QObject* parent)
 void DepthActions::refresh() {
     const bool flat = m_session.document().dimension() == 2 && m_session.frame();
     const bool can = flat && !m_session.selection().isEmpty();
-    const QString why = m_session.document().dimension() == 3 ? tr("A solid has its depth by itself.")
+    const QString why = m_session.document().dimension() == 3 ? tr("A solid has depth of its own.")
                                                               : tr("Select a pin first.");
     for (QAction* action : {front, behind, plain, number}) enable(action, can, why);
 }

@@ -69,7 +69,7 @@ LanguageChoice::LanguageChoice(QObject* parent)
         one->setChecked(code == m_spoken);
         m_menu->addAction(group->addAction(one));
     };
-    offer({tr("As the &Desktop"), tr("Speak the desktop's language, if Wend knows it")}, {});
+    offer({tr("Like the &Desktop"), tr("Speak the desktop's language, if Wend knows it")}, {});
     for (const Language& one : kLanguages) {
         const QString name = QString::fromUtf8(one.name);
         offer({name, tr("Speak %1").arg(name)}, QLatin1String(one.code));

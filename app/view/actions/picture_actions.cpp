@@ -6,19 +6,18 @@
 namespace wend {
 
 PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
-    adds =
-        addToggle({tr("&Add"), tr("What is drawn shall bend, too; with Ctrl it is taken away")}, {}, "add");
-    takesAway = addToggle({tr("&Take Away"), tr("What is drawn shall not bend; with Ctrl it is added")}, {},
+    adds = addToggle({tr("&Add"), tr("What you draw will bend, too; Ctrl takes it away instead")}, {}, "add");
+    takesAway = addToggle({tr("&Take Away"), tr("What you draw will not bend; Ctrl adds it instead")}, {},
                           "take-away");
     auto* group = new QActionGroup(this);
     group->addAction(adds);
     group->addAction(takesAway);
-    size = new NumberAction(tr("Size"), tr("How wide the brush is, on the screen; also [ and ]"), tr(" px"),
+    size = new NumberAction(tr("Size"), tr("Diameter of the brush on the screen; also [ and ]"), tr(" px"),
                             this);
     size->box().setRange(static_cast<int>(2 * OutlinePen::kSmallest),
                          static_cast<int>(2 * OutlinePen::kLargest));
     tolerance = new NumberAction(
-        tr("Tolerance"), tr("How far colours may be apart, of what was clicked last too; also [ and ]"),
+        tr("Tolerance"), tr("How much colours may differ; this also changes the last click. Also [ and ]"),
         tr(" %"), this);
     tolerance->box().setRange(1, 100);
     const auto set = [this](auto change) {

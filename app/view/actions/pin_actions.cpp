@@ -46,11 +46,11 @@ PinActions::PinActions(ShapeSession& session, QObject* parent)
 }
 
 void PinActions::makeGrips() {
-    move = addToggle({tr("Mo&ve"), tr("Drag pins to move them; of a solid, its arrows too")},
+    move = addToggle({tr("Mo&ve"), tr("Drag pins to move them; in a solid, also by the arrows")},
                      QKeySequence(tr("G")), "move");
-    turn = addToggle({tr("&Rotate"), tr("Drag to rotate the selected pins; of a solid, by its rings")},
+    turn = addToggle({tr("&Rotate"), tr("Drag to rotate the selected pins; in a solid, by the rings")},
                      QKeySequence(tr("R")), "rotate");
-    grow = addToggle({tr("Sc&ale"), tr("Drag to scale the selected pins; of a solid, by its ring")},
+    grow = addToggle({tr("Sc&ale"), tr("Drag to scale the selected pins; in a solid, by the ring")},
                      QKeySequence(tr("S")), "scale");
     auto* grips = new QActionGroup(this);
     for (QAction* grip : {move, turn, grow}) grips->addAction(grip);
@@ -60,7 +60,7 @@ void PinActions::makeGrips() {
 }
 
 void PinActions::makeOutlines() {
-    const QString outline = tr("What is drawn beside pins with the pin or the select tool, to select them");
+    const QString outline = tr("What the pin tool and the select tool draw around pins to select them");
     selectRectangle = addToggle({tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
     selectLasso = addToggle({tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
     selectBrush = addToggle({tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
@@ -70,12 +70,11 @@ void PinActions::makeOutlines() {
     using enum DrawnOutline::Kind;
     choose(&PinSettings::selectBy,
            {{selectRectangle, Rectangle}, {selectLasso, Lasso}, {selectBrush, Brush}});
-    snap =
-        addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
+    snap = addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh instead of where you click")}, {});
     snap->setChecked(m_choice.now().snaps);
     connect(snap, &QAction::toggled, this, [this](bool on) { m_choice.change(&PinSettings::snaps, on); });
-    brushSize = new NumberAction(tr("Size"), tr("The brush across, on the screen; also by the keys [ and ]."),
-                                 tr(" px"), this);
+    brushSize = new NumberAction(
+        tr("Size"), tr("Diameter of the brush on the screen. Also by the keys [ and ]."), tr(" px"), this);
     brushSize->box().setRange(static_cast<int>(2 * PinSettings::kSmallest),
                               static_cast<int>(2 * PinSettings::kLargest));
     const auto put = [this] { brushSize->put(2 * m_choice.now().radius); };
@@ -98,7 +97,7 @@ void PinActions::choose(Value PinSettings::*value,
 void PinActions::makeActions() {
     lock = addToggle({tr("&Lock"), tr("The selected pins are neither moved nor removed until unlocked")},
                      QKeySequence(tr("Ctrl+L")));
-    hide = addToggle({tr("&Hide"), tr("The selected pins hold on, but are neither drawn nor picked")},
+    hide = addToggle({tr("&Hide"), tr("The selected pins still hold, but are neither drawn nor picked")},
                      QKeySequence(tr("Ctrl+Shift+H")));
     showAll = add({tr("&Show All"), tr("Show all hidden pins again")}, QKeySequence(tr("Alt+Shift+H")));
     group = add({tr("&Group…"), tr("Put the selected pins under a heading of the list")},
@@ -107,8 +106,8 @@ void PinActions::makeActions() {
                   QKeySequence(tr("Ctrl+Shift+G")));
     link = addToggle({tr("Lin&k"), tr("The selected pins move together, whichever of them is dragged")},
                      QKeySequence(tr("Ctrl+K")));
-    mirror = add({tr("&Mirror"), tr("Set pins where the selected ones lie in a mirror through the middle of "
-                                    "the shape, with mirrored motions")},
+    mirror = add({tr("&Mirror"), tr("Set pins at the mirror images of the selected ones, across the middle "
+                                    "of the shape, with mirrored motions")},
                  QKeySequence(tr("Ctrl+M")));
     mirrorMotion = add({tr("Mirror M&otion"), tr("The selected pins move to the other side instead")},
                        QKeySequence(tr("Ctrl+Shift+M")));

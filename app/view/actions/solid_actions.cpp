@@ -36,10 +36,9 @@ void SolidActions::makeView() {
                          "the tetrahedra, which bend")},
         QKeySequence(tr("Shift+D")));
     detail->setChecked(true);
-    chooseDetail = add({tr("Choose Sk&in…"),
-                        tr("Let a detailed, perhaps textured surface from a file be embedded in the solid")},
-                       {});
-    removeDetail = add({tr("Re&move Skin"), tr("See and export the solid with its own surface again")}, {});
+    chooseDetail = add(
+        {tr("Choose Sk&in…"), tr("Embed a detailed, perhaps textured surface from a file in the solid")}, {});
+    removeDetail = add({tr("Re&move Skin"), tr("Show and export the solid with its own surface again")}, {});
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));

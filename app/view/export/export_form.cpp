@@ -219,7 +219,7 @@ void ExportForm::showDepths() {
     const bool kept = choices.contains(own);
     depth->setChoices(QStringList(QStringLiteral("picture")) + choices);
     depth->setWords(QStringLiteral("picture"),
-                    kept ? tr("As in the picture") : tr("As the format holds it best"));
+                    kept ? tr("As in the picture") : tr("As it suits the format best"));
 }
 
 void ExportForm::showCrop() {
@@ -236,7 +236,7 @@ void ExportForm::showCrop() {
     const QString where = sides.join(tr(", "));
     m_cropText->setText(
         kind() == ExportKind::Frames
-            ? tr("On its way the shape leaves the picture and is cut off there: %1.").arg(where)
+            ? tr("As it moves, the shape leaves the picture and is cut off there: %1.").arg(where)
             : tr("The shape reaches beyond the picture and is cut off there: %1.").arg(where));
     m_crop->setVisible(over.any());
 }
@@ -263,7 +263,6 @@ void ExportForm::showSize(const FileSize& size) {
     const QString text = bytesText(size.bytes);
     m_facts->setText(pixels() + QStringLiteral("  ·  ") +
                      (size.measured ? tr("%1 (measured)").arg(text) : tr("about %1 (estimated)").arg(text)));
-    emit sizeTold();
 }
 
 void ExportForm::tellProblem(const QString& problem) {
@@ -327,7 +326,6 @@ void ExportForm::startSize() {
         if (asked != m_asked || answer.stopped) return;
         if (answer.problem.isEmpty()) return showSize(answer.value);
         tellProblem(answer.problem);
-        emit sizeTold();
     });
 }
 

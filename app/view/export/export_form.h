@@ -55,8 +55,6 @@ class ExportForm : public QWidget {
     const ExportPreview& preview() const { return *m_preview; }
 
   signals:
-    /// The size of the file is known, or why there will be none.
-    void sizeTold();
     void readyChanged(bool ready);
 
   protected:

@@ -164,11 +164,11 @@ bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
     const QString name = QFileInfo(path).fileName();
     QMessageBox box(
         QMessageBox::Warning, tr("Wend"),
-        own ? questionOf(*own, name) : tr("%n of these frames exist. Replace them?", nullptr, frames),
+        own ? questionOf(*own, name) : tr("Replace the frames that already exist (%n)?", nullptr, frames),
         QMessageBox::Cancel, &m_window);
     box.setInformativeText(
-        own ? tr("What it holds now is lost, and the project will not open as it is any more.")
-            : tr("What they hold now is lost."));
+        own ? tr("What it holds now will be lost, and the project will no longer open as it is.")
+            : tr("What they hold now will be lost."));
     QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
@@ -191,7 +191,7 @@ void Exporter::exportMaterial(MaterialPart part) {
     const QString name = base + (part == MaterialPart::Keep        ? QStringLiteral("-keep.png")
                                  : part == MaterialPart::Stiffness ? QStringLiteral("-stiffness.png")
                                                                    : QStringLiteral("-direction.png"));
-    const QString path = askFileToWrite(&m_window, tr("Write Material"),
+    const QString path = askFileToWrite(&m_window, tr("Export Material"),
                                         QDir(proposedFolder(m_session.document())).filePath(name),
                                         tr("Pictures (*.png *.tif *.exr)"));
     if (!path.isEmpty() && mayReplace(ExportKind::Picture, path, 0)) writeMaterial(part, path);

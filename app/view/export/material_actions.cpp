@@ -18,26 +18,27 @@ namespace wend {
 MaterialActions::MaterialActions(ShapeSession& session, Exporter& exporter, QObject* parent)
     : ActionMaker(parent), m_session(session), m_menu(new QMenu) {
     using enum MaterialPart;
-    bringIn[Keep] = add({tr("Bring In What Is &Kept…"),
-                         tr("A gray picture over the whole, as a layer: black keeps area, white angles")},
-                        {});
-    bringIn[Stiffness] = add({tr("Bring In &Stiffness…"),
-                              tr("A gray picture over the whole, as a layer: black is as everywhere, white "
-                                 "1000 times stiffer")},
-                             {});
-    bringIn[Direction] = add({tr("Bring In &Directions…"),
-                              tr("A gray picture over the whole, as a layer: black lies, middle gray stands, "
-                                 "and what is stiff is so along it")},
-                             {});
-    cells = add({tr("Bring In Values of &Cells…"),
-                 tr("φ and B of every cell from a mesh file that holds them, such as one that was exported")},
+    bringIn[Keep] =
+        add({tr("Import What Is &Kept…"),
+             tr("A grey picture over the whole, as a layer: black keeps area, white keeps angles")},
+            {});
+    bringIn[Stiffness] =
+        add({tr("Import &Stiffness…"), tr("A grey picture over the whole, as a layer: black is the same as "
+                                          "everywhere, white is 1000 times stiffer")},
+            {});
+    bringIn[Direction] =
+        add({tr("Import &Directions…"), tr("A grey picture over the whole, as a layer, of the direction of "
+                                           "stiffness: black is level, middle grey upright")},
+            {});
+    cells = add({tr("Import Values of &Cells…"),
+                 tr("φ and B of every cell from a mesh file that contains them, such as an exported one")},
                 {});
     write[Keep] =
-        add({tr("Write What Is K&ept…"), tr("As a gray picture, to go on with in a paint program")}, {});
+        add({tr("Export What Is K&ept…"), tr("As a grey picture, to be edited in a paint program")}, {});
     write[Stiffness] =
-        add({tr("Write S&tiffness…"), tr("As a gray picture, to go on with in a paint program")}, {});
+        add({tr("Export S&tiffness…"), tr("As a grey picture, to be edited in a paint program")}, {});
     write[Direction] =
-        add({tr("Write Di&rections…"), tr("As a gray picture, to go on with in a paint program")}, {});
+        add({tr("Export Di&rections…"), tr("As a grey picture, to be edited in a paint program")}, {});
     m_menu->setTitle(tr("&Material"));
     for (const auto& [part, action] : bringIn) {
         m_menu->addAction(action);
@@ -59,7 +60,7 @@ void MaterialActions::refresh() {
     const bool solid = m_session.document().dimension() == 3;
     const bool has = m_session.frame() != nullptr;
     const QString why = !has ? tr("Open a picture first.")
-                             : tr("Of a solid, values of cells; they are written with its mesh.");
+                             : tr("For a solid, these are values of cells; they are exported with its mesh.");
     for (const auto* actions : {&bringIn, &write})
         for (const auto& [part, action] : *actions) enable(action, has && !solid, why);
     const bool isMesh = has && m_session.document().domain().kind == DomainKind::Mesh;
@@ -85,7 +86,7 @@ void MaterialActions::take(MaterialPart part, const QString& path) try {
     MaterialPictures pictures;
     pictures.*fileOf(part) = path.toStdString();
     pictures.up = frame.up;
-    document.changeDesign(tr("Bring in %1").arg(QFileInfo(path).fileName()),
+    document.changeDesign(tr("Import %1").arg(QFileInfo(path).fileName()),
                           withPictures(document.design(), QFileInfo(path).completeBaseName().toStdString(),
                                        frame.box, pictures));
 } catch (const InputError& error) {
@@ -102,9 +103,9 @@ void MaterialActions::askCells() {
 /// It holds what the layers make of the material, too: they would do so twice.
 void MaterialActions::takeCells(const QString& path) {
     Document& document = m_session.document();
-    document.changeDesign(tr("Bring in %1").arg(QFileInfo(path).fileName()),
+    document.changeDesign(tr("Import %1").arg(QFileInfo(path).fileName()),
                           withCellsFile(withAllHidden(document.design()), path.toStdString()));
-    emit done(tr("The layers are switched off: what is brought in stands below them."));
+    emit done(tr("The layers were switched off: what was imported lies below them."));
 }
 
 }  // namespace wend

@@ -83,11 +83,11 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     describe(m_width, tr("Width"), tr("Width of the picture in pixels."));
     describe(m_height, tr("Height"),
              tr("Height of the picture in pixels; it decides how large the solid is."));
-    describe(m_transparent, tr("Transparent background"), tr("Only the solid, on nothing."));
+    describe(m_transparent, tr("Transparent background"), tr("Only the solid, without a background."));
     describe(m_marks, tr("Pins and axes"), tr("Pins, their paths and the axes, as large as in the window."));
     describe(m_legend, tr("Legend of the map"),
              hasLegend ? tr("The colours of the map and their values.")
-                       : tr("Show a map first: only then there is something to explain."));
+                       : tr("Show a map first: only then is there something to explain."));
     lay();
     m_timer.setSingleShot(true);
     m_timer.setInterval(60);

@@ -15,7 +15,7 @@ class QSpinBox;
 
 namespace wend {
 
-/// What a picture of a view shall be.
+/// What a picture of a view is to be.
 struct PictureChoice {
     QSize size;
     bool transparent = true;
@@ -29,7 +29,7 @@ struct PictureChoice {
 class ExportPreview;
 class OptionField;
 
-/// How large the picture of a view shall be, or the film of its motion, and what is in it; shows it, smaller,
+/// How large the picture of a view is to be, or the film of its motion, and what is in it; shows it, smaller,
 /// and about how large the file will be.
 class PictureDialog : public QDialog {
     Q_OBJECT

@@ -78,7 +78,7 @@ QImage drawnByView(SolidCanvas& canvas, QProgressDialog& dialog, int progress,
 }
 
 QString tooLittleMemory(const PictureChoice& choice) {
-    return SolidCanvas::tr("the memory does not suffice for a picture of %1 x %2 pixels")
+    return SolidCanvas::tr("there is not enough memory for a picture of %1 x %2 pixels")
         .arg(choice.size.width())
         .arg(choice.size.height());
 }

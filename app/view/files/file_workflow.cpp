@@ -142,7 +142,7 @@ void FileWorkflow::guardWork(const QString& folder) {
     m_recovery->setParent(this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
         say(Topic::Copy,
-            tr("There is no copy of your changes if the program crashes: please save. %1").arg(why),
+            tr("Your changes cannot be recovered if the program crashes: please save. %1").arg(why),
             {{tr("Save"), [this] { save(); }}});
     });
     connect(m_recovery, &Recovery::written, this, [this] { say(Topic::Copy, {}); });
@@ -240,7 +240,7 @@ void FileWorkflow::reload() {
     if (m_document.isModified()) {
         QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Reload “%1”?").arg(m_document.displayName()),
                         QMessageBox::Cancel, &m_window);
-        box.setInformativeText(tr("Your changes since it was saved are lost."));
+        box.setInformativeText(tr("Your changes since it was saved will be lost."));
         QPushButton* yes = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
         box.exec();
         if (box.clickedButton() != yes) return;
@@ -254,7 +254,7 @@ bool FileWorkflow::mayOverwrite() {
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
                     tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
                     QMessageBox::Cancel, &m_window);
-    box.setInformativeText(tr("Saving replaces those changes; reloading drops yours."));
+    box.setInformativeText(tr("Saving replaces those changes; reloading discards yours."));
     QPushButton* keep = box.addButton(tr("Keep Mine"), QMessageBox::DestructiveRole);
     QPushButton* other = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
     QPushButton* as = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
@@ -341,10 +341,9 @@ bool FileWorkflow::mayLeave() {
                         .arg(m_document.displayName()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(isNew
-                               ? tr("It becomes a project of its own; the file stays as it is. If you do not "
-                                    "save, what you made is lost.")
-                               : tr("If you do not save, they are lost."));
+    box.setInformativeText(isNew ? tr("It becomes a project of its own; the file stays as it is. If you do "
+                                      "not save, what you made will be lost.")
+                                 : tr("If you do not save, they will be lost."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     if (answer == QMessageBox::Save) return save();

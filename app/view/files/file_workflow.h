@@ -52,7 +52,7 @@ class FileWorkflow : public QObject {
     bool mayLeave();
 
   signals:
-    /// For the banner; an empty text takes back what was said of that.
+    /// For the banner; an empty text withdraws what was said of that.
     void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
     void openingChanged(QString fileName);
     void recentChanged();

@@ -250,7 +250,7 @@ QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
     card->setObjectName(QStringLiteral("lostCard"));
     auto* discard = new QPushButton(tr("Discard…"), both);
     discard->setObjectName(QStringLiteral("discardLost"));
-    describe(discard, tr("Discard %1").arg(nameOf(work)), tr("Forgets these changes for good."));
+    describe(discard, tr("Discard %1").arg(nameOf(work)), tr("Deletes these changes for good."));
     column->addWidget(card);
     column->addWidget(discard);
     connect(card, &FileCard::clicked, this, [this, work] { emit recoverRequested(work); });

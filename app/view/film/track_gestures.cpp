@@ -226,7 +226,7 @@ void TrackView::removeChosen() {
            withoutMotions(m_session.document().design(), motions));
 }
 
-/// Delete goes for the bars that are chosen, not for their pins.
+/// Delete is for the bars that are chosen, not for their pins.
 bool TrackView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && !m_chosen.empty() &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {

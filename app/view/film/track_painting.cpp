@@ -33,8 +33,8 @@ void TrackView::paintEvent(QPaintEvent*) {
     if (end() <= 0) {
         painter.setPen(theme.secondText);
         painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then "
-                            "is here, pin by pin."));
+                         tr("Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears "
+                            "here, pin by pin."));
         return;
     }
     painter.save();

@@ -36,7 +36,7 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
            "another time, with Alt they move the chosen bar"));
     setStatusTip(
         tr("Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A "
-           "right click sets how they begin and end. The ends of the line say when the pin holds"));
+           "right-click sets how they begin and end. The ends of the line show when the pin holds"));
     const auto repaint = [this] { viewport()->update(); };
     connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
     connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);

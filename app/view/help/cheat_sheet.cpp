@@ -62,7 +62,7 @@ Group pointer(int dimension) {
     add(QT_TRANSLATE_NOOP("CheatSheet", "Shift-click"),
         QT_TRANSLATE_NOOP("CheatSheet", "selects several pins"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Digits while dragging"),
-        QT_TRANSLATE_NOOP("CheatSheet", "set the number, Enter takes it"));
+        QT_TRANSLATE_NOOP("CheatSheet", "set the number; Enter confirms it"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Wheel"), QT_TRANSLATE_NOOP("CheatSheet", "zooms to the pointer"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "[ and ]"), QT_TRANSLATE_NOOP("CheatSheet", "size of a brush"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Alt-right-drag a brush"),
@@ -80,7 +80,7 @@ Group pointer(int dimension) {
         add(QT_TRANSLATE_NOOP("CheatSheet", "X, Y, Z while dragging"),
             QT_TRANSLATE_NOOP("CheatSheet", "lock an axis"));
         add(QT_TRANSLATE_NOOP("CheatSheet", "Right or middle button"),
-            QT_TRANSLATE_NOOP("CheatSheet", "turns the view; with Shift it moves"));
+            QT_TRANSLATE_NOOP("CheatSheet", "turns the view; with Shift, moves it"));
         add(QT_TRANSLATE_NOOP("CheatSheet", "Middle click"),
             QT_TRANSLATE_NOOP("CheatSheet", "sets the point to turn around"));
         return group;

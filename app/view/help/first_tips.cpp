@@ -8,7 +8,7 @@
 #include "app/document/design.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/look/theme.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 #include "app/view/actions/toolbox.h"
 #include "app/view/canvas/canvas.h"
 #include "app/view/volume/solid_canvas.h"
@@ -46,7 +46,6 @@ Vec<Dim> middleOf(const Points<Dim>& pose) {
 }  // namespace
 
 FirstTips::FirstTips(const Parts& parts, QWidget& over) : QLabel(&over), m_parts(parts) {
-    setObjectName(QStringLiteral("firstTip"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setTextFormat(Qt::PlainText);
     hide();

@@ -81,10 +81,9 @@ ManualWindow::ManualWindow(QWidget* parent)
     : QDialog(parent),
       m_pages(new ManualPages(this)),
       m_search(new QLineEdit(this)),
-      m_nowhere(secondLabel(tr("This stands on no page."), this)) {
+      m_nowhere(secondLabel(tr("No page has these words."), this)) {
     setWindowTitle(tr("Manual"));
     resize(860, 720);
-    m_pages->setObjectName(QStringLiteral("manualPages"));
     m_pages->setAccessibleName(tr("Manual"));
     m_pages->setOpenLinks(false);
     connect(m_pages, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
@@ -102,7 +101,7 @@ ManualWindow::ManualWindow(QWidget* parent)
         return one;
     };
     button(tr("Contents"), tr("The first page"), &QTextBrowser::home);
-    QPushButton* back = button(tr("Back"), tr("The page before"), &QTextBrowser::backward);
+    QPushButton* back = button(tr("Back"), tr("The previous page"), &QTextBrowser::backward);
     back->setEnabled(false);
     connect(m_pages, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
     row->addStretch(1);
@@ -113,7 +112,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     m_search->setClearButtonEnabled(true);
     m_search->setFixedWidth(240);
     describe(m_search, tr("Search the manual"),
-             tr("Enter goes to the next place where these words stand, on this page or another."));
+             tr("Enter goes to the next place with these words, on this page or another."));
     connect(m_search, &QLineEdit::textChanged, m_nowhere, &QWidget::hide);
     connect(m_search, &QLineEdit::returnPressed, this, &ManualWindow::find);
     row->addWidget(m_search);

@@ -43,7 +43,7 @@ void SideWindows::showHistory() {
         auto* steps = new QUndoView(m_session.document().undoStack(), history);
         steps->setEmptyLabel(tr("As it was opened"));
         steps->setAccessibleName(tr("Steps"));
-        steps->setAccessibleDescription(tr("What was done; a click goes back to that step, or forth."));
+        steps->setAccessibleDescription(tr("What was done; a click goes back or forward to that step."));
         steps->setFrameShape(QFrame::NoFrame);
         auto* column = new QVBoxLayout(history);
         column->setContentsMargins(0, 0, 0, 0);

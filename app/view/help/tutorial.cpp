@@ -78,7 +78,7 @@ void Tutorial::makePages() {
     m_pages = {
         {tr("Only what is pinned holds. <b>Click a hoof</b> of the giraffe to pin it."),
          [this] { return pinCount(); }},
-        {tr("<b>Pin the other hooves</b>, too: a click each. Ctrl+Z takes a pin back."),
+        {tr("<b>Pin the other hooves</b>, too, with a click each. Ctrl+Z undoes a pin."),
          [this] { return pinCount() >= kHooves; }},
         {tr("<b>Click its nose</b>, and <b>drag the new pin</b> down to the ground. The shape flows along."),
          moved},
@@ -96,9 +96,8 @@ void Tutorial::makePages() {
             "time, and "
             "drag on from there."),
          [this] { return m_session.playback().isPlaying(); }},
-        {tr("At last, <b>press Ctrl+5</b> for the step <i>Export</i>: a picture, a sequence, a map of the "
-            "warp, or the "
-            "mesh."),
+        {tr("Finally, <b>press Ctrl+5</b> for the step <i>Export</i>: a picture, a sequence, a map of the "
+            "warp, or the mesh."),
          [this] { return m_tools.mode() == Mode::Export; }},
         {tr("That is all you need to begin. <b>F1</b> opens the manual, <b>?</b> lists the keys. Drop a "
             "picture of your "

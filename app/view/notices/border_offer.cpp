@@ -50,11 +50,10 @@ void BorderOffer::offer() {
     const auto hold = [this] {
         changeSetting(m_document, "domain.border", static_cast<double>(Border::Fixed));
     };
-    m_banner.tell(
-        InfoBanner::Topic::Border,
-        tr("This picture fills its frame. With its border held it bends inside, and no gap opens at "
-           "the edges."),
-        {{tr("Hold the Border"), hold}});
+    m_banner.tell(InfoBanner::Topic::Border,
+                  tr("This picture fills its frame. If its border is held, it bends inside and no gap opens "
+                     "at the edges."),
+                  {{tr("Hold the Border"), hold}});
 }
 
 void BorderOffer::follow() {

@@ -11,7 +11,7 @@ class QToolButton;
 namespace wend {
 
 /// Lines above the canvas that say what went wrong and what to do, or that there is something to know. Each
-/// belongs to a topic and holds until that is put right, or on a click: the newest of those that hold is
+/// belongs to a topic and holds until that is resolved, or until a click: the newest of those that hold is
 /// seen.
 class InfoBanner : public QWidget {
     Q_OBJECT

@@ -53,7 +53,7 @@ void ShapeNotices::tell() {
     if (frame->built->cage && !frame->built->cage->why.empty())
         remedies << InfoBanner::Remedy{tr("See Why"), [this] { emit reasonWanted(); }};
     if (frame->built->refineHelps)
-        lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
+        lines << tr("“Refine surface” in the panel “Mesh” allows the surface's triangles to be split.");
     if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);
     m_hasTold = !lines.isEmpty();
 }
@@ -64,11 +64,9 @@ QString ShapeNotices::hangingText() const {
     const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.frame<Dim>()->rest).size());
     if (parts == 1)
         return tr(
-            "A part is joined to the rest at a mere point, and may swing around it unless a pin holds "
-            "it.");
+            "A part is joined to the rest at a single point, and may swing around it unless a pin holds it.");
     return tr(
-        "%n parts are joined to the rest at mere points, and may swing around them unless pins hold "
-        "them.",
+        "%n parts are joined to the rest at single points, and may swing around them unless pins hold them.",
         nullptr, parts);
 }
 

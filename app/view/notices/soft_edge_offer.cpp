@@ -106,7 +106,7 @@ void SoftEdgeOffer::offer() {
     const auto take = [this] { changeSetting(m_document, "domain.outline.threshold", kFaint); };
     m_banner.tell(InfoBanner::Topic::SoftEdges,
                   tr("Soft edges or shadows of this picture reach beyond the cut-out, and are cut off."),
-                  {{tr("Take Them Along"), take}});
+                  {{tr("Include Them"), take}});
 }
 
 void SoftEdgeOffer::follow() {

@@ -30,8 +30,7 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
     setObjectName(QStringLiteral("workNote"));
     m_text->setTextFormat(Qt::PlainText);
     m_cancel->setFocusPolicy(Qt::NoFocus);  // the view keeps its keys
-    m_cancel->setStatusTip(
-        tr("Ends what is being computed and goes back to the last state that is complete"));
+    m_cancel->setStatusTip(tr("Stops what is being computed and goes back to the last complete state"));
     m_cancel->setToolTip(m_cancel->statusTip());
     m_bar->setTextVisible(false);
     m_bar->setFixedHeight(kBar);

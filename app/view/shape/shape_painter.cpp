@@ -2,9 +2,9 @@
 
 #include "app/document/design.h"
 #include "app/panels/look/pin_marks.h"
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/pins/pin_shapes.h"
-#include "app/session/pins/solid_places.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pins/pin_picking.h"
 #include "app/tools/region_outline.h"
@@ -145,8 +145,8 @@ void ShapePainter<3>::region(const PinView<3>& view, bool) {
     if (!region || !frame || !session().selection().contains(view.handle)) return;
     const auto& rest = frame->rest->points;
     std::vector<Vec<3>> held;
-    for (const int v : verticesIn(*region, *frame->rest)) held.push_back(rest.col(v));
-    const Carrying carry = carryingOf(held, view.points);
+    for (const int v : verticesInside<3>(*region, *frame->rest)) held.push_back(rest.col(v));
+    const auto carry = carryingBetween<3>(held, view.points);
     for (auto line : regionOutline(*region, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
         for (Vec<3>& p : line) p = carry(p);
         m_marks.line(toWidget(line), m_theme.accent, 1.25, Qt::CustomDashLine);

@@ -164,13 +164,14 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
     m_found = found;
     m_repaired = found->repaired;
     SurfacePanel::Contents contents;
-    const QHash<QString, QString> names{{QStringLiteral("missing_vertex"), tr("Triangles of missing points")},
-                                        {QStringLiteral("crossing"), tr("Triangles that cross")},
-                                        {QStringLiteral("hole"), tr("Holes")},
-                                        {QStringLiteral("crowded_edge"), tr("Edges of more than two")},
-                                        {QStringLiteral("flat"), tr("Triangles without area")},
-                                        {QStringLiteral("duplicate"), tr("Double triangles")},
-                                        {QStringLiteral("turned_edge"), tr("Turned neighbours")}};
+    const QHash<QString, QString> names{
+        {QStringLiteral("missing_vertex"), tr("Triangles with missing points")},
+        {QStringLiteral("crossing"), tr("Triangles that cross")},
+        {QStringLiteral("hole"), tr("Holes")},
+        {QStringLiteral("crowded_edge"), tr("Edges of more than two")},
+        {QStringLiteral("flat"), tr("Triangles without area")},
+        {QStringLiteral("duplicate"), tr("Duplicate triangles")},
+        {QStringLiteral("turned_edge"), tr("Turned neighbours")}};
     for (const FaultKind& kind : found->faults)
         contents.kinds.push_back(
             {names.value(QString::fromStdString(kind.name)), static_cast<int>(kind.cases.size())});

@@ -35,7 +35,7 @@ class SurfaceCheck : public QObject {
     };
     struct Found {
         Surface source;                 // as the file has it
-        std::vector<SurfaceFix> fixes;  // of single faults that were put right …
+        std::vector<SurfaceFix> fixes;  // of single faults that were fixed …
         Surface surface;                // … and what they left
         std::vector<int> numbers;       // of its triangles, in the file
         SurfaceProblems problems;

@@ -67,11 +67,11 @@ void SurfaceCheck::tellOfFix() {
         return fix->steps.empty() ? none : textOf(*fix);
     };
     if (m_all.isWanted) {
-        m_panel.showFix(tr("Looking for what puts all of these right …"), false);
+        m_panel.showFix(tr("Looking for what fixes all of these …"), false);
         return m_panel.showFixOfAll({}, false);
     }
-    m_panel.showFix(told(m_fix, tr("No simple step puts this one right.")), m_fix && !m_fix->steps.empty());
-    m_panel.showFixOfAll(told(m_all.fix, tr("No simple steps put all of these right.")),
+    m_panel.showFix(told(m_fix, tr("No simple step fixes this one.")), m_fix && !m_fix->steps.empty());
+    m_panel.showFixOfAll(told(m_all.fix, tr("No simple steps fix all of these.")),
                          !m_all.fix || !m_all.fix->steps.empty());
 }
 

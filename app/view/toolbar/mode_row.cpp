@@ -76,7 +76,7 @@ QToolButton* ModeRow::makeZoom(const Actions& a) {
     m_zoom->setObjectName(QStringLiteral("zoom"));
     m_zoom->setFixedSize(kZoom, kButton);
     m_zoom->setFocusPolicy(Qt::TabFocus);
-    describe(m_zoom, tr("Zoom"), tr("How large the picture is seen; a click shows its pixels as they are."));
+    describe(m_zoom, tr("Zoom"), tr("How large the picture is shown; a click shows its pixels as they are."));
     connect(m_zoom, &QToolButton::clicked, a.actualSize, &QAction::trigger);
     connect(a.actualSize, &QAction::changed, m_zoom,
             [this, &a] { m_zoom->setEnabled(a.actualSize->isEnabled()); });
@@ -98,7 +98,7 @@ QToolButton* ModeRow::makeExport(const Actions& actions) {
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_export->setIconSize({kIcon, kIcon});
     m_export->setFocusPolicy(Qt::TabFocus);
-    describe(m_export, tr("Export"), tr("Write what is shown: as picture, sequence, ST map, mesh or view"));
+    describe(m_export, tr("Export"), tr("Export what is shown as a picture, sequence, ST map, mesh or view"));
     return m_export;
 }
 

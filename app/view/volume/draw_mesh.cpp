@@ -15,8 +15,8 @@ using Triangle = std::array<int, 3>;
 /// Faces that meet at a sharper angle than this keep their edge.
 const double kCrease = std::cos(40 * std::numbers::pi / 180);
 
-/// Which corners (3 t + k) share a normal: those at one point whose triangles hang together there over edges
-/// that are no creases. Flat triangles share nothing.
+/// Which corners (3 t + k) share a normal: those at one point whose triangles are connected there through
+/// edges that are no creases. Flat triangles share nothing.
 class SmoothGroups {
   public:
     SmoothGroups(const std::vector<Triangle>& triangles, const Points<3>& rest, const std::vector<bool>& flat)

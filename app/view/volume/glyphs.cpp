@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 

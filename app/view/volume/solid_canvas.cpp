@@ -1,7 +1,5 @@
 #include "app/view/volume/solid_canvas.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/document/domain.h"

@@ -1,7 +1,7 @@
 // What tools see of a solid on the screen.
 #include <cmath>
 
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/shape/shape.h"
 #include "app/view/volume/skin_marks.h"
 #include "app/view/volume/solid_canvas.h"

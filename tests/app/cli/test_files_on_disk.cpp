@@ -71,15 +71,6 @@ class TestFilesOnDisk : public QObject {
 
 namespace {
 
-/// Presses the button of this name in the next message box.
-void answerNext(QObject* scope, const QString& name) {
-    withNext<QMessageBox>(scope, [name](QMessageBox& box) {
-        for (QAbstractButton* button : box.buttons())
-            if (button->text().remove('&') == name) return button->click();
-        box.reject();
-    });
-}
-
 std::size_t pinsIn(const QString& path) {
     return designOf<2>(*readProject(path.toStdString()).project).handles.size();
 }
@@ -356,7 +347,7 @@ void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
     std::ofstream(file("square.off").toStdString())
         << "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
     m_window->openPath(file("hanging.off"));
-    QVERIFY(told("A part is joined to the rest at a mere point"));
+    QVERIFY(told("A part is joined to the rest at a single point"));
     QVERIFY(m_window->banner().property("offers").toBool());  // nothing has gone wrong
     const auto button = [this](const char* text) -> QPushButton* {
         for (auto* one : m_window->banner().findChildren<QPushButton*>())

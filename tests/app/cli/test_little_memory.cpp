@@ -12,6 +12,7 @@ class TestLittleMemory : public QObject {
   private slots:
     void runEndsWell_data();
     void runEndsWell();
+    void threadsOfBlasTakeNothing();
 
   private:
     QString writeStrip() const;
@@ -84,6 +85,20 @@ void TestLittleMemory::runEndsWell() {
                  result.error.contains(QFileInfo(project).completeBaseName()) &&
                  result.error.contains("memory"),
              qPrintable(result.error));
+}
+
+/// OpenBLAS starts a thread for each further processor, and each of them takes 128 MB as soon as it runs:
+/// that would leave too little here, and where it comes late nothing for the call that was promised its room.
+void TestLittleMemory::threadsOfBlasTakeNothing() {
+    const QTemporaryDir folder;
+    const QString command = QString(
+                                "ulimit -v %1; exec timeout -k 1 100 \"%2\" run \"%3\" --mesh o.vtu --quiet "
+                                "--backend cpu --at 0.1")
+                                .arg(440 * 1024)
+                                .arg(WEND_BINARY, writeStrip());
+    const CliResult result =
+        runCli(folder.path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
+    QVERIFY2(result.code == 0, qPrintable(result.error));
 }
 
 QTEST_GUILESS_MAIN(TestLittleMemory)

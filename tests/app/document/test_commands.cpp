@@ -12,8 +12,10 @@
 #include "app/document/file/project_writer.h"
 #include "app/document/project.h"
 #include "core/motion/trajectory.h"
+#include "tests/support/projects.h"
 
 using namespace wend;
+using wend::test::withPin;
 
 /// What gestures make of a project, and undo.
 class TestCommands : public QObject {

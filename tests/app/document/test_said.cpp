@@ -134,7 +134,7 @@ void TestSaid::sentencesAreTakenApart_data() {
         << "Pin „ear: left, 2“ und Pin 3 bewegen den Punkt (1, 2) zur Zeit 0.5 verschieden";
     QTest::newRow("a reason")
         << "at time 0.4 handle \"tail\" cannot go on: the shape would fold over near (3, 4), in "
-           "cell 17; let it go less far or another way, or free what holds the shape there"
+           "cell 17; move it less far or along another path, or release what holds the shape there"
         << "zur Zeit 0.4 kann Pin „tail“ nicht weiter: die Form würde sich bei (3, 4), in Zelle "
            "17, überschlagen; weniger weit oder anders führen, oder lösen, was die Form dort "
            "hält";

@@ -226,7 +226,7 @@ void TestFilm::dragsLeaveOthersAlone() {
     QCOMPARE(motions(1), std::size_t(1));
     QCOMPARE(endOf(project()), 4.0);
     QCOMPARE(session().playback().time(), 4.0);
-    QVERIFY(told.size() == 1 && told[0].contains("did later is replaced"));
+    QVERIFY(told.size() == 1 && told[0].contains("replaces what"));
     // The integrator begins anew where the drag begins: they are the same but for its error.
     const double error = dimension == 2 ? 0.05 : 1e-3;
     QVERIFY((poseAt(0.25) - early).cwiseAbs().maxCoeff() < error);
@@ -599,7 +599,7 @@ void TestFilm::ghostsTellWhenTheyHold() {
     session().playback().setTime(1.5);
     QCOMPARE(name(), QString());
     session().playback().setTime(3);
-    QCOMPARE(name(), QStringLiteral("x: let go at 2.50 s"));
+    QCOMPARE(name(), QStringLiteral("x: released at 2.50 s"));
     session().selection().clear();
     const QPoint at = dimension == 2
                           ? m_window->window().canvas().toWidget(session().ghosts<2>()[0].centre).toPoint()

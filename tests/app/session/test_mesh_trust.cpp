@@ -114,21 +114,21 @@ void TestMeshTrust::partsThatHangAreTold() {
     run(project("'domain': {'mesh': 'hang.obj'}, 'handles': [{'at': {'vertices': [0, 1]}}, "
                 "{'at': {'vertices': [2]}, 'motion': [{'kind': 'translate', 'by': [0.1, 0]}]}]"),
         outputs);
-    QVERIFY(anyContains(m_notices, "a part of 1 cell hangs on vertex 8 near (2, 2) alone"));
+    QVERIFY(anyContains(m_notices, "a part of 1 cell hangs only on vertex 8 near (2, 2)"));
 }
 
 void TestMeshTrust::solidsThatHangAreTold() {
     const Surface corner = test::joined(kBar, test::box({3, 1, 1}, {4, 2, 2}, 2));
     test::writeSurface(file("corner.obj"), corner);
     QVERIFY(anyContains(solid("'surface': 'corner.obj', 'vertices': 300").notices,
-                        " near (3, 1, 1) alone: what turns there"));
+                        " near (3, 1, 1): what turns freely there"));
     const auto inspection = inspectFile(file("corner.obj"));
     QVERIFY(std::ranges::any_of(inspection.problems, [](const MeshProblem& problem) {
         return problem.what == "vertices that a part hangs on alone" && problem.where.size() == 1;
     }));
     const Surface edge = test::joined(kBar, test::box({3, 1, 0}, {4, 2, 1}, 4));
     test::writeSurface(file("edge.obj"), edge);
-    QVERIFY(anyContains(solid("'surface': 'edge.obj', 'vertices': 300").notices, "hangs on the edge "));
+    QVERIFY(anyContains(solid("'surface': 'edge.obj', 'vertices': 300").notices, "hangs only on the edge "));
 }
 
 /// A box of any size that squares and volumes can be told of; beyond that nothing is made up.
@@ -267,7 +267,7 @@ void TestMeshTrust::tornMeshMovesAsOne() {
                     "'motion': [{'kind': 'translate', 'by': [-1, 2]}]}]"),
             outputs);
     }
-    QVERIFY(anyContains(m_notices, "parts that touch vertex on vertex hang together"));
+    QVERIFY(anyContains(m_notices, "parts that touch vertex to vertex are connected"));
     const auto expected = sharedMeshFile(file("whole-bent.obj"));
     const auto bent = sharedMeshFile(file("torn2-bent.obj"));
     QVERIFY(trianglesOf(*bent) == torn.triangles);

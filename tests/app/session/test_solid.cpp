@@ -249,7 +249,7 @@ void TestSolid::partsThatShareACageAreTold() {
     const QString near = told("near.obj"), apart = told("apart.obj");
     QVERIFY2(near.contains("2 parts share cells of the cage and move together as 1"), qPrintable(near));
     QVERIFY2(!near.contains("bodies"), qPrintable(near));
-    QVERIFY2(apart.contains("in 2 bodies that do not hang together"), qPrintable(apart));
+    QVERIFY2(apart.contains("of 2 bodies that are not connected"), qPrintable(apart));
     QVERIFY2(!apart.contains("share cells"), qPrintable(apart));
 }
 

@@ -140,7 +140,7 @@ void TestBrushwork::namePlaces() {
     };
     QVERIFY(step(-1.2).endsWith(QStringLiteral("Paint Rigid on Neck")));
     QVERIFY(step(1.2).endsWith(QStringLiteral("Paint Rigid")));
-    QVERIFY(step(-1.2, Qt::ControlModifier).endsWith(QStringLiteral("Take paint off Neck")));
+    QVERIFY(step(-1.2, Qt::ControlModifier).endsWith(QStringLiteral("Erase paint from Neck")));
     list()->item(0)->setText(QStringLiteral("Wing"));
     QVERIFY(settle(session));
     QVERIFY(step(1).endsWith(QStringLiteral("Paint Rigid on Wing")));

@@ -145,7 +145,7 @@ void TestErasing::takeFromAll() {
     eraseWith<Dim>(40);
     set([](BrushSettings& b) { b.target = BrushTarget::Direction; });
     QVERIFY(m_f->tool("eraser")->isChecked());
-    QVERIFY(Bar<Dim>::canvas(*m_f).viewport().tool()->hint().contains(QStringLiteral("all layers")));
+    QVERIFY(Bar<Dim>::canvas(*m_f).viewport().tool()->hint().contains(QStringLiteral("all visible layers")));
     stroke<Dim>({0, 0}, {0.1, 0});
     QVERIFY(settle(session));
     QCOMPARE(layers().size(), std::size_t(2));

@@ -155,7 +155,7 @@ void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
     const QString first = m_tool->hint();
     QVERIFY2(!first.contains(QStringLiteral("too")), qPrintable(first));  // all bends still
     draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
-    QVERIFY(m_tool->hint().contains(QStringLiteral("bend too")));
+    QVERIFY(m_tool->hint().contains(QStringLiteral("bend, too")));
     verify(100 * 80, 30);
     QCOMPARE(steps(), 1);
     // What is drawn next is added, but no more than there is of the picture.

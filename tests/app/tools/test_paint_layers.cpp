@@ -5,8 +5,8 @@
 #include "app/document/edits/material_edits.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
+#include "app/session/motion/pose_places.h"
 #include "app/session/opening.h"
-#include "app/session/pins/solid_places.h"
 #include "app/tools/paint/layer_lines.h"
 #include "tests/support/paint_test.h"
 

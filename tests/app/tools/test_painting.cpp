@@ -10,8 +10,8 @@
 #include "app/panels/layer_panel.h"
 #include "app/panels/look/smooth_map.h"
 #include "app/panels/paint_panel.h"
-#include "app/session/energy_stops.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/colours.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/paint/layer_lines.h"
 #include "tests/support/paint_test.h"
 
@@ -546,7 +546,7 @@ void TestPainting::drawLines() {
     QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Smooth")));
     QVERIFY(regions<Dim>().size() > before);
     QVERIFY(click(b, Qt::ShiftModifier | Qt::ControlModifier));  // from the end of that, and takes away
-    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Take paint off")));
+    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Erase paint")));
     QVERIFY(std::ranges::any_of(regions<Dim>(), [&](const auto& region) {
         return region.erases() && std::get<Ball<Dim>>(region.shape).centre.isApprox(b, 0.1);
     }));
@@ -694,7 +694,7 @@ void TestPainting::erase() {
     QVERIFY(settle(session));
     QVERIFY(std::abs(phiAt(0) - 1.1) < 1e-9);
     QCOMPARE(phiAt(-1.4), phi::conformal(Dim));
-    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Take paint off")));
+    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Erase paint")));
     QTest::keyClick(&canvas, Qt::Key_E, Qt::ShiftModifier);
     QVERIFY(m_f->tool("measure")->isChecked());
 }

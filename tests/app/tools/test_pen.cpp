@@ -262,7 +262,7 @@ void TestPen::whatCannotMoveIsNotDrawn() {
     QVERIFY(open(2));
     QSignalSpy told(&m_f->session(), &ShapeSession::notice);
     click(pin(1) + QPoint(-60, 0));
-    QVERIFY(told.size() == 1 && told.last().first().toString().contains(QStringLiteral("Click on the pin")));
+    QVERIFY(told.size() == 1 && told.last().first().toString().contains(QStringLiteral("Click the pin")));
     Document& document = m_f->session().document();
     document.changeDesign(
         QStringLiteral("Lock"),

@@ -338,7 +338,7 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     const int steps = undo().count();
     QVERIFY(draw(at<Dim>(0.2, 1.7)));
     QCOMPARE(undo().count(), steps);
-    QVERIFY(m_f->window().statusBar()->currentMessage().contains(QStringLiteral("nothing of the shape")));
+    QVERIFY(m_f->window().statusBar()->currentMessage().contains(QStringLiteral("No part of the shape")));
     const Vec<Dim> before = pin<Dim>(1);
     m_f->tool("select")->trigger();
     QVERIFY(drag(Bar<Dim>::canvas(*m_f).toWidget(before).toPoint(), {0, -30}));

@@ -201,7 +201,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);
     QVERIFY((pin(0) - Vec<2>(40, 60)).norm() < 2 * pixel());  // it goes on as it did
     QCOMPARE(timeOf(project().design, 0, 0), timeOf(before->design, 0, 0));
-    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("replaced")));
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("replaces")));
     QCOMPARE(project().end, 1.0);
     const std::string after = toJson(project());
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
@@ -637,7 +637,7 @@ void TestPosing::partsGrowAndShrink() {
     QTest::mouseMove(&canvas(), at({12, 12}));
     release(at({12, 12}));
     QCOMPARE(handles().size(), std::size_t(3));
-    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("nothing of the shape")));
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("No part of the shape")));
 }
 
 /// Chosen in the list, moved by the arrows, renamed and removed.

@@ -7,7 +7,7 @@
 #include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/region_panel.h"
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 #include "app/tools/measure_tool.h"
 #include "app/view/actions/pin_actions.h"
 #include "core/motion/trajectory.h"

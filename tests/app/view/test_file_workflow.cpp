@@ -47,19 +47,6 @@ class TestFileWorkflow : public QObject {
     std::unique_ptr<MainWindow> m_window;
 };
 
-namespace {
-
-/// Presses the button of this name in the next message box.
-void answerNext(QObject* scope, const QString& name) {
-    withNext<QMessageBox>(scope, [name](QMessageBox& box) {
-        for (QAbstractButton* button : box.buttons())
-            if (button->text().remove('&') == name) return button->click();
-        box.reject();
-    });
-}
-
-}  // namespace
-
 void TestFileWorkflow::init() {
     m_folder = std::make_unique<TestFolder>();
     m_copies = m_folder->filePath("copies");

@@ -426,7 +426,7 @@ void TestModes::manualIsSearchedOnAllPages() {
         QTest::keyClick(field, Qt::Key_Return);
     };
     for (const auto& [words, page] : {std::pair{"resilience", ""},
-                                      {"Bring In What Is Kept", "painting.md"},
+                                      {"Import What Is Kept", "painting.md"},
                                       {"towel on a table", "pins-and-handles.md"},
                                       {"Going on at the first", ""}}) {
         const QUrl before = pages.source();

@@ -370,7 +370,7 @@ void TestSurfaceWindow::allAreFixedOnceThatIsKnown() {
     all->setFocus();
     QVERIFY(all->hasFocus());
     QTest::keyClick(all, Qt::Key_Space);
-    QVERIFY(says(QStringLiteral("Looking for what puts all of these right")));
+    QVERIFY(says(QStringLiteral("Looking for what fixes all of these")));
     QVERIFY(!all->isEnabled() && !one->isEnabled());
     const QWidget* focused = m_f->window().focusWidget();  // not the button that takes the cage away
     QVERIFY(focused != nullptr);

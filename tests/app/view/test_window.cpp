@@ -19,7 +19,7 @@
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/paint_panel.h"
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 #include "app/session/opening.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/curve_actions.h"
@@ -461,7 +461,7 @@ void TestWindow::softEdgesAreTakenAlong() {
     m_window->openPath(glow);
     QVERIFY(QTest::qWaitFor([&] { return banner.isVisible(); }, 20000));
     auto* take = banner.findChild<QPushButton*>();
-    QCOMPARE(take->text(), QStringLiteral("Take Them Along"));
+    QCOMPARE(take->text(), QStringLiteral("Include Them"));
     const auto width = [&] {
         const auto frame = m_window->session().frame<2>();
         return frame->pose.row(0).maxCoeff() - frame->pose.row(0).minCoeff();

@@ -1,4 +1,4 @@
-#include "app/session/pins/mark_size.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/session/pins/solid_places.h"
+#include "app/session/motion/pose_places.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -98,13 +98,13 @@ template std::vector<int> verticesInside<3>(const Region<3>&, const SimplicialMe
 template CarryingOf<2> carryingBetween<2>(const std::vector<Vec<2>>&, const std::vector<Vec<2>>&);
 template CarryingOf<3> carryingBetween<3>(const std::vector<Vec<3>>&, const std::vector<Vec<3>>&);
 
-Carrying carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices) {
+CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices) {
     std::vector<Vec<3>> rest, posed;
     for (const int v : vertices) {
         rest.push_back(frame.rest->points.col(v));
         posed.push_back(frame.pose.col(v));
     }
-    return carryingOf(rest, posed);
+    return carryingBetween<3>(rest, posed);
 }
 
 SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points) {

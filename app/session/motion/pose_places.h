@@ -18,9 +18,6 @@ Mat<Dim> cellRotation(const PosedFrame<Dim>& frame, int cell);
 /// The vertices of the rest mesh that a region holds, increasing.
 template <int Dim>
 std::vector<int> verticesInside(const Region<Dim>& region, const SimplicialMesh<Dim>& rest);
-inline std::vector<int> verticesIn(const Region<3>& region, const SimplicialMesh<3>& rest) {
-    return verticesInside<3>(region, rest);
-}
 
 /// x ↦ A x + b.
 template <int Dim>
@@ -30,17 +27,12 @@ struct CarryingOf {
 
     Vec<Dim> operator()(const Vec<Dim>& x) const { return A * x + b; }
 };
-using Carrying = CarryingOf<3>;
 /// The affine map that takes points from rest to a pose, by least squares; only shifts where they are too few
 /// or lie in a plane (a line). Points that a handle has moved as one are met exactly.
 template <int Dim>
 CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::vector<Vec<Dim>>& posed);
-inline Carrying carryingOf(const std::vector<Vec<3>>& rest, const std::vector<Vec<3>>& posed) {
-    return carryingBetween<3>(rest, posed);
-}
-
 /// The same for vertices of a frame; from rest to its pose.
-Carrying carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices);
+CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices);
 
 /// How large a solid is, or the part of it whose vertices are given: the volume of the cells and the area of
 /// the outer triangles all of whose vertices are among them.

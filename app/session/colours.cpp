@@ -1,4 +1,4 @@
-#include "app/session/energy_stops.h"
+#include "app/session/colours.h"
 
 #include <algorithm>
 #include <array>
