@@ -1,4 +1,4 @@
-#include "app/view/notices/opening_note.h"
+#include "app/view/files/opening_note.h"
 
 #include "app/view/canvas/canvas.h"
 #include "app/view/files/file_workflow.h"
