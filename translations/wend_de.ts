@@ -3546,8 +3546,8 @@
         <translation>Welche Art von Datei geschrieben wird.</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
-        <translation>&amp;Leinwand anpassen</translation>
+        <source>Fit the Can&amp;vas</source>
+        <translation>Leinwand an&amp;passen</translation>
     </message>
     <message>
         <source>Fit the canvas</source>
@@ -4432,6 +4432,14 @@
         <source>There is no layer below it.</source>
         <translation>Unter ihr liegt keine Ebene.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>Was eine Datei über jede Zelle sagt, hat keinen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4453,10 +4461,6 @@
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>%1 wird geöffnet …</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4604,8 +4608,8 @@
         <translation>Zwischen %1 und %2.</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ ×%1 gewachsen – %2?</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>×%1 gewachsen – %2?</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -4829,6 +4833,13 @@
     <message>
         <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, ST-Map, Netz oder Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 wird geöffnet …</translation>
     </message>
 </context>
 <context>
@@ -6073,6 +6084,17 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Weiche Kanten oder Schatten dieses Bildes reichen über den Ausschnitt hinaus und werden abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>Mitnehmen</translation>
     </message>
 </context>
 <context>

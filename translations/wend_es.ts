@@ -3546,7 +3546,7 @@
         <translation>El tipo de archivo que se exporta.</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
+        <source>Fit the Can&amp;vas</source>
         <translation>A&amp;justar el lienzo</translation>
     </message>
     <message>
@@ -4432,6 +4432,14 @@
         <source>There is no layer below it.</source>
         <translation>No hay ninguna capa debajo.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nombrar</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>Lo que un archivo dice de cada celda no tiene nombre.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4453,10 +4461,6 @@
     <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>Abriendo %1…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4604,8 +4608,8 @@
         <translation>Entre %1 y %2.</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ Creció ×%1: pruebe %2</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>Creció ×%1: pruebe %2</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -4829,6 +4833,13 @@
     <message>
         <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>Exportar lo que se ve: como imagen, secuencia, mapa ST, malla o vista</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>Abriendo %1…</translation>
     </message>
 </context>
 <context>
@@ -6073,6 +6084,17 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Los bordes suaves o las sombras de esta imagen salen del recorte y quedan cortados.</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>Incluirlos</translation>
     </message>
 </context>
 <context>

@@ -3546,7 +3546,7 @@
         <translation>Le type de fichier à exporter.</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
+        <source>Fit the Can&amp;vas</source>
         <translation>Adapter &amp;la toile</translation>
     </message>
     <message>
@@ -4432,6 +4432,14 @@
         <source>There is no layer below it.</source>
         <translation>Il n’y a pas de calque en dessous.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>Ce qu’un fichier dit de chaque cellule n’a pas de nom.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4453,10 +4461,6 @@
     <message>
         <source>Tools</source>
         <translation>Outils</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>Ouverture de %1…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4604,8 +4608,8 @@
         <translation>Entre %1 et %2.</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ Agrandi ×%1 – essayez %2</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>Agrandi ×%1 – essayez %2</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -4829,6 +4833,13 @@
     <message>
         <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>Exporter ce qui est affiché&#x202f;: image, séquence, ST map, maillage ou vue</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>Ouverture de %1…</translation>
     </message>
 </context>
 <context>
@@ -6073,6 +6084,17 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Des bords doux ou des ombres de cette image dépassent du détourage et sont coupés.</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>Les inclure</translation>
     </message>
 </context>
 <context>

@@ -3543,8 +3543,8 @@
         <translation>書き出すファイルの種類。</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
-        <translation>キャンバスを合わせる(&amp;C)</translation>
+        <source>Fit the Can&amp;vas</source>
+        <translation>キャンバスを合わせる(&amp;V)</translation>
     </message>
     <message>
         <source>Fit the canvas</source>
@@ -4425,6 +4425,14 @@
         <source>There is no layer below it.</source>
         <translation>下にレイヤーがありません。</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>名前を変更(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>ファイルがセルごとに定めるものに名前はありません。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4446,10 +4454,6 @@
     <message>
         <source>Tools</source>
         <translation>ツール</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>%1 を開いています…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4597,8 +4601,8 @@
         <translation>%1と%2の中間です。</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ ×%1 に拡大 – %2を試す</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>×%1 に拡大 – %2を試す</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -4821,6 +4825,13 @@
     <message>
         <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>表示中のものを、画像、連番、ST マップ、メッシュ、ビューとして書き出します</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 を開いています…</translation>
     </message>
 </context>
 <context>
@@ -6062,6 +6073,17 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>この画像の柔らかい縁や影が切り抜きの外に広がっていて、切り落とされます。</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>含める</translation>
     </message>
 </context>
 <context>

@@ -3543,8 +3543,8 @@
         <translation>要导出的文件类型。</translation>
     </message>
     <message>
-        <source>Fit the &amp;Canvas</source>
-        <translation>调整画布(&amp;C)</translation>
+        <source>Fit the Can&amp;vas</source>
+        <translation>调整画布(&amp;V)</translation>
     </message>
     <message>
         <source>Fit the canvas</source>
@@ -4425,6 +4425,14 @@
         <source>There is no layer below it.</source>
         <translation>下面没有图层。</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What a file says of each cell has no name.</source>
+        <translation>文件对每个单元的设定没有名称。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4446,10 +4454,6 @@
     <message>
         <source>Tools</source>
         <translation>工具</translation>
-    </message>
-    <message>
-        <source>Opening %1 …</source>
-        <translation>正在打开 %1…</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>
@@ -4597,8 +4601,8 @@
         <translation>介于%1与%2之间。</translation>
     </message>
     <message>
-        <source>⚠ Grown ×%1 – try %2</source>
-        <translation>⚠ 已放大 ×%1 – 试试%2</translation>
+        <source>Grown ×%1 – try %2</source>
+        <translation>已放大 ×%1 – 试试%2</translation>
     </message>
     <message>
         <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
@@ -4821,6 +4825,13 @@
     <message>
         <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
         <translation>导出所显示的内容：图片、序列、ST 贴图、网格或视图</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OpeningNote</name>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>正在打开 %1…</translation>
     </message>
 </context>
 <context>
@@ -6062,6 +6073,17 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>请先选择抓取球、块或单侧的图钉。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SoftEdgeOffer</name>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>这张图片的柔边或阴影超出了抠图范围，会被裁掉。</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>一并保留</translation>
     </message>
 </context>
 <context>

@@ -36,7 +36,9 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
       m_down(new QToolButton(this)),
       m_remove(new QToolButton(this)),
       m_pictureMenu(new QToolButton(this)),
+      m_rename(new QAction(tr("&Rename"), m_list)),
       m_merge(new QAction(tr("&Merge Down"), this)),
+      m_takeAway(new QAction(tr("Remove"), m_list)),
       m_none(secondLabel(tr("The material is the same everywhere: brush over the shape to change a part."),
                          this)),
       m_values(new QWidget(this)),
@@ -66,7 +68,9 @@ void LayerPanel::makeList() {
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setItemDelegate(new EyeDelegate(m_list));
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_list->addAction(m_merge);
+    m_list->addActions({m_rename, m_merge, m_takeAway});
+    m_rename->setObjectName(QStringLiteral("layerRename"));
+    m_takeAway->setObjectName(QStringLiteral("layerTakeAway"));
     m_merge->setObjectName(QStringLiteral("layerMerge"));
     m_merge->setStatusTip(tr("Makes one layer of the chosen one and the one below it"));
     describe(m_list, tr("Layers"),
@@ -162,6 +166,8 @@ void LayerPanel::connectControls() {
     connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
     connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
     connect(m_remove, &QToolButton::clicked, this, &LayerPanel::remove);
+    connect(m_takeAway, &QAction::triggered, this, &LayerPanel::remove);
+    connect(m_rename, &QAction::triggered, this, [this] { m_list->editItem(m_list->currentItem()); });
     connect(m_merge, &QAction::triggered, this, [this] {
         if (auto next = withGroupMergedDown(m_session.document().design(), selected()))
             changeBy(tr("Merge layers"), *std::move(next));
@@ -252,6 +258,9 @@ void LayerPanel::showValues() {
 
 /// Of the layer in the list.
 void LayerPanel::allowOrder(bool has) {
+    allow(m_takeAway, has, chooseFirst());
+    allow(m_rename, has && m_list->currentItem()->flags() & Qt::ItemIsEditable,
+          has ? tr("What a file says of each cell has no name.") : chooseFirst());
     if (!has) return allow(m_merge, false, chooseFirst());
     const QListWidgetItem* below = m_list->item(m_list->currentRow() + 1);
     const bool onCells = below && below->data(kCells).toBool();

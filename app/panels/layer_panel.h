@@ -75,7 +75,7 @@ class LayerPanel : public QWidget {
     std::optional<std::string> m_pointed;  // the layer that was chosen by hand: its borders are shown
     QListWidget* m_list;
     QToolButton *m_up, *m_down, *m_remove, *m_pictureMenu;
-    QAction* m_merge;
+    QAction *m_rename, *m_merge, *m_takeAway;
     QLabel* m_none;
     QWidget* m_values;
     QWidget* m_paint;     // of a layer with values of its own,

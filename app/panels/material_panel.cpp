@@ -1,11 +1,13 @@
 #include "app/panels/material_panel.h"
 
+#include <QEvent>
 #include <QLocale>
 #include <QPushButton>
 
 #include "app/document/edits/setting_edits.h"
 #include "app/document/options/settings.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/theme.h"
 
 namespace wend {
 
@@ -24,6 +26,7 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
       m_help(secondLabel({}, this)),
       m_grown(new QPushButton(this)) {
     m_grown->setObjectName(QStringLiteral("grown"));
+    m_grown->setIcon(wendIcon(QStringLiteral("warning"), Theme::of(palette()).warning));
     m_grown->hide();
     m_help->setMinimumHeight(m_help->fontMetrics().lineSpacing());
     m_help->setAlignment(Qt::AlignTop);
@@ -69,6 +72,12 @@ int MaterialPanel::calmerStop() const {
     return at > 1 ? 1 : at > 0 ? 0 : -1;
 }
 
+void MaterialPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        m_grown->setIcon(wendIcon(QStringLiteral("warning"), Theme::of(palette()).warning));
+}
+
 void MaterialPanel::showGrowth() {
     const FramePtr& frame = m_session.frame();
     const bool much = frame && frame->growth > kMuch && calmerStop() >= 0;
@@ -76,7 +85,7 @@ void MaterialPanel::showGrowth() {
     m_title->setText(!m_besideBrush ? tr("Keep") : much ? tr("Whole shape") : tr("Whole shape keeps"));
     if (!much) return;
     const QString factor = QLocale().toString(frame->growth, 'f', frame->growth < 10 ? 1 : 0);
-    m_grown->setText(tr("⚠ Grown ×%1 – try %2").arg(factor, m_slider->scale().stops().at(calmerStop()).name));
+    m_grown->setText(tr("Grown ×%1 – try %2").arg(factor, m_slider->scale().stops().at(calmerStop()).name));
     describe(m_grown, m_grown->text(),
              tr("The shape has become much larger than at rest. A click keeps more of its size."));
 }

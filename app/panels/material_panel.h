@@ -22,6 +22,7 @@ class MaterialPanel : public QWidget {
     void setBesideBrush(bool beside);
 
   private:
+    void changeEvent(QEvent* event) override;
     void showProject();
     void showGrowth();
     int calmerStop() const;

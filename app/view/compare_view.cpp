@@ -14,6 +14,7 @@
 #include "app/document/options/settings.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/look/energy_scale.h"
+#include "app/panels/look/theme.h"
 #include "app/view/canvas/canvas.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
@@ -99,9 +100,9 @@ QWidget* CompareView::otherHead() {
             [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); });
     m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_otherTotals->setObjectName(QStringLiteral("otherTotals"));
-    auto* close = new QToolButton(head);
+    QToolButton* close = m_close = new QToolButton(head);
     close->setObjectName(QStringLiteral("endComparison"));
-    close->setText(QStringLiteral("✕"));
+    close->setIcon(wendIcon(QStringLiteral("close"), palette()));
     close->setAutoRaise(true);
     describe(close, tr("End the comparison"), tr("Shows one shape again."));
     connect(close, &QToolButton::clicked, this, &CompareView::join);
@@ -109,6 +110,12 @@ QWidget* CompareView::otherHead() {
     row->addWidget(m_otherTotals, 1);
     row->addWidget(close);
     return head;
+}
+
+void CompareView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_close)
+        m_close->setIcon(wendIcon(QStringLiteral("close"), palette()));
 }
 
 void CompareView::connectViews() {

@@ -57,6 +57,7 @@ class CompareView : public QWidget {
     void showHeads();
     void showEnergies();
     void showHalf();
+    void changeEvent(QEvent* event) override;
     void focusOwn();
     void makeSolid();
     void connectViews();
@@ -67,6 +68,7 @@ class CompareView : public QWidget {
     Comparison m_comparison;
     QLabel *m_ownName, *m_ownTotals, *m_otherTotals;
     QComboBox* m_energy;
+    QToolButton* m_close = nullptr;
     QWidget *m_ownHead, *m_otherHead, *m_other;
     ShapeCanvas* m_picture;
     SolidCanvas* m_solid = nullptr;

@@ -36,6 +36,7 @@
 #include "app/view/export/exporter.h"
 #include "app/view/export/material_actions.h"
 #include "app/view/files/file_workflow.h"
+#include "app/view/files/opening_note.h"
 #include "app/view/files/start_page.h"
 #include "app/view/files/thumbnail.h"
 #include "app/view/film/film_controls.h"
@@ -45,9 +46,9 @@
 #include "app/view/help/side_windows.h"
 #include "app/view/help/tutorial.h"
 #include "app/view/notices/border_offer.h"
-#include "app/view/notices/busy_note.h"
 #include "app/view/notices/info_banner.h"
 #include "app/view/notices/shape_notices.h"
+#include "app/view/notices/soft_edge_offer.h"
 #include "app/view/notices/work_note.h"
 #include "app/view/properties.h"
 #include "app/view/properties_rail.h"
@@ -81,7 +82,6 @@ MainWindow::MainWindow(QWidget* parent)
       m_time(new TimeStrip(m_session)),
       m_tracks(new TrackView(m_session)),
       m_pages(new QStackedWidget),
-      m_note(new BusyNote(*m_pages)),
       m_work(new WorkNote(m_session, *m_pages)),
       m_tutorial(new Tutorial({m_session, *m_actions, *m_tools}, *m_pages)),
       m_appearance(new AppearanceChoice(*m_actions, *this)) {
@@ -234,10 +234,8 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     new BorderOffer(m_session.document(), *m_banner, this);
-    connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
-        m_opening = name;
-        showWork();
-    });
+    new SoftEdgeOffer(m_session.document(), *m_banner, this);
+    new OpeningNote(*m_files, *m_canvas, *m_pages);
     const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
     connect(m_files, &FileWorkflow::recentChanged, this, showRecent);
     showRecent();
@@ -365,11 +363,6 @@ void MainWindow::showDocument() {
 void MainWindow::addSolidPage() {
     setAttribute(Qt::WA_Moved);
     m_pages->addWidget(m_solids->page());
-}
-
-/// A file that is being read; what is computed then is told by the work note.
-void MainWindow::showWork() {
-    m_note->showText(m_opening.isEmpty() ? QString() : tr("Opening %1 …").arg(m_opening));
 }
 
 /// An export that failed before has its file now.

@@ -14,7 +14,6 @@ namespace wend {
 class Actions;
 class AppearanceChoice;
 class BrushActions;
-class BusyNote;
 class CompareView;
 class ContextMenu;
 class CurveActions;
@@ -98,7 +97,6 @@ class MainWindow : public QMainWindow {
     void tellDone(const QString& text);
     void showDocument();
     void addSolidPage();
-    void showWork();
     void showTools();
     void fitToScreen();
     void showTitle();
@@ -132,11 +130,9 @@ class MainWindow : public QMainWindow {
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
-    BusyNote* m_note;
     WorkNote* m_work;
     Tutorial* m_tutorial;
     std::optional<WindowState> m_again;
-    QString m_opening;  // the file that is being read
     ModeRow* m_modes = nullptr;
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;

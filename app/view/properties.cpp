@@ -39,7 +39,7 @@ namespace {
 constexpr int kNarrow = 288, kUsual = 304, kWide = 360;  // of the panels
 constexpr int kUsualWindow = 1500, kWideWindow = 3000;   // from that width on
 constexpr int kPins = 280;                               // a column of their own, in a wide window
-constexpr int kSelection = 200;                          // the room for what is selected
+constexpr int kSelection = 264;                          // the room for what is selected
 
 constexpr Modes kShaping = Mode::Mesh | Mode::Pins | Modes(Mode::Paint) | Modes(Mode::Animate);
 

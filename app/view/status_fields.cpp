@@ -4,7 +4,9 @@
 #include <QLocale>
 #include <QResizeEvent>
 #include <QStatusBar>
+#include <QUndoStack>
 #include <algorithm>
+#include <utility>
 
 namespace wend {
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr int kMessageMargin = 32;  // pixels that the bar leaves free beside words
 constexpr int kBetween = 6;         // numbers
+constexpr int kApart = 12;          // numbers and what is before them, however long they are
 constexpr int kIndent = 8;          // of a hint, from the window's edge
 constexpr int kTold = 10000;        // milliseconds
 
@@ -90,6 +93,10 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
         setHint({});
         setPointer({});
     });
+    connect(session.document().undoStack(), &QUndoStack::indexChanged, this,
+            [this, last = 0](int steps) mutable {
+                if (steps < std::exchange(last, steps)) tell({});  // it was of what is taken back
+            });
     connect(&session, &ShapeSession::frameChanged, this, &StatusFields::showFrame);
     connect(&m_delay, &SeenDelay::seen, this, &StatusFields::showTime);
 }
@@ -99,7 +106,8 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
     label->setAccessibleName(name);
     label->setToolTip(help);
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 12);
+    label->setContentsMargins(kApart, 0, 0, 0);
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + kApart);
     label->setProperty("role", "second");
     m_bar.addPermanentWidget(label);
     m_numbers << label;

@@ -173,4 +173,10 @@ QIcon wendIcon(const QString& name, const QPalette& palette) {
     return QIcon(new ToneIcon(file.readAll(), palette));
 }
 
+QIcon wendIcon(const QString& name, const QColor& colour) {
+    QPalette palette;
+    for (const auto role : {QPalette::WindowText, QPalette::Link}) palette.setColor(role, colour);
+    return wendIcon(name, palette);
+}
+
 }  // namespace wend

@@ -34,5 +34,7 @@ QPalette primaryPalette(const QPalette& palette);
 /// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp
 /// at every scale.
 QIcon wendIcon(const QString& name, const QPalette& palette);
+/// The same in one colour.
+QIcon wendIcon(const QString& name, const QColor& colour);
 
 }  // namespace wend

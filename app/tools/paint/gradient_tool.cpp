@@ -43,9 +43,17 @@ QString GradientTool<Dim>::hint() const {
                                        "chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels");
 }
 
+/// Beside a picture's shape it goes with the nearest vertex; beside a solid there is no place.
 template <int Dim>
 std::optional<typename GradientTool<Dim>::End> GradientTool<Dim>::endAt(const QPointF& at) const {
     const auto touch = surface().touch(at);
+    if constexpr (Dim == 2)
+        if (!touch) {
+            const Vec<2> seen = surface().toShape(at);
+            Eigen::Index nearest = 0;
+            (m_frame->pose.colwise() - seen).colwise().squaredNorm().minCoeff(&nearest);
+            return End{m_frame->rest->points.col(nearest) + seen - m_frame->pose.col(nearest), seen};
+        }
     if (!touch) return {};
     return End{positionOf<Dim>(touch->place, *m_frame->rest, m_frame->rest->points), touch->point};
 }
@@ -93,9 +101,9 @@ void GradientTool<Dim>::press(const QMouseEvent& event) {
     m_byKeys = m_cross.isAtWork();
     m_frame = surface().shownFrame();
     if (!m_frame) return;
-    const auto touch = surface().touch(event.position());
-    if (touch && event.modifiers() & Qt::AltModifier) {
-        pickMaterial<Dim>(*m_frame, touch->place.cell, m_brush);
+    if (event.modifiers() & Qt::AltModifier) {
+        if (const auto touch = surface().touch(event.position()))
+            pickMaterial<Dim>(*m_frame, touch->place.cell, m_brush);
         m_frame.reset();
         return;
     }
@@ -125,7 +133,7 @@ QPointF GradientTool<Dim>::otherEnd() const {
     return surface().toWidget(m_from->seen);
 }
 
-/// Beside the shape the last place on it stays. A hand at the mouse gives up what keys have begun.
+/// Beside a solid the last place on it stays. A hand at the mouse gives up what keys have begun.
 template <int Dim>
 void GradientTool<Dim>::move(const QMouseEvent& event) {
     m_cross.hide();

@@ -105,13 +105,13 @@ void PinRing::paint(QPainter& painter, const ToolSurface& surface, const std::op
     const QColor accent(kAccent);
     const QPointF centre = surface.toWidget(m_centre);
     const double radius = marked(kRadius);
-    QPen pen(accent, marked(2), m_canTurn ? Qt::SolidLine : Qt::CustomDashLine, Qt::RoundCap);
-    if (!m_canTurn) pen.setDashPattern({0.1, 3});
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(255, 255, 255, m_canTurn ? 200 : 130), marked(4)));
-    if (m_canTurn) painter.drawEllipse(centre, radius, radius);
-    painter.setPen(pen);
-    painter.drawEllipse(centre, radius, radius);
+    for (const auto& [colour, width] : {std::pair(QColor(255, 255, 255, 200), 4.0), std::pair(accent, 2.0)}) {
+        QPen pen(colour, marked(width), m_canTurn ? Qt::SolidLine : Qt::CustomDashLine, Qt::RoundCap);
+        if (!m_canTurn) pen.setDashPattern({0.2 / width, 6 / width});
+        painter.setPen(pen);
+        painter.drawEllipse(centre, radius, radius);
+    }
     if (!m_canTurn) return;
     const auto size = [&lit](Grip::Kind kind, double usual) {
         return marked(usual + (lit == Part{kind} ? 1.5 : 0));

@@ -7,6 +7,7 @@
 #include "app/view/actions/backdrop_choice.h"
 #include "app/view/actions/language_choice.h"
 #include "app/view/actions/menu_letters.h"
+#include "app/view/actions/menu_reasons.h"
 #include "app/view/actions/toolbox.h"
 
 namespace wend {
@@ -203,6 +204,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     motion->addMenu(curve);
     window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, tips, manual, shortcuts, about});
     for (const QAction* one : window.menuBar()->actions()) makeLettersUnique(*one->menu());
+    new MenuReasons(&window);
 }
 
 /// The steps, and under the name of each what belongs to it first.

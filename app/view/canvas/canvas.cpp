@@ -118,6 +118,7 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
     inBackground(this, prepare, [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
         if (m_source != picture) return;
         m_picture = prepared;
+        emit this->prepared();
         render();
     });
 }

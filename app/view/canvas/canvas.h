@@ -29,6 +29,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     /// The document's picture, or that of a file's mesh, as it is drawn; null where there is none, or not
     /// yet.
     const std::shared_ptr<const ScreenPicture>& screenPicture() const { return m_picture; }
+    /// The document's picture is not ready to be drawn yet: of a large one that takes a while.
+    bool isPreparing() const { return m_source && !m_picture; }
     /// What was drawn last; null before.
     const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
     /// True if what was drawn last is what there is to show, at full quality.
@@ -71,6 +73,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
 
   signals:
     void viewChanged();
+    /// The picture.
+    void prepared();
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -31,7 +31,7 @@ void ExportForm::makeFields() {
 
 void ExportForm::makeCropNote(Fields place) {
     m_crop->setObjectName(QStringLiteral("cropNote"));
-    const QString label = tr("Fit the &Canvas");
+    const QString label = tr("Fit the Can&vas");
     auto* fit = new QPushButton(place == Fields::Beside ? label : withoutKey(label), m_crop);
     fit->setAutoDefault(false);
     describe(fit, tr("Fit the canvas"),

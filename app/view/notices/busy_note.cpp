@@ -37,6 +37,7 @@ void BusyNote::showText(const QString& text) {
         m_delay.start();
     }
     place();
+    raise();  // over a page that came
 }
 
 void BusyNote::place() {

@@ -19,7 +19,7 @@ constexpr int kHeight = 44, kSign = 20;  // pixels
 /// What nothing has gone wrong with.
 bool isOffer(InfoBanner::Topic topic) {
     using enum InfoBanner::Topic;
-    return topic == Remark || topic == Lost || topic == Mesh || topic == Border;
+    return topic == Remark || topic == Lost || topic == Mesh || topic == Border || topic == SoftEdges;
 }
 
 QString readable(const QString& text) {
@@ -31,7 +31,11 @@ QString readable(const QString& text) {
 }  // namespace
 
 InfoBanner::InfoBanner(QWidget* parent)
-    : QWidget(parent), m_sign(new QLabel(this)), m_text(new QLabel(this)), m_buttons(new QHBoxLayout) {
+    : QWidget(parent),
+      m_sign(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_close(new QToolButton(this)),
+      m_buttons(new QHBoxLayout) {
     setObjectName(QStringLiteral("infoBanner"));
     setAttribute(Qt::WA_StyledBackground);
     setMinimumHeight(kHeight);
@@ -39,11 +43,9 @@ InfoBanner::InfoBanner(QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);  // names from files are no HTML
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* close = new QToolButton(this);
-    close->setText(QStringLiteral("✕"));
-    close->setToolTip(tr("Close this message"));
-    close->setAccessibleName(tr("Close this message"));
-    connect(close, &QToolButton::clicked, this, [this] {
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+    connect(m_close, &QToolButton::clicked, this, [this] {
         if (!m_lines.isEmpty()) m_lines.removeLast();
         showNewest();
     });
@@ -53,7 +55,8 @@ InfoBanner::InfoBanner(QWidget* parent)
     row->addWidget(m_sign);
     row->addWidget(m_text, 1);
     row->addLayout(m_buttons);
-    row->addWidget(close);
+    row->addWidget(m_close);
+    showSigns();
     hide();
 }
 
@@ -78,8 +81,8 @@ void InfoBanner::showNewest() {
     if (const bool offers = isOffer(newest.topic); property("offers").toBool() != offers) {
         setProperty("offers", offers);
         style()->unpolish(this), style()->polish(this);
+        showSigns();
     }
-    showSign();
     m_text->setText(newest.text);
     m_text->setAccessibleName(newest.text);
     for (const Remedy& remedy : newest.remedies) {
@@ -90,19 +93,19 @@ void InfoBanner::showNewest() {
     setVisible(!m_lines.isEmpty());
 }
 
-/// Drawn: not every font has signs.
-void InfoBanner::showSign() {
-    const bool offers = property("offers").toBool();
+/// Drawn, since not every font has letters like them.
+void InfoBanner::showSigns() {
     const Theme theme = Theme::of(palette());
-    QPalette tone = palette();
-    tone.setColor(QPalette::WindowText, offers ? theme.accentText : theme.danger);
-    const QIcon sign = wendIcon(offers ? QStringLiteral("info") : QStringLiteral("warning"), tone);
+    const bool offers = property("offers").toBool();
+    const QIcon sign = wendIcon(offers ? QStringLiteral("notice") : QStringLiteral("warning"),
+                                offers ? theme.accentText : theme.danger);
     m_sign->setPixmap(sign.pixmap(QSize(kSign, kSign), devicePixelRatioF()));
+    m_close->setIcon(wendIcon(QStringLiteral("close"), palette()));
 }
 
 void InfoBanner::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange && !m_lines.isEmpty()) showSign();
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) showSigns();
 }
 
 QString InfoBanner::text() const {

@@ -6,6 +6,7 @@
 
 class QHBoxLayout;
 class QLabel;
+class QToolButton;
 
 namespace wend {
 
@@ -17,7 +18,7 @@ class InfoBanner : public QWidget {
 
   public:
     /// What a line is about, and with that when it goes.
-    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Remark, Lost, Mesh, Border };
+    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Remark, Lost, Mesh, Border, SoftEdges };
     /// A button that puts it right.
     struct Remedy {
         QString text;
@@ -32,20 +33,19 @@ class InfoBanner : public QWidget {
     /// What is seen; empty if nothing is.
     QString text() const;
 
-  protected:
-    void changeEvent(QEvent* event) override;
-
   private:
     struct Line {
         Topic topic;
         QString text;
         QList<Remedy> remedies;
     };
+    void changeEvent(QEvent* event) override;
     void showNewest();
-    void showSign();
+    void showSigns();
 
     QList<Line> m_lines;
     QLabel *m_sign, *m_text;
+    QToolButton* m_close;
     QHBoxLayout* m_buttons;
 };
 

@@ -50,7 +50,9 @@ Tool* Viewport::toolAt(const QPointF& at) const {
     return m_over && !m_looks.hidden && m_over->wants(at) ? m_over : m_tool;
 }
 
+/// What it has just done may have brought another.
 void Viewport::useTool(Tool* tool) {
+    if (tool != m_over && m_tool) tool = m_tool;
     updateCursor();
     if (tool == m_over) m_widget.setCursor(tool->cursor());
     tellHint(*tool);

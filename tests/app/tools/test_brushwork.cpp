@@ -356,6 +356,15 @@ void TestBrushwork::merge() {
     list()->setCurrentRow(0);
     QVERIFY(settle(m_f->session()) && layers().size() == 2 && !merge->isEnabled());
     QVERIFY2(merge->statusTip().contains(QStringLiteral("erases")), qPrintable(merge->statusTip()));
+    // The menu of a layer has what else is done with it.
+    const auto entry = [this](const char* name) {
+        return list()->template findChild<QAction*>(QLatin1String(name));
+    };
+    entry("layerRename")->trigger();
+    QVERIFY(list()->findChild<QLineEdit*>());
+    QTest::keyClick(list()->findChild<QLineEdit*>(), Qt::Key_Escape);
+    entry("layerTakeAway")->trigger();
+    QVERIFY(settle(m_f->session()) && layers().size() == 1);
 }
 
 /// Leaving the step shows what was shown before, also if the map was switched off or another file was opened.

@@ -111,6 +111,14 @@ void TestPaintLayers::blends() {
     stroke<Dim>({-1, 0}, {-1, 0});
     QCOMPARE(regions<Dim>().size(), std::size_t(1));
     QVERIFY(canvas.shownFrame()->material->phi == shown);
+    // It may begin and end beside a picture's shape.
+    stroke<Dim>({-1, 1.6}, {1, 1.6});
+    QVERIFY(settle(session));
+    QCOMPARE(regions<Dim>().size(), std::size_t(Dim == 2 ? 2 : 1));
+    if (Dim == 3) return;
+    blend = std::get_if<Blend<Dim>>(&regions<Dim>()[1].shape);
+    QVERIFY((blend->from - Bar<Dim>::place(-1, 1.6)).norm() < 2 * pixel);
+    QVERIFY((blend->to - Bar<Dim>::place(1, 1.6)).norm() < 2 * pixel);
 }
 
 void TestPaintLayers::fillsAndEyedropper() {

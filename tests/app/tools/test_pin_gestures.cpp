@@ -326,6 +326,7 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     QVERIFY(draw(middle));
     QCOMPARE(session().handleCount(), 2);
     QVERIFY(m_f->tool("select")->isChecked());
+    QCOMPARE(hint(), viewport<Dim>().tool()->hint());  // no longer that of what has drawn
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     const std::size_t first = held();
     QVERIFY(first >= 3);

@@ -207,6 +207,14 @@ void TestExportDialog::formatsDecideWhatIsAsked() {
     if (waitForSize(*mesh)) keepPicture(*mesh, "export-mesh.png");
 }
 
+/// False if a letter is there already; a text may have none.
+static bool addLetter(QSet<QString>& letters, const QString& text) {
+    const QString letter = QKeySequence::mnemonic(text).toString();
+    const bool isNew = letter.isEmpty() || !letters.contains(letter);
+    letters << letter;
+    return isNew;
+}
+
 void TestExportDialog::cropIsToldAndFits() {
     open(writeCutOut(*m_folder));
     auto still = dialog(ExportKind::Picture);
@@ -219,6 +227,17 @@ void TestExportDialog::cropIsToldAndFits() {
     QVERIFY(note->findChild<QLabel*>()->text().contains(QStringLiteral("right")));
     QVERIFY(!note->findChild<QLabel*>()->text().contains(QStringLiteral("left")));
     if (waitForSize(*asked)) keepPicture(*asked, "export-crop.png");
+    // No letter is that of two controls, and the buttons are of one height.
+    QSet<QString> letters;
+    for (const QLabel* one : asked->findChildren<QLabel*>())
+        if (one->buddy() && one->isVisible())
+            QVERIFY2(addLetter(letters, one->text()), qPrintable(one->text()));
+    for (const QPushButton* one : asked->findChildren<QPushButton*>())
+        if (one->isVisible()) QVERIFY2(addLetter(letters, one->text()), qPrintable(one->text()));
+    QSet<int> heights;
+    for (const QAbstractButton* one : asked->findChild<QDialogButtonBox*>()->buttons())
+        heights << one->height();
+    QCOMPARE(heights.size(), 1);
     note->findChild<QPushButton*>()->click();
     QVERIFY(!note->isVisible());
     QCOMPARE(asked->form().values().text("--canvas"), std::string("fit"));

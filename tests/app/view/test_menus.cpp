@@ -1,11 +1,13 @@
 #include <QAbstractButton>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScopeGuard>
 #include <QToolButton>
+#include <QToolTip>
 #include <QTranslator>
 
 #include "app/document/design.h"
@@ -178,6 +180,19 @@ void TestMenus::exportIsAMenu() {
     QVERIFY(actions.exportPicture->isEnabled() && actions.exportMesh->isEnabled());
     QVERIFY(!actions.exportFrames->isEnabled());
     QVERIFY(actions.exportFrames->toolTip().contains("drag a pin"));
+    // Beside the entry, too.
+    button->menu()->popup({100, 100});
+    const auto tipOf = [&](QAction* entry) {
+        QToolTip::hideText();
+        if (!QTest::qWaitFor([] { return !QToolTip::isVisible(); })) return QStringLiteral("the last one");
+        const QPoint at = button->menu()->actionGeometry(entry).center();
+        QHelpEvent help(QEvent::ToolTip, at, button->menu()->mapToGlobal(at));
+        QApplication::sendEvent(button->menu(), &help);
+        return QToolTip::text();
+    };
+    QVERIFY(tipOf(actions.exportFrames).contains("drag a pin"));
+    QCOMPARE(tipOf(actions.exportMesh), QString());
+    button->menu()->close();
 }
 
 void TestMenus::deleteRemovesAllThatAreSelected() {

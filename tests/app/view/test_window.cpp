@@ -9,9 +9,11 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <cmath>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
@@ -27,6 +29,7 @@
 #include "app/view/files/file_workflow.h"
 #include "app/view/main_window.h"
 #include "app/view/notices/info_banner.h"
+#include "app/view/notices/soft_edge_offer.h"
 #include "app/view/properties.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
@@ -56,6 +59,11 @@ class TestWindow : public WindowTest {
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
     void bordersOfPhotographsAreOffered();
+    void softEdgesAreTakenAlong();
+    void openingIsToldUntilThePictureIsSeen();
+    void lightAndDarkHaveOneLayout();
+    void ringOfAPointIsSeenOnDark();
+    void numbersStandApart();
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
@@ -264,6 +272,11 @@ void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
     QCOMPARE(hint("Open"), QString("Open"));
     QCOMPARE(hint("Write"), QString("Write"));
     QCOMPARE(hint({}), QString("Written"));
+    // It goes with what it tells of.
+    changeSetting(m_window->session().document(), "domain.vertices", 400);
+    emit m_window->session().notice("Replaced; Undo brings it back");
+    m_window->session().document().undoStack()->undo();
+    QCOMPARE(m_window->statusBar()->currentMessage(), QString());
 }
 
 /// A low window leaves tools out: the button for them has an arrow of more than a few pixels.
@@ -337,6 +350,8 @@ void TestWindow::bordersOfPhotographsAreOffered() {
     };
     QVERIFY(opened(path));
     QVERIFY(banner.isVisible() && banner.property("offers").toBool());
+    const auto* sign = banner.findChild<QLabel*>(QStringLiteral("bannerSign"));
+    QVERIFY(sign->text().isEmpty() && !sign->pixmap().isNull());  // a letter would need a font that has it
     auto* hold = banner.findChild<QPushButton*>();
     QCOMPARE(hold->text(), QStringLiteral("Hold the Border"));
     QTest::mouseClick(hold, Qt::LeftButton);
@@ -356,6 +371,108 @@ void TestWindow::bordersOfPhotographsAreOffered() {
     QVERIFY(!banner.isVisible());
     m_window->session().document().undoStack()->setClean();
     QVERIFY(opened(writeCutOut(*m_folder)) && !banner.isVisible());
+}
+
+/// Colours change with the appearance; nothing moves.
+void TestWindow::lightAndDarkHaveOneLayout() {
+    open();
+    const auto places = [this] {
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QList<QRect> all;
+        for (const QToolBar* bar : m_window->findChildren<QToolBar*>())
+            for (const QWidget* one : bar->findChildren<QWidget*>())
+                if (one->isVisible()) all << QRect(one->mapTo(m_window.get(), QPoint()), one->size());
+        return all;
+    };
+    const QList<QRect> before = places();
+    QVERIFY(before.size() > 10);
+    for (QAction* look : {m_window->actions().darkLook, m_window->actions().lightLook}) {
+        look->trigger();
+        QCOMPARE(places(), before);
+    }
+}
+
+/// Under each of its dots lies a light one.
+void TestWindow::ringOfAPointIsSeenOnDark() {
+    open();
+    ShapeCanvas& canvas = m_window->canvas();
+    const auto frame = m_window->session().frame<2>();
+    const Vec<2> edge(120, frame->pose.row(1).minCoeff() + 4);
+    click(edge.x(), edge.y());
+    QVERIFY(settle(m_window->session()));
+    canvas.viewport().set(&Looks::backdrop, QColor(Qt::black));
+    QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
+    const QImage seen = canvas.grab().toImage();
+    const QPointF pin = canvas.toWidget(edge);
+    int light = 0;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x) {
+            const bool isRing = std::abs(std::hypot(x - pin.x(), y - pin.y()) - 44) < 3;
+            light += isRing && !canvas.touch({double(x), double(y)}) && qGray(seen.pixel(x, y)) > 140;
+        }
+    QVERIFY2(light > 20, qPrintable(QString::number(light)));
+}
+
+/// However long they are.
+void TestWindow::numbersStandApart() {
+    open();
+    QLabel* worst = m_window->statusBar()->findChild<QLabel*>(QStringLiteral("worstField"));
+    worst->setText(QStringLiteral("worst stretch 0.000012345"));
+    QVERIFY(worst->sizeHint().width() >= worst->fontMetrics().horizontalAdvance(worst->text()) + 12);
+}
+
+/// A large picture takes a while from its file to the screen: the note of it does not go before.
+void TestWindow::openingIsToldUntilThePictureIsSeen() {
+    const QString path = m_folder->filePath(QStringLiteral("large.png"));
+    QImage large(2000, 1500, QImage::Format_RGB888);
+    large.fill(QColor(40, 90, 60));
+    QVERIFY(large.save(path));
+    const auto* note = m_window->findChild<QLabel*>(QStringLiteral("busyNote"));
+    const ShapeCanvas& canvas = m_window->canvas();
+    bool isBlank = false;
+    const auto look = [&] { isBlank |= canvas.isPreparing() && !note->text().contains("large.png"); };
+    connect(&m_window->session().document(), &Document::opened, this, look);
+    m_window->openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return look(), canvas.screenPicture() != nullptr; }, 20000));
+    QVERIFY(!isBlank);
+    QTRY_COMPARE(note->text(), QString());
+}
+
+/// A glow that the cut-out leaves out may be taken along by a click, which is one step; a narrow soft edge is
+/// within anyway.
+void TestWindow::softEdgesAreTakenAlong() {
+    const auto disc = [this](const QString& name, double edge) {
+        QImage image(200, 200, QImage::Format_ARGB32);
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const double beyond = (std::hypot(x - 99.5, y - 99.5) - 40) / edge;
+                image.setPixelColor(x, y,
+                                    QColor(200, 60, 40, qRound(255 * std::exp(-std::max(0.0, beyond)))));
+            }
+        const QString path = m_folder->filePath(name);
+        return image.save(path) ? path : QString();
+    };
+    const QString sharp = disc(QStringLiteral("sharp.png"), 0.4), glow = disc(QStringLiteral("glow.png"), 12);
+    QVERIFY(!cutsSoftEdges(readImage(sharp.toStdString()), {}));
+    QVERIFY(cutsSoftEdges(readImage(glow.toStdString()), {}));
+    const Document& document = m_window->session().document();
+    InfoBanner& banner = m_window->banner();
+    m_window->openPath(glow);
+    QVERIFY(QTest::qWaitFor([&] { return banner.isVisible(); }, 20000));
+    auto* take = banner.findChild<QPushButton*>();
+    QCOMPARE(take->text(), QStringLiteral("Include Them"));
+    const auto width = [&] {
+        const auto frame = m_window->session().frame<2>();
+        return frame->pose.row(0).maxCoeff() - frame->pose.row(0).minCoeff();
+    };
+    QVERIFY(settle(m_window->session()));
+    const double before = width();
+    QTest::mouseClick(take, Qt::LeftButton);
+    QVERIFY(settle(m_window->session()) && !banner.isVisible());
+    QVERIFY(width() > before + 30);
+    m_window->session().document().undoStack()->undo();
+    QCOMPARE(document.domain().alpha.threshold, AlphaOutlineOptions().threshold);
 }
 
 void TestWindow::unreadableFilesLeaveALine() {

@@ -1,0 +1,23 @@
+#include "app/view/files/opening_note.h"
+
+#include "app/view/canvas/canvas.h"
+#include "app/view/files/file_workflow.h"
+
+namespace wend {
+
+/// What was read is taken in the same turn of the event loop: the note does not go in between.
+OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over)
+    : BusyNote(over), m_canvas(canvas) {
+    connect(&files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
+        m_reads = !name.isEmpty();
+        if (m_reads) m_name = name;
+    });
+    connect(&files, &FileWorkflow::openingChanged, this, &OpeningNote::refresh, Qt::QueuedConnection);
+    connect(&m_canvas, &ShapeCanvas::prepared, this, &OpeningNote::refresh);
+}
+
+void OpeningNote::refresh() {
+    showText(m_reads || m_canvas.isPreparing() ? tr("Opening %1 …").arg(m_name) : QString());
+}
+
+}  // namespace wend
