@@ -135,29 +135,37 @@ void fillCells(QImage& image, const RenderRequest& request) {
     filler.layOver(image, request.picture && request.cutOut ? Extent::Picture : Extent::Shape);
 }
 
-/// How light an image is around each of its pixels, on a ground: smoothed, so that the grain of a picture
-/// does not break lines that go by it.
+/// How light an image is at each of its pixels, on a ground: what is opaque counts as light as the mean of
+/// what is opaque around it, so that neither the grain of a picture nor its outline breaks lines that go by
+/// it.
 class Lightness {
   public:
     Lightness(const QImage& image, const QColor& ground)
-        : m_smooth(image
+        : m_image(image),
+          m_smooth(image
                        .scaled(std::max(1, image.width() / kReach), std::max(1, image.height() / kReach),
                                Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
                        .scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)),
           m_ground(qGray(ground.rgb())) {}
     /// From 0 to 255.
     int at(int x, int y) const {
-        const QRgb mean = reinterpret_cast<const QRgb*>(m_smooth.constScanLine(y))[x];
-        return qGray(mean) + (255 - qAlpha(mean)) * m_ground / 255;
+        const QRgb mean = line(m_smooth, y)[x];
+        const int alpha = qAlpha(line(m_image, y)[x]), around = std::max(1, qAlpha(mean));
+        return (alpha * std::min(255, qGray(mean) * 255 / around) + (255 - alpha) * m_ground) / 255;
     }
 
   private:
     static constexpr int kReach = 10;
+    static const QRgb* line(const QImage& image, int y) {
+        return reinterpret_cast<const QRgb*>(image.constScanLine(y));
+    }
+    const QImage& m_image;
     QImage m_smooth;
     int m_ground;
 };
 
 QImage edgesOf(const RenderRequest& request, const QSize& size) {
+    constexpr double kTooDense = 2;  // pixels between lines that would be a veil
     const PosedFrame<2>& frame = *request.frame;
     const double edge = frame.diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) *
                         request.view.zoom();  // about, on the screen
@@ -167,7 +175,7 @@ QImage edgesOf(const RenderRequest& request, const QSize& size) {
     painter.setTransform(toPixels(request));
     painter.setRenderHint(QPainter::Antialiasing);
     QColor colour = request.line;
-    colour.setAlphaF(std::clamp(edge / 14, 0.12, 0.55));
+    colour.setAlphaF(std::clamp((edge - kTooDense) / 14, 0.06, 0.55));
     QPen pen(colour, 1);
     pen.setCosmetic(true);
     painter.setPen(pen);

@@ -21,6 +21,8 @@ class TestOnShape : public QObject {
     void smoothMapsHaveTheSameRim();
     void linesAreSeenOnEveryGround_data();
     void linesAreSeenOnEveryGround();
+    void linesAreOfOneKindUpToTheOutline();
+    void denseLinesAreNoVeil();
 };
 
 namespace {
@@ -309,6 +311,38 @@ void TestOnShape::linesAreSeenOnEveryGround() {
     int most = 0;
     for (int x = 100; x < 120; ++x) most = std::max(most, std::abs(qGray(seen.pixel(x, 97)) - gray));
     QVERIFY2(most > 30, qPrintable(QString::number(most)));
+}
+
+/// On an even picture that a light ground surrounds no line is dark in one place and light in another.
+void TestOnShape::linesAreOfOneKindUpToTheOutline() {
+    constexpr int kGray = 100;
+    RenderRequest request = turnedRequest(0);
+    request.picture = picture(qRgb(kGray, kGray, kGray),
+                              [](double x, double y) { return std::hypot(x - 60, y - 60) < 50 ? 1 : 0; });
+    request.mesh = true;
+    const QImage seen = RenderThread::render(request);
+    int light = 0, dark = 0;
+    forPixels([&](int x, int y) {
+        if (std::hypot(x + 0.5 - 109.3, y + 0.5 - 98.6) > 47) return;
+        const int gray = qGray(seen.pixel(x, y));
+        light += gray > kGray + 30 ? 1 : 0;
+        dark += gray < kGray - 2 ? 1 : 0;
+    });
+    QVERIFY2(light > 500 && dark == 0, qPrintable(QString("%1, %2").arg(light).arg(dark)));
+}
+
+/// Where there is a line every other pixel, the picture is seen through them.
+void TestOnShape::denseLinesAreNoVeil() {
+    RenderRequest request = turnedRequest(0);
+    request.picture = picture(qRgb(0, 0, 0), everywhere);
+    request.mesh = true;
+    request.view.setZoom(0.2, {109.3, 98.6});
+    const QImage seen = RenderThread::render(request);
+    double sum = 0;
+    int count = 0;
+    for (int y = 92; y < 106; ++y)
+        for (int x = 102; x < 116; ++x, ++count) sum += qGray(seen.pixel(x, y));
+    QVERIFY2(sum / count < 40, qPrintable(QString::number(sum / count)));
 }
 
 QTEST_GUILESS_MAIN(TestOnShape)
