@@ -37,6 +37,15 @@ class WindowTest : public QObject {
         QTest::mousePress(&canvas, Qt::LeftButton, {}, at(x, y));
         for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at(x + dx * i / 5, y + dy * i / 5));
     }
+    /// Pins both ends of the strip and drags the right one down.
+    bool bend() {
+        click(40, 80);
+        click(200, 80);
+        if (!settle(m_window->session())) return false;
+        dragPin(200, 80, 0, 20);
+        QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+        return settle(m_window->session());
+    }
     std::size_t pinCount() { return m_window->session().document().design<2>().handles.size(); }
 
     std::unique_ptr<TestFolder> m_folder;

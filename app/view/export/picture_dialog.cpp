@@ -63,20 +63,29 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     }
     m_width->setValue(proposal.width());
     m_height->setValue(proposal.height());
-    m_transparent->setChecked(true);
-    m_tied->setChecked(true);
+    for (QCheckBox* box : {m_transparent, m_tied}) box->setChecked(true);
+    m_legend->setEnabled(hasLegend);
+    m_legend->setChecked(hasLegend);
+    addFormats();
+    describeControls();
+    lay();
+    connectControls();
+    check();
+}
+
+void PictureDialog::addFormats() {
     for (const auto& [name, extension] : {std::pair{"PNG", ".png"},
                                           {"TIFF", ".tif"},
                                           {"OpenEXR", ".exr"},
                                           {"JPEG", ".jpg"},
                                           {"WebP", ".webp"}})
         m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
-    if (seconds > 0) {
-        m_format->addItem(QStringLiteral("WebP film"), QStringLiteral(".webp"));
-        m_format->setItemData(m_format->count() - 1, true, kFilmRole);
-    }
-    m_legend->setEnabled(hasLegend);
-    m_legend->setChecked(hasLegend);
+    if (m_seconds <= 0) return;
+    m_format->addItem(QStringLiteral("WebP film"), QStringLiteral(".webp"));
+    m_format->setItemData(m_format->count() - 1, true, kFilmRole);
+}
+
+void PictureDialog::describeControls() {
     describe(m_format, tr("Format"), tr("What kind of file is written."));
     describe(m_tied, tr("Proportions of the view"),
              tr("Width and height follow each other, so that the picture shows what the view shows."));
@@ -86,9 +95,11 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     describe(m_transparent, tr("Transparent background"), tr("Only the solid, without a background."));
     describe(m_marks, tr("Pins and axes"), tr("Pins, their paths and the axes, as large as in the window."));
     describe(m_legend, tr("Legend of the map"),
-             hasLegend ? tr("The colours of the map and their values.")
-                       : tr("Show a map first: only then is there something to explain."));
-    lay();
+             m_legend->isEnabled() ? tr("The colours of the map and their values.")
+                                   : tr("Show a map first: only then is there something to explain."));
+}
+
+void PictureDialog::connectControls() {
     m_timer.setSingleShot(true);
     m_timer.setInterval(60);
     connect(&m_timer, &QTimer::timeout, this, &PictureDialog::showPreview);
@@ -100,7 +111,6 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
         connect(box, &QCheckBox::toggled, this, &PictureDialog::check);
     for (OptionField* field : {m_rate, m_quality})
         connect(field, &OptionField::changed, this, &PictureDialog::check);
-    check();
 }
 
 void PictureDialog::lay() {

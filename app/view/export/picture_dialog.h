@@ -49,7 +49,10 @@ class PictureDialog : public QDialog {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void addFormats();
+    void describeControls();
     void lay();
+    void connectControls();
     void tie(QSpinBox* changed);
     void check();
     void showPreview();

@@ -502,12 +502,7 @@ void TestWindow::holdingHHidesPins() {
 void TestWindow::playRuns() {
     open();
     QVERIFY(!m_window->actions().play->isEnabled());
-    click(40, 80);
-    click(200, 80);
-    QVERIFY(settle(m_window->session()));
-    dragPin(200, 80, 0, 20);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
-    QVERIFY(settle(m_window->session()));
+    QVERIFY(bend());
     QVERIFY(m_window->actions().play->isEnabled());
     Playback& playback = m_window->session().playback();
     std::vector<double> heights;
@@ -593,12 +588,7 @@ void TestWindow::recentFilesAreTheLastOnesFirst() {
 
 void TestWindow::exportedPictureIsWhatIsShown() {
     open();
-    click(40, 80);
-    click(200, 80);
-    QVERIFY(settle(m_window->session()));
-    dragPin(200, 80, 0, 20);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
-    QVERIFY(settle(m_window->session()));
+    QVERIFY(bend());
     const QString path = m_folder->filePath(QStringLiteral("out.png"));
     exportNextTo(path);
     m_window->actions().exportPicture->trigger();
@@ -632,12 +622,7 @@ void TestWindow::fitsASmallScreen() {
 
 void TestWindow::worstPlaceIsTheSameEverywhere() {
     open();
-    click(40, 80);
-    click(200, 80);
-    QVERIFY(settle(m_window->session()));
-    dragPin(200, 80, 0, 20);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
-    QVERIFY(settle(m_window->session()));
+    QVERIFY(bend());
     const auto* panel = m_window->findChild<QLabel*>(QStringLiteral("worstPlace"));
     const auto* field = m_window->findChild<QLabel*>(QStringLiteral("worstField"));
     auto* map = m_window->findChild<DistortionPanel*>()->findChild<QComboBox*>();
@@ -702,12 +687,7 @@ void TestWindow::whatIsNotComputedYetIsNotExported() {
 
 void TestWindow::exportsFollowEachOther() {
     open();
-    click(40, 80);
-    click(200, 80);
-    QVERIFY(settle(m_window->session()));
-    dragPin(200, 80, 0, 20);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
-    QVERIFY(settle(m_window->session()));
+    QVERIFY(bend());
     const QString path = m_folder->filePath(QStringLiteral("f_####.png"));
     exportNextTo(path);
     m_window->actions().exportFrames->trigger();
