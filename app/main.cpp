@@ -1,7 +1,10 @@
 #include <csignal>
+#include <stdexcept>
 
 #include "app/cli/cli.h"
+#include "app/cli/terminal.h"
 #include "app/view/run_window.h"
+#include "core/system/simd_target.h"
 #include "kernels/opencl_devices.h"
 #include "warp/picture_library.h"
 
@@ -10,6 +13,12 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
     wend::prepareOpenClEnvironment();
     wend::lookForNoPlugins();
+    try {
+        wend::useSimdOfEnvironment();
+    } catch (const std::invalid_argument& error) {
+        wend::Terminal::error(error.what());
+        return static_cast<int>(wend::ExitCode::Usage);
+    }
     if (argc > 1 && wend::isCommand(argv[1])) return wend::runCommand(argc, argv);
     return wend::runWindow(argc, argv);
 }
