@@ -196,7 +196,10 @@ template <class Real>
 void SupernodalFactor<Real>::assemblePanel(int s, std::span<const double> values) {
     Real* const front = panel(s);
     const int columns = m_symbolic.columnsOf(s);
-    std::fill_n(front, static_cast<std::size_t>(leading(s)) * columns, Real(0));
+    const auto rows = static_cast<std::size_t>(leading(s));
+    for (int c = 0; c < columns; ++c)  // from the group of the diagonal on
+        std::fill(front + c * rows + c / dense::kPad<Real> * dense::kPad<Real>, front + (c + 1) * rows,
+                  Real(0));
     for (int i = m_entryStart[s]; i < m_entryStart[s + 1]; ++i)
         front[m_entries[i].target] = static_cast<Real>(values[m_entries[i].source]);
 }
@@ -204,12 +207,10 @@ void SupernodalFactor<Real>::assemblePanel(int s, std::span<const double> values
 /// Columns [begin, end) of the update matrix, of a panel that is done.
 template <class Real>
 void SupernodalFactor<Real>::makeUpdate(int s, int begin, int end, Real* stacks) {
-    const auto leadingUpdate = static_cast<std::size_t>(updateLeading(s));
     const int columns = m_symbolic.columnsOf(s);
-    Real* const own = update(s, stacks);
-    std::fill(own + begin * leadingUpdate, own + end * leadingUpdate, Real(0));
+    m_kernels->squareNegated(panel(s) + columns, leading(s), columns, update(s, stacks), updateLeading(s),
+                             begin, end);
     for (int child : m_tree.children[s]) extendAdd(child, s, columns + begin, columns + end, stacks);
-    dense::subtractSquare(panel(s) + columns, leading(s), columns, own, updateLeading(s), begin, end);
 }
 
 template <class Real>
@@ -217,9 +218,9 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     const int columns = m_symbolic.columnsOf(s);
     assemblePanel(s, values);
     for (int child : m_tree.children[s]) extendAdd(child, s, 0, columns, stacks);
-    if (!dense::factorColumns(panel(s), leading(s), 0, columns, leading(s), inverse(s))) return false;
+    if (!m_kernels->factorColumns(panel(s), leading(s), 0, columns, leading(s), inverse(s))) return false;
     makeUpdate(s, 0, updateRows(s), stacks);
-    dense::prepareSolves(panel(s), leading(s), columns, 0, leading(s), inverse(s));
+    m_kernels->prepareSolves(panel(s), leading(s), columns, 0, leading(s), inverse(s));
     return true;
 }
 
@@ -231,9 +232,9 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     for (int from = 0; from < columns; from += kPanelColumns) {
         const int to = std::min(columns, from + kPanelColumns), below = dense::padded<Real>(to);
         if (m_stop.stop_requested()) return false;
-        if (!dense::factorColumns(front, rows, from, to, below, inverses)) return false;
+        if (!m_kernels->factorColumns(front, rows, from, to, below, inverses)) return false;
         workers.forPieces(rows - below, 16 * dense::kPad<Real>, [&](int begin, int end) {
-            dense::continueColumns(front, rows, from, to, below + begin, below + end, inverses);
+            m_kernels->continueColumns(front, rows, from, to, below + begin, below + end, inverses);
         });
     }
     return true;
@@ -255,9 +256,9 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     });
     const int top = dense::padded<Real>(columns);
     workers.forPieces(leading(s) - top, 16 * dense::kPad<Real>, [&](int begin, int end) {
-        dense::prepareSolves(panel(s), leading(s), columns, top + begin, top + end, inverse(s));
+        m_kernels->prepareSolves(panel(s), leading(s), columns, top + begin, top + end, inverse(s));
     });
-    dense::prepareSolves(panel(s), leading(s), columns, 0, top, inverse(s));
+    m_kernels->prepareSolves(panel(s), leading(s), columns, 0, top, inverse(s));
     return !m_stop.stop_requested();
 }
 
@@ -281,6 +282,7 @@ template <class Real>
 bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers,
                                        std::stop_token stop) {
     m_stop = std::move(stop);
+    m_kernels = &dense::kernels<Real>();
     reserveStacks(workers.threads());
     return factorSubtrees(values, workers) &&
            std::all_of(m_tree.separator.begin(), m_tree.separator.end(), [&](int s) {

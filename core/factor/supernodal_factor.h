@@ -4,6 +4,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/factor/dense_kernels.h"
 #include "core/factor/elimination_tree.h"
 #include "core/factor/supernodes.h"
 #include "core/factor/worker_pool.h"
@@ -71,7 +72,8 @@ class SupernodalFactor {
 
     Supernodes m_symbolic;
     EliminationTree m_tree;
-    std::stop_token m_stop;  // of the factorization that goes on
+    std::stop_token m_stop;                           // of the factorization that goes on
+    const dense::Kernels<Real>* m_kernels = nullptr;  // those of the factorization
     std::vector<std::size_t> m_panelStart, m_updateStart;
     std::vector<int> m_runStart;  // per supernode: into m_runs, for its update matrix
     std::vector<Run> m_runs;

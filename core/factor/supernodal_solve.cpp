@@ -9,7 +9,7 @@ namespace {
 
 // A panel of fewer numbers is left to one thread.
 constexpr std::size_t kSharedPanel = 100000;
-constexpr int kRows = 512, kColumns = 32;  // of a piece
+constexpr int kRows = 512, kColumns = 2 * dense::kSolveColumns;  // of a piece
 
 bool isShared(int leading, int columns) {
     return static_cast<std::size_t>(leading) * columns >= kSharedPanel;
@@ -56,10 +56,10 @@ void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
     std::fill(w + columns, w + n, Real(0));
     const bool shared = workers && isShared(n, columns);
     const int below = shared ? dense::padded<Real>(columns) : n;
-    dense::forward(panel(s), n, columns, below, w, x);
+    m_kernels->forward(panel(s), n, columns, below, w, x);
     if (shared)
         workers->forPieces(n - below, kRows, [&](int begin, int end) {
-            dense::continueForward(panel(s), n, columns, below + begin, below + end, w);
+            m_kernels->continueForward(panel(s), n, columns, below + begin, below + end, w);
         });
     for (int i = columns; i < rows; ++i) m_x[target[i]] += w[i];
 }
@@ -76,9 +76,9 @@ void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) 
     const int below = shared ? dense::padded<Real>(columns) : n;
     if (shared)
         workers->forPieces(columns, kColumns, [&](int begin, int end) {
-            dense::prepareBackward(panel(s), n, begin, end, below, w, x);
+            m_kernels->prepareBackward(panel(s), n, begin, end, below, w, x);
         });
-    dense::backward(panel(s), n, columns, below, w, x);
+    m_kernels->backward(panel(s), n, columns, below, w, x);
 }
 
 template <class Real>

@@ -22,7 +22,7 @@ constexpr int kRefinements = 3;
 constexpr double kMinTolerance = 1e-8;
 // Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
 // and they show so little of the error that they would end too early.
-constexpr double kPoorestContraction = 0.5;
+constexpr double kPoorestContraction = 0.33;
 constexpr int kTrials = 3;  // before a factor that is dear is given up
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;

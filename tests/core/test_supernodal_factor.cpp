@@ -1,11 +1,15 @@
 // The factor of our own and the tree that its threads share, against CHOLMOD.
+#include <Eigen/Cholesky>
 #include <QTest>
+#include <set>
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/factor/cholesky.h"
+#include "core/factor/dense_kernels.h"
 #include "core/factor/supernodal_factor.h"
 #include "core/solver/reduced_system.h"
 #include "tests/core/test_energy_samples.h"
+#include "tests/support/simd_targets.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -13,9 +17,12 @@ using namespace wend::test;
 class TestSupernodalFactor : public QObject {
     Q_OBJECT
   private slots:
+    void targetsHaveKernelsOfTheirOwn();
+    void denseKernels();
     void treeIsSplit();
     void factorsSolve();
     void factorThreads();
+    void factorOutlivesTheChoiceOfTarget();
     void floatFactorRefuses();
 };
 
@@ -103,6 +110,121 @@ void compareThreads(int n) {
     }
 }
 
+/// A front, and its factor by Eigen in double precision, against which the kernels are checked.
+template <class Real>
+class FrontCheck {
+  public:
+    FrontCheck(int columns, int rows, double tolerance)
+        : m_columns(columns),
+          m_below(rows - columns),
+          m_leading(dense::padded<Real>(rows)),
+          m_tolerance(tolerance),
+          m_front(rows, columns),
+          m_random(columns),
+          m_panel(static_cast<std::size_t>(m_leading) * columns + dense::kPad<Real>),
+          m_inverse(columns) {
+        for (auto& value : m_front.reshaped()) value = static_cast<Real>(uniform(m_random, -1, 1));
+        m_front.diagonal().array() += columns + 4;
+        m_triangle = m_front.topRows(columns).selfadjointView<Eigen::Lower>().llt().matrixL();
+        m_rows = m_triangle.triangularView<Eigen::Lower>()
+                     .solve(m_front.bottomRows(m_below).transpose())
+                     .transpose();
+    }
+    void run() {
+        fill();
+        QVERIFY(
+            m_kernels.factorColumns(m_panel.data(), m_leading, 0, m_columns, m_leading, m_inverse.data()));
+        checkPanel();
+        fill();
+        factorInPieces();
+        checkPanel();
+        if (m_below == 0) return;
+        checkSquare();
+        checkSolves();
+    }
+
+  private:
+    using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+    Eigen::Map<Matrix> panel() { return {m_panel.data(), m_leading, m_columns}; }
+
+    void fill() {
+        for (int c = 0; c < m_columns; ++c)
+            for (int r = c; r < m_front.rows(); ++r) panel()(r, c) = static_cast<Real>(m_front(r, c));
+    }
+
+    void factorInPieces() {
+        const int half = m_columns / 2;
+        for (const auto& [from, to] : {std::pair(0, half), std::pair(half, m_columns)}) {
+            const int top = dense::padded<Real>(to);
+            QVERIFY(m_kernels.factorColumns(m_panel.data(), m_leading, from, to, top, m_inverse.data()));
+            m_kernels.continueColumns(m_panel.data(), m_leading, from, to, top, m_leading, m_inverse.data());
+        }
+    }
+
+    void checkPanel() {
+        const Eigen::MatrixXd L = panel().topRows(m_front.rows()).template cast<double>();
+        const Eigen::MatrixXd top = L.topRows(m_columns).triangularView<Eigen::Lower>();
+        checkZero(top - m_triangle);
+        checkZero(L.bottomRows(m_below) - m_rows);
+    }
+
+    void checkSquare() {
+        const int leading = dense::padded<Real>(m_below);
+        LargeArray<Real> square(static_cast<std::size_t>(leading) * m_below + dense::kPad<Real>);
+        for (int from = 0; from < m_below; from += dense::kPad<Real>)
+            m_kernels.squareNegated(m_panel.data() + m_columns, m_leading, m_columns, square.data(), leading,
+                                    from, std::min(m_below, from + dense::kPad<Real>));
+        const Eigen::MatrixXd U =
+            Eigen::Map<Matrix>(square.data(), leading, m_below).topRows(m_below).template cast<double>();
+        const Eigen::MatrixXd difference = (U + m_rows * m_rows.transpose()).triangularView<Eigen::Lower>();
+        checkZero(difference);
+    }
+
+    void checkSolves() {
+        const int end = dense::padded<Real>(m_columns);
+        Real* const p = m_panel.data();
+        m_kernels.prepareSolves(p, m_leading, m_columns, end, m_leading, m_inverse.data());
+        m_kernels.prepareSolves(p, m_leading, m_columns, 0, end, m_inverse.data());
+        Vector w = Vector::Zero(m_leading), x = Vector::Zero(m_columns);
+        for (int i = 0; i < m_columns; ++i) w[i] = static_cast<Real>(uniform(m_random, -1, 1));
+        const Eigen::VectorXd y =
+            m_triangle.triangularView<Eigen::Lower>().solve(w.head(m_columns).template cast<double>());
+        m_kernels.forward(p, m_leading, m_columns, end, w.data(), x.data());
+        m_kernels.continueForward(p, m_leading, m_columns, end, m_leading, w.data());
+        checkZero(x.template cast<double>() - y);
+        checkZero(w.segment(m_columns, m_below).template cast<double>() + m_rows * y);
+        w.head(m_columns) = x;
+        w.tail(m_leading - m_front.rows()).setZero();
+        x.setZero();
+        const Eigen::VectorXd right =
+            w.head(m_columns).template cast<double>() -
+            m_rows.transpose() * w.segment(m_columns, m_below).template cast<double>();
+        m_kernels.prepareBackward(p, m_leading, 0, m_columns, end, w.data(), x.data());
+        m_kernels.backward(p, m_leading, m_columns, end, w.data(), x.data());
+        checkZero(x.template cast<double>() -
+                  m_triangle.transpose().triangularView<Eigen::Upper>().solve(right));
+    }
+
+    /// Within the tolerance, relative to the largest number of the front.
+    void checkZero(const Eigen::MatrixXd& difference) const {
+        if (difference.size() == 0) return;
+        const double error = difference.cwiseAbs().maxCoeff() / m_front.cwiseAbs().maxCoeff();
+        QVERIFY2(
+            error <= m_tolerance,
+            qPrintable(QString("%1 columns, %2 rows: %3").arg(m_columns).arg(m_front.rows()).arg(error)));
+    }
+
+    const dense::Kernels<Real>& m_kernels = dense::kernels<Real>();
+    int m_columns, m_below, m_leading;
+    double m_tolerance;
+    Eigen::MatrixXd m_front, m_triangle, m_rows;
+    std::mt19937 m_random;
+    LargeArray<Real> m_panel;
+    std::vector<Real> m_inverse;
+};
+
 /// Every supernode is in the separator or in one subtree, a subtree holds all that is below its root and none
 /// of it is the whole; the separator is closed upwards.
 template <int Dim>
@@ -139,26 +261,72 @@ void TestSupernodalFactor::treeIsSplit() {
     checkTree<3>(9);
 }
 
+// Dispatch that always took the same variant would pass every other test.
+void TestSupernodalFactor::targetsHaveKernelsOfTheirOwn() {
+    std::set<const void*> seen;
+    onEveryTarget([&](SimdTarget) {
+        QVERIFY(seen.insert(&dense::kernels<float>()).second);
+        QVERIFY(seen.insert(&dense::kernels<double>()).second);
+    });
+    QCOMPARE(seen.size(), 2 * supportedSimdTargets().size());
+}
+
+void TestSupernodalFactor::denseKernels() {
+    onEveryTarget([](SimdTarget) {
+        for (int columns = 1; columns <= 20; ++columns) {
+            FrontCheck<float>(columns, columns + columns % 3 * 19, 1e-5).run();
+            FrontCheck<double>(columns, columns + columns % 3 * 19, 2e-14).run();
+        }
+        // Several panels, blocks of the depth, packed rows.
+        FrontCheck<float>(301, 520, 1e-5).run();
+        FrontCheck<double>(301, 520, 2e-14).run();
+    });
+}
+
 void TestSupernodalFactor::factorThreads() {
-    compareThreads<2, float>(70);
-    compareThreads<2, double>(70);
-    compareThreads<3, float>(11);
-    compareThreads<3, double>(11);
+    onEveryTarget([](SimdTarget) {
+        compareThreads<2, float>(70);
+        compareThreads<2, double>(70);
+        compareThreads<3, float>(11);
+        compareThreads<3, double>(11);
+    });
 }
 
 void TestSupernodalFactor::factorsSolve() {
-    for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
-    for (int n : {2, 3, 6, 11}) compareFactors<3>(n);  // the last with fronts that threads share in a solve
+    onEveryTarget([](SimdTarget) {
+        for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
+        for (int n : {2, 3, 6, 11})
+            compareFactors<3>(n);  // the last with fronts that threads share in a solve
+    });
+}
+
+// Blocks have other widths on other targets: the solves go on with the kernels of the factorization.
+void TestSupernodalFactor::factorOutlivesTheChoiceOfTarget() {
+    Factored<3> scene(6, phi::kAkvf, Ordering::NestedDissection);
+    WorkerPool workers(1);
+    std::vector<double> b(scene.system.columnStart().size() - 1, 1.0), x(b.size()), y(b.size());
+    onEveryTarget([&](SimdTarget) {
+        auto factor = scene.factor<double>();
+        QVERIFY(factor.factorize(scene.cholesky.values(), workers));
+        QVERIFY(factor.solve(b, x, workers));
+        for (const SimdTarget other : supportedSimdTargets()) {
+            setSimdTarget(other);
+            QVERIFY(factor.solve(b, y, workers));
+            QVERIFY(x == y);
+        }
+    });
 }
 
 void TestSupernodalFactor::floatFactorRefuses() {
-    Factored<2> scene(6, phi::kMetr, Ordering::MinimumDegree);
-    WorkerPool workers(2);
-    auto single = scene.factor<float>();
-    for (auto& value : scene.cholesky.values()) value = -value;
-    QVERIFY(!single.factorize(scene.cholesky.values(), workers));
-    for (auto& value : scene.cholesky.values()) value = std::nan("");
-    QVERIFY(!single.factorize(scene.cholesky.values(), workers));
+    onEveryTarget([](SimdTarget) {
+        Factored<2> scene(6, phi::kMetr, Ordering::MinimumDegree);
+        WorkerPool workers(2);
+        auto single = scene.factor<float>();
+        for (auto& value : scene.cholesky.values()) value = -value;
+        QVERIFY(!single.factorize(scene.cholesky.values(), workers));
+        for (auto& value : scene.cholesky.values()) value = std::nan("");
+        QVERIFY(!single.factorize(scene.cholesky.values(), workers));
+    });
 }
 
 QTEST_APPLESS_MAIN(TestSupernodalFactor)

@@ -1,2 +1,0 @@
-using Real = double;
-#include "core/factor/dense_kernels_body.h"

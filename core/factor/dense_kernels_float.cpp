@@ -1,2 +1,0 @@
-using Real = float;
-#include "core/factor/dense_kernels_body.h"

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QTest>
+
+#include "core/system/simd_target.h"
+
+namespace wend::test {
+
+/// Runs `check` on every SIMD target of this processor, least first, until a check fails; then the best
+/// target is in use again.
+template <class Check>
+void onEveryTarget(Check check) {
+    for (const SimdTarget target : supportedSimdTargets()) {
+        setSimdTarget(target);
+        check(target);
+        if (!QTest::currentTestFailed()) continue;
+        qWarning("on the target %s", std::string(nameOf(target)).c_str());
+        break;
+    }
+    setSimdTarget(supportedSimdTargets().back());
+}
+
+}  // namespace wend::test
