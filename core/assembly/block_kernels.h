@@ -10,7 +10,7 @@ struct Contribution {
 /// Blocks [begin, end) of A, column-major, each the sum of its contributions in their order:
 ///   Σ a ((g·h) I + h gᵀ) + b g hᵀ,   g, h the gradients at `left` and `right`, (a, b) a pair of
 ///   coefficients.
-/// `gradients` has 4 doubles per corner: in the plane both components twice, in space three and a 0.
+/// `gradients` has 2 doubles per corner in the plane; in space 4, the last one 0.
 void blocks2(const int* start, const Contribution* contributions, const double* gradients,
              const double* coefficients, int begin, int end, double* values);
 void blocks3(const int* start, const Contribution* contributions, const double* gradients,

@@ -14,7 +14,7 @@ constexpr int kGrain = 1024;  // as in the general back end
 template <int Dim>
 class IsotropicBackEnd final : public BackEnd<Dim> {
     static constexpr int kCorners = Dim + 1;
-    static constexpr int kForces = Dim * kCorners;
+    static constexpr int kPoint = isotropic::Cells<Dim>::kPoint;
     static constexpr int kTensor = Dim * (Dim + 1) / 2;
     using Plan = AssemblyPlan<Dim>;
 
@@ -38,10 +38,10 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
   private:
     void prepareCells(const SimplicialMesh<Dim>& rest, const Material<Dim>& material);
     void prepareFacets();
+    void listCorners();
     void listContributions();
     void connect();
     isotropic::Jump kindOfJump() const;
-    void spreadWeights(int begin, int end);
     void cellTerms(int begin, int end);
     void facetTerms(int begin, int end);
     void addMassRegularization(std::span<double> values);
@@ -49,20 +49,22 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     /// ε V / ((d + 1)(d + 2)): the consistent mass of two different corners.
     double mass(int c) const { return m_massRegularization[c] * m_measure[c] / (kCorners * (kCorners + 1)); }
     double gradient(int corner, int axis) const;
+    Strain<Dim> tensor(int cell) const;
 
     std::shared_ptr<const Plan> m_plan;
     Smoothing m_smoothing;
     WorkerPool m_pool;
     int m_cellCount, m_facetCount;
-    // Structures of arrays, see isotropic_kernels.h.
+    // See isotropic_kernels.h.
     std::vector<int> m_vertices, m_facets, m_neighbours, m_facetVertices, m_facetCells;
     std::vector<double> m_q, m_r, m_orientation, m_measure, m_gradients, m_centroids, m_shear, m_dilation,
-        m_tensor, m_facetWeight, m_facetQ, m_facetR;
+        m_tensor, m_tensorRest, m_facetWeight, m_facetShear, m_facetDilation, m_facetQ, m_facetR;
     isotropic::Jump m_jump = isotropic::Jump::Shear;
     isotropic::Cells<Dim> m_cells;
     isotropic::Facets<Dim> m_facetArrays;
 
-    std::vector<int> m_forcePlace;  // of the plan's corners
+    std::vector<int> m_sumStart,
+        m_sumCorners;  // of the plan's corners, each vertex's as a multiple of kPadding
     std::vector<double> m_force, m_massRegularization;
     // For the assembly: the contributions of every block in one list; coefficients of the cells, then of the
     // facets.
@@ -81,53 +83,66 @@ IsotropicBackEnd<Dim>::IsotropicBackEnd(std::shared_ptr<const Plan> plan, const 
       m_facetCount(static_cast<int>(m_plan->facets.size())) {
     prepareCells(rest, material);
     prepareFacets();
+    listCorners();
     connect();
 }
 
+/// Entries beyond the last cell repeat it.
 template <int Dim>
 void IsotropicBackEnd<Dim>::prepareCells(const SimplicialMesh<Dim>& rest, const Material<Dim>& material) {
-    const auto n = static_cast<std::size_t>(m_cellCount);
-    m_vertices.resize(n * kCorners);
-    m_facets.resize(n * kCorners);
-    m_neighbours.resize(n * kCorners);
-    for (int c = 0; c < m_cellCount; ++c) {
+    const int count = isotropic::padded(m_cellCount);
+    for (int i = 0; i < count; ++i) {
+        const int c = std::min(i, m_cellCount - 1);
         const auto weights = EnergyWeights::of(material.phi[c]);
         m_q.push_back(weights.q);
         m_r.push_back(weights.r);
         m_orientation.push_back(cellMeasure<Dim>(rest.points, rest.cells[c]) < 0 ? -1.0 : 1.0);
         for (int k = 0; k < kCorners; ++k) {
             const int facet = m_plan->facetOfCorner[c][k];
-            m_vertices[k * n + c] = m_plan->cells[c][k];
-            m_facets[k * n + c] = facet;
-            m_neighbours[k * n + c] = facet >= 0 ? m_plan->across(facet, c) : c;
+            m_vertices.push_back(m_plan->cells[c][k]);
+            m_facets.push_back(facet >= 0 ? facet : isotropic::padded(m_facetCount));
+            m_neighbours.push_back(facet >= 0 ? m_plan->across(facet, c) : c);
         }
     }
+    const auto n = static_cast<std::size_t>(count);
     m_measure.resize(n);
     m_gradients.resize(n * Dim * Dim);
-    m_centroids.resize(n * Dim);
+    m_centroids.resize(n * kPoint);
     m_shear.assign(n * kCorners, 0.0);
     m_dilation.assign(n * kCorners, 0.0);
-    m_tensor.resize(n * kTensor);
-    m_force.resize(n * kForces);
-    for (const int corner : m_plan->corners)
-        m_forcePlace.push_back(corner % kCorners * Dim * m_cellCount + corner / kCorners);
+    m_tensor.resize(n * 4);
+    if (Dim == 3) m_tensorRest.resize(n * 2);
+    m_force.resize((n * kCorners + 1) * kPoint);
+}
+
+/// Each vertex's list ends with the corner after all others, whose force stays 0.
+template <int Dim>
+void IsotropicBackEnd<Dim>::listCorners() {
+    m_sumStart.push_back(0);
+    for (int p = 0; p < m_plan->vertexCount; ++p) {
+        m_sumCorners.insert(m_sumCorners.end(), m_plan->corners.begin() + m_plan->cornerStart[p],
+                            m_plan->corners.begin() + m_plan->cornerStart[p + 1]);
+        m_sumCorners.resize(isotropic::padded(static_cast<int>(m_sumCorners.size())),
+                            isotropic::padded(m_cellCount) * kCorners);
+        m_sumStart.push_back(static_cast<int>(m_sumCorners.size()));
+    }
 }
 
 template <int Dim>
 void IsotropicBackEnd<Dim>::prepareFacets() {
-    const auto n = static_cast<std::size_t>(m_facetCount);
-    m_facetVertices.resize(n * Dim);
-    m_facetCells.resize(n * 2);
-    m_facetWeight.assign(n, 0.0);
-    for (int f = 0; f < m_facetCount; ++f) {
-        for (int k = 0; k < Dim; ++k) m_facetVertices[k * n + f] = m_plan->facets[f].vertices[k];
-        const auto [i, j] = m_plan->facets[f].cells;
-        m_facetCells[f] = i;
-        m_facetCells[n + f] = j;
-        const auto w = jumpWeights({m_q[i], m_r[i]}, {m_q[j], m_r[j]});
+    const int count = isotropic::padded(m_facetCount);
+    for (int i = 0; i < count; ++i) {
+        const int f = std::min(i, m_facetCount - 1);
+        const auto& facet = m_plan->facets[f];
+        m_facetVertices.insert(m_facetVertices.end(), facet.vertices.begin(), facet.vertices.end());
+        m_facetCells.insert(m_facetCells.end(), facet.cells.begin(), facet.cells.end());
+        const auto [a, b] = facet.cells;
+        const auto w = jumpWeights({m_q[a], m_r[a]}, {m_q[b], m_r[b]});
         m_facetQ.push_back(w.q);
         m_facetR.push_back(w.r);
     }
+    for (auto* weights : {&m_facetWeight, &m_facetShear, &m_facetDilation})
+        weights->assign(static_cast<std::size_t>(count) + 1, 0.0);
     m_jump = kindOfJump();
 }
 
@@ -143,8 +158,9 @@ void IsotropicBackEnd<Dim>::connect() {
     m_cells = {m_cellCount,          m_vertices.data(),  m_q.data(),          m_r.data(),
                m_orientation.data(), m_facets.data(),    m_neighbours.data(), m_measure.data(),
                m_gradients.data(),   m_centroids.data(), m_shear.data(),      m_dilation.data(),
-               m_tensor.data()};
-    m_facetArrays = {m_facetCount, m_facetVertices.data(), m_facetCells.data(), m_facetWeight.data()};
+               m_tensor.data(),      m_tensorRest.data()};
+    m_facetArrays = {m_facetCount,    m_facetVertices.data(), m_facetCells.data(), m_facetQ.data(),
+                     m_facetR.data(), m_facetWeight.data(),   m_facetShear.data(), m_facetDilation.data()};
 }
 
 template <int Dim>
@@ -160,24 +176,12 @@ int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     const bool invariant = m_smoothing.kind == SmoothingKind::Invariant;
     const double factor = invariant ? m_smoothing.length * m_smoothing.length : m_smoothing.lambda;
     m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) {
-        isotropic::facetWeights<Dim>(m_facetArrays, m_cells, begin, end, shape.data(), factor, invariant);
+        isotropic::facetWeights<Dim>(m_jump, m_facetArrays, m_cells, begin, end, shape.data(), factor);
     });
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) { spreadWeights(begin, end); });
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+        isotropic::spreadWeights<Dim>(m_jump, m_facetArrays, m_cells, begin, end);
+    });
     return -1;
-}
-
-template <int Dim>
-void IsotropicBackEnd<Dim>::spreadWeights(int begin, int end) {
-    const auto n = static_cast<std::size_t>(m_cellCount);
-    const bool stress = m_jump == isotropic::Jump::Stress, swells = m_jump == isotropic::Jump::Strain;
-    for (int k = 0; k < kCorners; ++k)
-        for (int c = begin; c < end; ++c) {
-            const int facet = m_facets[k * n + c];
-            if (facet < 0) continue;
-            m_shear[k * n + c] = m_facetWeight[facet] * (stress ? 1 : m_facetQ[facet]);
-            // Jumps of shear and of stress have none.
-            if (swells) m_dilation[k * n + c] = m_facetWeight[facet] * m_facetR[facet];
-        }
 }
 
 template <int Dim>
@@ -190,13 +194,10 @@ void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
         isotropic::forces<Dim>(m_jump, m_cells, begin, end, m_force.data());
     });
     m_pool.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
-        for (int p = begin; p < end; ++p) {
-            Vec<Dim> total = Vec<Dim>::Zero();
-            for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i)
-                for (int a = 0; a < Dim; ++a) total[a] += m_force[m_forcePlace[i] + a * m_cellCount];
-            Av.col(p) = total;
-            if (!m_massRegularization.empty()) addMassTimes(v, p, Av);
-        }
+        isotropic::sumForces<Dim>(m_sumStart.data(), m_sumCorners.data(), m_force.data(), begin, end,
+                                  Av.data());
+        if (!m_massRegularization.empty())
+            for (int p = begin; p < end; ++p) addMassTimes(v, p, Av);
     });
 }
 
@@ -212,7 +213,7 @@ void IsotropicBackEnd<Dim>::addMassTimes(const Points<Dim>& v, int p, Points<Dim
 
 template <int Dim>
 double IsotropicBackEnd<Dim>::gradient(int corner, int axis) const {
-    const auto n = static_cast<std::size_t>(m_cellCount);
+    const std::size_t n = m_measure.size();
     const int c = corner / kCorners, k = corner % kCorners;
     if (k > 0) return m_gradients[((k - 1) * Dim + axis) * n + c];
     double sum = 0;
@@ -234,7 +235,7 @@ void IsotropicBackEnd<Dim>::listContributions() {
                 {m_plan->cross[i].left, m_plan->cross[i].right, m_cellCount + m_plan->cross[i].facet});
         m_start.push_back(static_cast<int>(m_contributions.size()));
     }
-    m_cornerGradients.assign(static_cast<std::size_t>(m_cellCount) * kCorners * 4, 0.0);
+    m_cornerGradients.assign(static_cast<std::size_t>(m_cellCount) * kCorners * kPoint, 0.0);
     m_coefficients.resize(2 * static_cast<std::size_t>(m_cellCount + m_facetCount));
 }
 
@@ -243,16 +244,15 @@ void IsotropicBackEnd<Dim>::listContributions() {
 /// 16 β q²), b = V r + 4 β (8 q r + d r²).
 template <int Dim>
 void IsotropicBackEnd<Dim>::cellTerms(int begin, int end) {
-    const auto n = static_cast<std::size_t>(m_cellCount);
     for (int c = begin; c < end; ++c) {
         const double q = m_q[c], r = m_r[c], V = m_measure[c];
         double shear = 0, dilation = 0;
         for (int k = 0; k < kCorners; ++k) {
-            shear += m_shear[k * n + c];
-            dilation += m_dilation[k * n + c];
-            double* const g = m_cornerGradients.data() + 4 * (static_cast<std::size_t>(c) * kCorners + k);
+            const std::size_t corner = static_cast<std::size_t>(c) * kCorners + k;
+            shear += m_shear[corner];
+            dilation += m_dilation[corner];
+            double* const g = m_cornerGradients.data() + kPoint * corner;
             for (int a = 0; a < Dim; ++a) g[a] = gradient(c * kCorners + k, a);
-            if (Dim == 2) g[2] = g[0], g[3] = g[1];
         }
         if (m_jump == isotropic::Jump::Stress) {
             dilation = 4 * shear * (8 * q * r + Dim * r * r);
@@ -269,8 +269,8 @@ void IsotropicBackEnd<Dim>::facetTerms(int begin, int end) {
     double* const pairs = m_coefficients.data() + 2 * static_cast<std::size_t>(m_cellCount);
     for (int f = begin; f < end; ++f) {
         if (m_jump != isotropic::Jump::Stress) {
-            pairs[2 * f] = -2 * m_facetWeight[f] * m_facetQ[f];
-            pairs[2 * f + 1] = -m_facetWeight[f] * m_facetR[f];
+            pairs[2 * f] = -2 * m_facetShear[f];
+            pairs[2 * f + 1] = -m_facetDilation[f];
             continue;
         }
         const auto [i, j] = m_plan->facets[f].cells;
@@ -304,19 +304,24 @@ void IsotropicBackEnd<Dim>::addMassRegularization(std::span<double> values) {
         }
 }
 
+/// In Mandel coordinates.
+template <int Dim>
+Strain<Dim> IsotropicBackEnd<Dim>::tensor(int cell) const {
+    Strain<Dim> T;
+    for (int i = 0; i < kTensor; ++i)
+        T[i] = (i < Dim ? 1 : std::numbers::sqrt2) *
+               (i < 4 ? m_tensor[4 * static_cast<std::size_t>(cell) + i]
+                      : m_tensorRest[2 * static_cast<std::size_t>(cell) + i - 4]);
+    return T;
+}
+
 /// Σ V (q ‖S‖² + r (½ Tr S)²) and the same of the jumps of S, weighted; with stress jumps Σ weight ‖P_j −
 /// P_i‖².
 template <int Dim>
 double IsotropicBackEnd<Dim>::energy(const Points<Dim>& v) {
-    const auto n = static_cast<std::size_t>(m_cellCount);
     const auto density = [](double q, double r, const Strain<Dim>& S) {
         const double trace = 0.5 * S.template head<Dim>().sum();
         return q * S.squaredNorm() + r * trace * trace;
-    };
-    const auto tensor = [&](int c) {
-        Strain<Dim> T;
-        for (int t = 0; t < kTensor; ++t) T[t] = (t < Dim ? 1 : std::numbers::sqrt2) * m_tensor[t * n + c];
-        return T;
     };
     isotropic::tensors<Dim>(isotropic::Jump::Shear, m_cells, 0, m_cellCount, v.data());
     double total = 0;

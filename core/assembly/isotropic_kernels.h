@@ -8,51 +8,77 @@ namespace wend::isotropic {
 /// (invariant), or that of the stress (docs/method.md, (12)).
 enum class Jump { Shear, Strain, Stress };
 
-/// The loops of the back end for B = I over cells and facets, as structures of arrays: entry i of item c lies
-/// at [i · count + c]. With q = w_q, r = w_r of a cell or facet: D X = 4 q X + r Tr(X) I, P = D S.
-/// Symmetric tensors as their diagonal, then the entries above it by rows.
+/// The arrays have room for a multiple of so many cells and facets. Kernels compute up to three entries
+/// beyond the last one: those repeat it.
+constexpr int kPadding = 4;
+constexpr int padded(int count) {
+    return (count + kPadding - 1) / kPadding * kPadding;
+}
+
+/// The arrays of the back end for B = I. Numbers that are gathered from other cells are kept together for
+/// each cell; others are structures of arrays: number i of cell c is at [i · padded(count) + c]. With q =
+/// w_q, r = w_r of a cell or facet: D X = 4 q X + r Tr(X) I, P = D S.
 template <int Dim>
 struct Cells {
+    static constexpr int kCorners = Dim + 1;
+    static constexpr int kPoint = Dim == 2 ? 2 : 4;  // doubles of a vector: in space the fourth is 0
+    static constexpr int kTensor = 4;                // doubles of the first part of a tensor
+
     int count = 0;
-    const int* vertices = nullptr;  // Dim + 1
+    const int* vertices = nullptr;  // of cell c at kCorners · c
     const double *q = nullptr, *r = nullptr;
     const double* orientation = nullptr;  // sign of the measure at rest
-    const int* facets = nullptr;          // Dim + 1: opposite to the corner, −1: none
-    const int* neighbours = nullptr;      // Dim + 1: the cell across, the cell itself where there is none
+    const int* facets =
+        nullptr;  // at kCorners · c: opposite to the corner; padded(facets' count) where there is none
+    const int* neighbours = nullptr;  // at kCorners · c: the cell across, the cell itself where there is none
     double* measure = nullptr;
     double* gradients =
-        nullptr;  // Dim × Dim: [Dim · (k − 1) + a] of corners k ≥ 1; corner 0 has minus their sum
-    double* centroids = nullptr;  // Dim
-    // Dim + 1: weight · q and weight · r of the facet opposite to the corner, 0 where there is none; with
-    // stress jumps the weight alone.
+        nullptr;  // Dim × Dim: number Dim · (k − 1) + a of corner k ≥ 1; corner 0 has minus their sum
+    double* centroids = nullptr;  // at kPoint · c
+    // At kCorners · c: weight · q and weight · r of the facet opposite to the corner, 0 where there is none;
+    // with stress jumps the weight alone.
     double *shear = nullptr, *dilation = nullptr;
-    double* tensor = nullptr;  // Dim (Dim + 1) / 2: S, with stress jumps P
+    // S, with stress jumps P: (xx, yy, xy, 0) or (xx, yy, zz, xy) at kTensor · c, in space (xz, yz) at 2 c.
+    double *tensor = nullptr, *tensorRest = nullptr;
 };
 
 template <int Dim>
 struct Facets {
     int count = 0;
-    const int *vertices = nullptr, *cells = nullptr;  // Dim; 2
-    double* weight = nullptr;
+    const int *vertices = nullptr, *cells = nullptr;  // of facet f at Dim · f; at 2 f
+    const double *q = nullptr, *r = nullptr;
+    // weight; weight · q and weight · r, with stress jumps weight and 0. One entry more than padded(count):
+    // 0.
+    double *weight = nullptr, *shear = nullptr, *dilation = nullptr;
 };
 
 /// Gradients, measure, centroid of cells [begin, end); returns the first whose measure is not positive, or
-/// `end`.
+/// `end`. `begin` is a multiple of kPadding here and below, and `end`, too, but for the count.
 template <int Dim>
 int geometry(const Cells<Dim>& cells, int begin, int end, const double* points);
 
-/// weight = factor · B / h, or factor · B (docs/method.md, (10) and (12)).
+/// weight = factor · B / h, or factor · B (docs/method.md, (10) and (12)), and its products.
 template <int Dim>
-void facetWeights(const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end,
-                  const double* points, double factor, bool overDistance);
+void facetWeights(Jump jump, const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end,
+                  const double* points, double factor);
+
+/// Copies the facets' weights to the corners opposite to them.
+template <int Dim>
+void spreadWeights(Jump jump, const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end);
 
 /// The tensor of a nodal field.
 template <int Dim>
 void tensors(Jump jump, const Cells<Dim>& cells, int begin, int end, const double* v);
 
 /// The forces of a cell on its corners, 2 L g_k with L = ¼ V P + ¼ Σ weight D_facet (S − S_neighbour), or
-/// ¼ V P + D Σ weight (P − P_neighbour): [corner][axis] per cell.
+/// ¼ V P + D Σ weight (P − P_neighbour): at kPoint · (kCorners · cell + corner).
 template <int Dim>
 void forces(Jump jump, const Cells<Dim>& cells, int begin, int end, double* force);
+
+/// Sums the forces on every vertex of [begin, end): at kPoint · corners[i] for i in [start[v], start[v + 1]),
+/// a multiple of kPadding, since loops of few lengths are foreseen by the processor. `sums` has Dim doubles a
+/// vertex.
+template <int Dim>
+void sumForces(const int* start, const int* corners, const double* force, int begin, int end, double* sums);
 
 }  // namespace wend::isotropic

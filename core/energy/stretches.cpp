@@ -1,13 +1,21 @@
 #include "core/energy/stretches.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "core/system/run_time_dispatch.h"
+#include "core/system/highway_targets.h"
 
-namespace wend {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/energy/stretches.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace wend::HWY_NAMESPACE {
 namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::ScalableTag<double>;
+using V = hn::Vec<D>;
 
 constexpr double kNothing = std::numeric_limits<double>::min();  // instead of 0, to divide by
 constexpr double kLeast = 0.05, kMost = 20;  // of the eigenvalues of FᵀF: between them σ is exact
@@ -16,49 +24,118 @@ constexpr double kLeast = 0.05, kMost = 20;  // of the eigenvalues of FᵀF: bet
 constexpr double kGuess = 0.408248, kBend = 0.0387;
 constexpr int kSteps = 3;
 
+HWY_INLINE V set(double value) {
+    return hn::Set(D(), value);
+}
+HWY_INLINE V load(const double* p) {
+    return hn::LoadU(D(), p);
+}
+HWY_INLINE void store(V v, double* p) {
+    hn::StoreU(v, D(), p);
+}
+HWY_INLINE V dot(V a, V b, V c, V d, V e, V f) {
+    return hn::MulAdd(a, b, hn::MulAdd(c, d, e * f));
+}
+HWY_INLINE V minor(V a, V b, V c, V d) {
+    return hn::MulSub(a, d, b * c);
+}
+
+/// The symmetric matrix FᵀF − I, its mean taken off its diagonal.
+struct Strain {
+    V xx, yy, zz, xy, xz, yz, mean;
+};
+HWY_INLINE Strain strainOf(const V (&F)[9]) {
+    const auto product = [&](int i, int j) HWY_ATTR {
+        return dot(F[3 * i], F[3 * j], F[3 * i + 1], F[3 * j + 1], F[3 * i + 2], F[3 * j + 2]);
+    };
+    Strain s{product(0, 0) - set(1),
+             product(1, 1) - set(1),
+             product(2, 2) - set(1),
+             product(0, 1),
+             product(0, 2),
+             product(1, 2),
+             set(0)};
+    s.mean = (s.xx + s.yy + s.zz) * set(1.0 / 3);
+    s.xx = s.xx - s.mean, s.yy = s.yy - s.mean, s.zz = s.zz - s.mean;
+    return s;
+}
+
+/// t for an angle whose cosine is r.
+HWY_INLINE V thirdOfAngle(V r) {
+    const V root = hn::Sqrt(set(1) + r);
+    V t = root * hn::NegMulAdd(set(kBend), root, set(kGuess));
+    for (int step = 0; step < kSteps; ++step) {
+        const V inner = hn::MulAdd(set(4), t, set(6));
+        t = t - (hn::MulSub(t, inner, root * hn::Sqrt(inner))) / hn::MulAdd(set(6), t, set(6));
+    }
+    return t;
+}
+
 }  // namespace
 
 /// Half the sum and half the difference of both, each of a conformal or anticonformal part of F.
-WEND_CLONES void computeStretches(Stretches<2>& cells) {
-    for (int i = 0; i < Stretches<2>::kCells; ++i) {
-        const double a = cells.maps[0][i], b = cells.maps[1][i], c = cells.maps[2][i], d = cells.maps[3][i];
-        const double kept = std::sqrt((a + d) * (a + d) + (b - c) * (b - c)),
-                     lost = std::sqrt((a - d) * (a - d) + (b + c) * (b + c));
-        cells.sigma[0][i] = (kept + lost) / 2;
-        cells.sigma[1][i] = std::abs(kept - lost) / 2;
-        cells.determinant[i] = a * d - b * c;
-        cells.isExact[i] = true;
+void stretchesInPlane(Stretches<2>& cells) {
+    for (int i = 0; i < Stretches<2>::kCells; i += static_cast<int>(hn::Lanes(D()))) {
+        const auto& m = cells.maps;
+        const V a = load(&m[0][i]), b = load(&m[1][i]), c = load(&m[2][i]), d = load(&m[3][i]);
+        const V kept = hn::Sqrt(hn::MulAdd(a + d, a + d, (b - c) * (b - c))),
+                lost = hn::Sqrt(hn::MulAdd(a - d, a - d, (b + c) * (b + c)));
+        store(set(0.5) * (kept + lost), &cells.sigma[0][i]);
+        store(set(0.5) * hn::Abs(kept - lost), &cells.sigma[1][i]);
+        store(minor(a, b, c, d), &cells.determinant[i]);
     }
+    for (bool& exact : cells.isExact) exact = true;
 }
 
 /// √(1 + δ) of the eigenvalues δ of the strain FᵀF − I, which is 0 where F is rigid, by the cosines of a
 /// third of an angle.
-WEND_CLONES void computeStretches(Stretches<3>& cells) {
-    const auto& m = cells.maps;
-    for (int i = 0; i < Stretches<3>::kCells; ++i) {
-        const double a = m[0][i], b = m[1][i], c = m[2][i], d = m[3][i], e = m[4][i], f = m[5][i],
-                     g = m[6][i], h = m[7][i], k = m[8][i];
-        double xx = a * a + b * b + c * c - 1, yy = d * d + e * e + f * f - 1, zz = g * g + h * h + k * k - 1;
-        const double xy = a * d + b * e + c * f, xz = a * g + b * h + c * k, yz = d * g + e * h + f * k;
-        const double mean = (xx + yy + zz) / 3;
-        xx -= mean, yy -= mean, zz -= mean;
-        const double squares = (xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz)) / 6,
-                     size = std::sqrt(squares), cube = std::max(2 * squares * size, kNothing);
-        const double D = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-        const double r = std::min(std::max(D / cube, -1.0), 1.0);
-        const double root = std::sqrt(1 + r);
-        double t = root * (kGuess - kBend * root);
-        for (int step = 0; step < kSteps; ++step)
-            t -= (t * (6 + 4 * t) - root * std::sqrt(6 + 4 * t)) / (6 + 6 * t);
-        const double cosine = size * (0.5 + t), sine = size * std::sqrt(3 * (0.5 - t) * (1.5 + t));
-        const double most = 1 + mean + 2 * cosine, middle = 1 + mean + sine - cosine,
-                     least = 1 + mean - sine - cosine;
-        cells.sigma[0][i] = std::sqrt(std::abs(most));
-        cells.sigma[1][i] = std::sqrt(std::abs(middle));
-        cells.sigma[2][i] = std::sqrt(std::abs(least));
-        cells.determinant[i] = a * (e * k - f * h) - d * (b * k - c * h) + g * (b * f - c * e);
-        cells.isExact[i] = (least > kLeast) & (most < kMost);  // without a branch
+void stretchesInSpace(Stretches<3>& cells) {
+    for (int i = 0; i < Stretches<3>::kCells; i += static_cast<int>(hn::Lanes(D()))) {
+        V F[9];
+#pragma GCC unroll 9
+        for (int k = 0; k < 9; ++k) F[k] = load(&cells.maps[k][i]);
+        const Strain s = strainOf(F);
+        const V squares = hn::MulAdd(set(2), dot(s.xy, s.xy, s.xz, s.xz, s.yz, s.yz),
+                                     dot(s.xx, s.xx, s.yy, s.yy, s.zz, s.zz)) *
+                          set(1.0 / 6);
+        const V size = hn::Sqrt(squares), cube = hn::Max(set(2) * squares * size, set(kNothing));
+        const V determinant = dot(s.xx, minor(s.yy, s.yz, s.yz, s.zz), s.xy, minor(s.yz, s.zz, s.xy, s.xz),
+                                  s.xz, minor(s.xy, s.yy, s.xz, s.yz));
+        const V t = thirdOfAngle(hn::Min(hn::Max(determinant / cube, set(-1)), set(1)));
+        const V cosine = size * (set(0.5) + t),
+                sine = size * hn::Sqrt(set(3) * (set(0.5) - t) * (set(1.5) + t)), centre = set(1) + s.mean;
+        const V most = hn::MulAdd(set(2), cosine, centre), middle = centre + (sine - cosine),
+                least = centre - sine - cosine;
+        store(hn::Sqrt(hn::Abs(most)), &cells.sigma[0][i]);
+        store(hn::Sqrt(hn::Abs(middle)), &cells.sigma[1][i]);
+        store(hn::Sqrt(hn::Abs(least)), &cells.sigma[2][i]);
+        store(dot(F[0], minor(F[4], F[5], F[7], F[8]), F[3], minor(F[7], F[8], F[1], F[2]), F[6],
+                  minor(F[1], F[2], F[4], F[5])),
+              &cells.determinant[i]);
+        HWY_ALIGN double exact[HWY_LANES(double)];
+        store(hn::IfThenElseZero(hn::And(least > set(kLeast), most < set(kMost)), set(1)), exact);
+        for (int k = 0; k < static_cast<int>(hn::Lanes(D())); ++k) cells.isExact[i + k] = exact[k] != 0;
     }
 }
 
+}  // namespace wend::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace wend {
+namespace {
+
+HWY_EXPORT(stretchesInPlane);
+HWY_EXPORT(stretchesInSpace);
+
+}  // namespace
+
+void computeStretches(Stretches<2>& cells) {
+    HWY_DYNAMIC_DISPATCH(stretchesInPlane)(cells);
+}
+void computeStretches(Stretches<3>& cells) {
+    HWY_DYNAMIC_DISPATCH(stretchesInSpace)(cells);
+}
+
 }  // namespace wend
+#endif

@@ -33,8 +33,9 @@ class VertexRotations {
 
     Mat<Dim> rotation(int vertex) const;
 
-    std::vector<int> m_start, m_neighbours;    // per vertex
-    std::vector<double> m_rotations, m_other;  // per vertex
+    std::vector<int> m_start, m_neighbours;  // per vertex: see rotations::Neighbours
+    std::vector<double> m_own;
+    std::vector<double> m_rotations, m_other;  // per vertex, in groups
 };
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 
 #include "core/energy/distortion.h"
 #include "tests/core/test_energy_samples.h"
+#include "tests/support/simd_targets.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -152,18 +153,24 @@ class TestDistortion : public QObject {
 
   private slots:
     void oneByOne() {
-        cellsAreMeasuredOneByOne<2>();
-        cellsAreMeasuredOneByOne<3>();
+        onEveryTarget([](SimdTarget) {
+            cellsAreMeasuredOneByOne<2>();
+            cellsAreMeasuredOneByOne<3>();
+        });
     }
     void rigid() {
         for (bool negative : {false, true}) {
-            rigidIsNothing<2>(negative);
-            rigidIsNothing<3>(negative);
+            onEveryTarget([&](SimdTarget) {
+                rigidIsNothing<2>(negative);
+                rigidIsNothing<3>(negative);
+            });
         }
     }
     void maps() {
-        anyMap<2>();
-        anyMap<3>();
+        onEveryTarget([](SimdTarget) {
+            anyMap<2>();
+            anyMap<3>();
+        });
     }
     void closedForms() {
         stretched<2>({1.5, 0.8});
