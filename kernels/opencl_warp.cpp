@@ -7,6 +7,10 @@
 namespace wend {
 namespace {
 
+bool isPaintedByDevices(const Image& image) {
+    return image.type == PixelType::UInt8 || image.type == PixelType::UInt16;
+}
+
 std::string optionsOf(const WarpJob& job) {
     const Image& image = job.source->base();
     std::string options = "-cl-std=CL1.2 -DKIND=" + std::to_string(static_cast<int>(image.type)) +
@@ -170,7 +174,7 @@ CopiedBytes OpenClPicture::copied() const {
 
 std::unique_ptr<CellPainter> OpenClPicture::painter(const std::shared_ptr<OpenClPicture>& picture,
                                                     const WarpJob& job) {
-    if (picture->m_failed) return nullptr;
+    if (picture->m_failed || !isPaintedByDevices(job.source->base())) return nullptr;
     try {
         return guarded([&] {
             if (!picture->m_device) picture->m_device = std::make_unique<Device>(picture->m_place);

@@ -19,8 +19,10 @@ class OpenClPicture {
     OpenClPicture(const OpenClPicture&) = delete;
     OpenClPicture& operator=(const OpenClPicture&) = delete;
 
-    /// A painter of the cells of a warp, which keeps `picture` alive. Where the device fails, now or later,
-    /// it says so to the notice, once, and leaves the cells to the processor: nothing is returned then.
+    /// Returns a painter of the cells of a warp, which keeps `picture` alive; nothing for half and float
+    /// pictures, whose samples the processor bounds (warp/careful_sample.h). Where the device fails, now or
+    /// later, it says so to the notice, once, and leaves the cells to the processor: nothing is returned
+    /// then.
     static std::unique_ptr<CellPainter> painter(const std::shared_ptr<OpenClPicture>& picture,
                                                 const WarpJob& job);
     CopiedBytes copied() const;

@@ -1,6 +1,6 @@
 // The cells of a texture warp: every pixel looks up the picture through the inverse affine map of the cell that covers
 // it (warp/span_filters.inl has the same filters). Built with
-//   -DKIND=0|1|2|3   numbers of the picture: 8 bit, 16 bit, half, float
+//   -DKIND=0|1       numbers of the picture: 8 bit, 16 bit
 //   -DN=1…4          its channels; with -DALPHA the last one is alpha, with -DWEIGHTED colours count by it
 //   -DADDS=0|1       a further channel of the output, full
 //   -DFILTER=0|1|2|3 nearest, bilinear, bicubic, elliptical
@@ -13,21 +13,11 @@ typedef uchar number;
 #define FULL 255.0f
 #define LOAD(p, i) ((float)(p)[i])
 #define STORE(v, p, i) (p)[i] = convert_uchar_sat((v) + 0.5f)
-#elif KIND == 1
+#else
 typedef ushort number;
 #define FULL 65535.0f
 #define LOAD(p, i) ((float)(p)[i])
 #define STORE(v, p, i) (p)[i] = convert_ushort_sat((v) + 0.5f)
-#elif KIND == 2
-typedef half number;
-#define FULL 1.0f
-#define LOAD(p, i) vload_half(i, p)
-#define STORE(v, p, i) vstore_half(v, i, p)
-#else
-typedef float number;
-#define FULL 1.0f
-#define LOAD(p, i) (p)[i]
-#define STORE(v, p, i) (p)[i] = (v)
 #endif
 
 #if N == 2
@@ -89,13 +79,12 @@ float4 colourOf(float4 sum) {
 }
 
 float4 limited(float4 colour) {
-#if KIND < 2
+#if defined(ALPHA) && !defined(WEIGHTED)
+    if (LAST(colour) > FULL) colour *= FULL / LAST(colour);
+#endif
     colour = clamp(colour, 0.0f, FULL);
 #if defined(ALPHA) && !defined(WEIGHTED)
     colour = min(colour, LAST(colour));
-#endif
-#elif defined(ALPHA)
-    LAST(colour) = clamp(LAST(colour), 0.0f, 1.0f);
 #endif
     return colour;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 #include "warp/image.h"
 
@@ -36,11 +37,10 @@ class Layers {
     void put(const OutColour& colour, std::uint64_t places) {
         places &= m_open;
         if (places == 0) return;
-        m_single = m_single && (m_covered & places) == 0 && (m_covered == 0 || colour == m_first);
+        m_single = m_single && (m_covered & places) == 0 && (m_covered == 0 || isSame(colour, m_first));
         if (m_covered == 0) m_first = colour;
         m_covered |= places;
-        const double alpha =
-            m_alpha ? std::clamp(static_cast<double>(colour[m_channels - 1]) / m_full, 0.0, 1.0) : 1;
+        const double alpha = m_alpha ? opacity(static_cast<double>(colour[m_channels - 1]) / m_full) : 1;
         add(colour, pass(places, alpha) / 64, m_unassociated ? alpha : 1);
     }
 
@@ -54,6 +54,12 @@ class Layers {
     }
 
   private:
+    /// Bit by bit: what is not a number is the same as itself.
+    static bool isSame(const OutColour& a, const OutColour& b) {
+        return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+    }
+    /// What is not a number hides what lies below.
+    static double opacity(double alpha) { return alpha < 1 ? std::max(alpha, 0.0) : 1; }
     bool isAlpha(std::size_t c) const { return m_unassociated && c == m_channels - 1; }
 
     /// How much of the places lies open, which `alpha` covers now.

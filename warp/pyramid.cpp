@@ -1,17 +1,37 @@
 #include "warp/pyramid.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <type_traits>
 
 #include "warp/pixels.h"
 
 namespace wend {
 namespace {
 
-/// The mean of up to four pixels; colours weighted with alpha where they are not associated.
 template <typename T>
-void average(const std::array<const T*, 4>& pixels, int count, const Image& image, T* target) {
-    const int channels = image.channels;
+bool isFinite(const T* pixel, int channels) {
+    return std::all_of(pixel, pixel + channels,
+                       [](T value) { return std::isfinite(static_cast<float>(value)); });
+}
+
+/// Moves the pixels whose numbers are all finite to the front and returns how many those are, or all if there
+/// are none.
+template <typename T>
+int finiteFirst(std::array<const T*, 4>& pixels, int channels) {
+    if constexpr (std::is_integral_v<T>) return 4;
+    const auto end = std::stable_partition(pixels.begin(), pixels.end(),
+                                           [&](const T* pixel) { return isFinite(pixel, channels); });
+    return end == pixels.begin() ? 4 : static_cast<int>(end - pixels.begin());
+}
+
+/// The mean of four pixels without those that are not finite; colours weighted with alpha where they are not
+/// associated.
+template <typename T>
+void average(std::array<const T*, 4> pixels, const Image& image, T* target) {
+    const int channels = image.channels, count = finiteFirst(pixels, channels);
     float weight = 0;
     std::array<float, 4> sum{}, plain{};
     for (int k = 0; k < count; ++k) {
@@ -36,7 +56,7 @@ void halve(const Image& image, Image& half) {
                             reinterpret_cast<const T*>(image.row(y1))};
         for (int x = 0; x < half.width; ++x) {
             const int x0 = 2 * x * image.channels, x1 = std::min(2 * x + 1, image.width - 1) * image.channels;
-            average<T>({rows[0] + x0, rows[0] + x1, rows[1] + x0, rows[1] + x1}, 4, image,
+            average<T>({rows[0] + x0, rows[0] + x1, rows[1] + x0, rows[1] + x1}, image,
                        target + x * image.channels);
         }
     }

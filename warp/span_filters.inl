@@ -133,13 +133,13 @@ class Filters {
         return colour(low(parts) + high(parts));
     }
 
-    /// Negative lobes of a filter must not make light below black or colour beyond its alpha.
+    /// Negative lobes of a filter must not make light below black or colour beyond its alpha: where alpha
+    /// overshoots, associated colours shrink with it. Half and float numbers see sampleCarefully().
     WEND_INLINE Colour limited(Colour value) const {
         if constexpr (std::is_integral_v<T>) {
+            if (!weighted && m_alpha && value[N - 1] > kFull<T>) value = value * all(kFull<T> / value[N - 1]);
             value = least(most(value, all(0)), all(kFull<T>));
             if (!weighted && m_alpha) value = least(value, all(value[N - 1]));
-        } else if (m_alpha) {
-            value[N - 1] = value[N - 1] < 0 ? 0 : value[N - 1] > 1 ? 1 : value[N - 1];
         }
         return value;
     }
@@ -304,6 +304,38 @@ class SpanPainter {
         if constexpr (F == Filter::Ewa) return filters.ewa(at.i[k], at.j[k], at.s[k], at.t[k]);
     }
 
+    /// Whether the filter may have made of half or float numbers what sampleCarefully() takes back. Alpha may
+    /// miss 1 by rounding.
+    template <bool weighted>
+    WEND_INLINE static bool isDoubtful(const SpanTask& task, Colour& colour) {
+        constexpr float kLargest = sizeof(T) == 2 ? 65504.0F : 3.4e38F, kRounding = 1e-5F;
+        const bool alpha = task.level.alpha;
+        float sum = 0;
+        for (int c = 0; c < N; ++c) {
+            if (!(colour[c] >= 0 && colour[c] <= kLargest)) return true;
+            sum += colour[c];
+        }
+        if (F == Filter::Bilinear || !alpha) return weighted && sum == 0;
+        if (sum == 0) return weighted;
+        const float beyond = colour[N - 1] - 1;
+        if (beyond > 0 && beyond <= kRounding) colour[N - 1] = 1;
+        return !(beyond >= -kRounding && beyond <= kRounding);
+    }
+
+    template <bool weighted>
+    WEND_INLINE static Colour settled(const SpanTask& task, const Places& at, int k, Colour colour) {
+        if constexpr (!std::is_integral_v<T> && F != Filter::Nearest) {
+            const bool isSoft = F == Filter::Ewa && task.blend > 0;
+            const bool isPixel = at.s[k] == 0 && at.t[k] == 0 && !isSoft;
+            if (isPixel || !isDoubtful<weighted>(task, colour)) return colour;
+            float numbers[4];
+            std::memcpy(numbers, &colour, sizeof numbers);
+            sampleCarefully<T>(task, F, N, at.i[k], at.j[k], at.s[k], at.t[k], numbers);
+            std::memcpy(&colour, numbers, sizeof numbers);
+        }
+        return colour;
+    }
+
     template <bool weighted>
     WEND_TARGET static void paintPieces(const SpanTask& task, T* to) {
         if (task.addsAlpha)
@@ -322,7 +354,7 @@ class SpanPainter {
             const int count = last - begin < Places::kSize ? last - begin : Places::kSize;
             locate(task, begin, count, kHalf, places);
             for (int k = 0; k < count; ++k, to += channels) {
-                Colour colour = colourAt(filters, places, k);
+                Colour colour = settled<weighted>(task, places, k, colourAt(filters, places, k));
                 if constexpr (channels > N) colour[N] = kFull<T>;
                 storeColour<channels>(colour, to);
             }
@@ -334,7 +366,8 @@ class SpanPainter {
         Patch<T, N> patch;
         Places places;
         locate(task, task.begin, 1, kHalf, places);
-        const Colour found = colourAt(Filters<T, N, weighted>(task, patch.pixels), places, 0);
+        const Filters<T, N, weighted> filters(task, patch.pixels);
+        const Colour found = settled<weighted>(task, places, 0, colourAt(filters, places, 0));
         std::memcpy(colour, &found, sizeof found);
     }
 };

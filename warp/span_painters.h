@@ -8,6 +8,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "warp/careful_sample.h"
 #include "warp/pixels.h"
 #include "warp/span_task.h"
 

@@ -1,8 +1,11 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 #include <complex>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "tests/support/pictures.h"
 #include "tests/support/warps.h"
@@ -24,6 +27,17 @@ class TestWarpFilters : public QObject {
     void halvingsWeightColoursByAlpha_data();
     void halvingsWeightColoursByAlpha();
     void colourStaysBelowItsAlpha();
+    void edgesOfAlphaDoNotOvershoot_data();
+    void edgesOfAlphaDoNotOvershoot();
+    void integerEdgesKeepTheirColour();
+    void lightWithoutAlphaSurvives();
+    void highlightsDoNotRingBelowZero_data();
+    void highlightsDoNotRingBelowZero();
+    void largestHalfDoesNotOverflow();
+    void notANumberStaysInItsPixel_data();
+    void notANumberStaysInItsPixel();
+    void oddNumbersAreKeptByTheIdentity_data();
+    void oddNumbersAreKeptByTheIdentity();
     void collapsedShapeEnds();
     void minifiedFinePatternTurnsGrey();
     void minifiedCoarsePatternStays();
@@ -48,6 +62,56 @@ Image lines(int size, double period) {
             image.row(y)[x] = static_cast<std::byte>(
                 std::lround(127.5 + 100 * std::sin(2 * std::numbers::pi * (x + 0.5) / period)));
     return image;
+}
+
+using Rgba = std::array<float, 4>;
+
+/// Of half or float numbers; `at(x, y)` gives the channels.
+template <typename At>
+Image numbers(PixelType type, int channels, bool alpha, const At& at) {
+    Image image{64, 48, channels, type, alpha, false, {}, nullptr};
+    image.makePixels();
+    withPixelType(type, [&](auto t) {
+        using T = decltype(t);
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x)
+                for (int c = 0; c < channels; ++c)
+                    reinterpret_cast<T*>(image.row(y))[x * channels + c] =
+                        static_cast<T>(at(x, y)[static_cast<std::size_t>(c)]);
+    });
+    return image;
+}
+
+float number(const Image& image, int x, int y, int channel) {
+    return image.type == PixelType::Half ? static_cast<float>(valueAt<half>(image, x, y, channel))
+                                         : valueAt<float>(image, x, y, channel);
+}
+
+/// Where in the source a pixel of shifted() looks, if its filter stays within the picture.
+std::optional<Vec<2>> sourceOf(int x, int y, double scale, const Vec<2>& by = {0.5, 0.3}) {
+    const Vec<2> at = scale * Vec<2>(x + 0.5, y + 0.5) - by;
+    const double border = 2 + 2 * scale;
+    const bool isInside = at.minCoeff() > border && at.x() < 64 - border && at.y() < 48 - border;
+    return isInside ? std::optional(at) : std::nullopt;
+}
+
+/// The picture reduced by `scale` and shifted by parts of a pixel.
+Image shifted(const Image& source, double scale, Filter filter, const Vec<2>& by = {0.5, 0.3}) {
+    const auto mesh = wholePicture();
+    WarpOptions options;
+    options.filter = filter;
+    return warpImage(source, mesh, (mesh.points.colwise() + by) / scale, kView, options);
+}
+
+void floatRows(bool straight) {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("filter");
+    QTest::addColumn<bool>("unassociated");
+    for (const PixelType type : {PixelType::Half, PixelType::Float})
+        for (const Filter filter : {Filter::Bilinear, Filter::Bicubic, Filter::Ewa})
+            for (int k = 0; k <= (straight ? 1 : 0); ++k)
+                QTest::addRow("type %d filter %d %s", int(type), int(filter), k ? "straight" : "associated")
+                    << int(type) << int(filter) << (k == 1);
 }
 
 }  // namespace
@@ -152,6 +216,181 @@ void TestWarpFilters::colourStaysBelowItsAlpha() {
         for (std::size_t p = 0; p < warped.data.size(); p += 4)
             for (std::size_t c = 0; c < 3; ++c) QVERIFY(warped.data[p + c] <= warped.data[p + 3]);
     }
+}
+
+void TestWarpFilters::edgesOfAlphaDoNotOvershoot_data() {
+    floatRows(true);
+}
+
+/// Red is 0.5 everywhere, green between 0.2 and 0.9, blue 0: so they stay along hard and soft edges, and
+/// alpha between 0 and 1.
+void TestWarpFilters::edgesOfAlphaDoNotOvershoot() {
+    QFETCH(int, type);
+    QFETCH(int, filter);
+    QFETCH(bool, unassociated);
+    const Image associated = numbers(static_cast<PixelType>(type), 4, true, [](int x, int y) {
+        const float alpha = x < 20 ? 0 : x < 22 ? 0.3F * static_cast<float>(x - 19) : y > 30 ? 0 : 1;
+        const float green = (x * 7 + y * 3) % 5 < 2 ? 0.2F : 0.9F;
+        return Rgba{0.5F * alpha, green * alpha, 0, alpha};
+    });
+    const Image source = converted(associated, {associated.type, 4, true, unassociated});
+    const float rounding = source.type == PixelType::Half ? 2e-3F : 1e-5F;
+    for (double scale : {0.6, 1.0, 1.2, 2.7}) {
+        const Image warped = shifted(source, scale, static_cast<Filter>(filter));
+        int edge = 0;
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) {
+                if (!sourceOf(x, y, scale)) continue;
+                const float alpha = number(warped, x, y, 3);
+                QVERIFY(alpha >= 0 && alpha <= 1);
+                edge += alpha > 0 && alpha < 1 ? 1 : 0;
+                QCOMPARE(number(warped, x, y, 2), 0.0F);
+                if (unassociated && alpha < 0.01F) continue;
+                const float part = unassociated ? 1 : alpha;
+                QVERIFY(std::abs(number(warped, x, y, 0) - 0.5F * part) <= rounding);
+                if (alpha > 1 - rounding) continue;  // within, filters may sharpen
+                QVERIFY(number(warped, x, y, 1) >= 0.2F * part - rounding);
+                QVERIFY(number(warped, x, y, 1) <= 0.9F * part + rounding);
+            }
+        QVERIFY(edge > 10);
+    }
+}
+
+/// Where alpha would overshoot, associated colours shrink with it.
+void TestWarpFilters::integerEdgesKeepTheirColour() {
+    Image source = plainPicture(64, 48, {100, 60, 20, 200});
+    source.unassociated = false;
+    for (int y = 0; y < 48; ++y) std::fill_n(source.row(y), 4 * 30, std::byte(0));
+    for (int y = 0; y < 48; ++y)
+        for (int x = 33; x < 64; ++x)
+            source.row(y)[4 * x + 3] = std::byte(255), source.row(y)[4 * x] = std::byte(127);
+    const Image warped = shifted(source, 1, Filter::Bicubic);
+    for (int y = 4; y < 44; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const int alpha = valueAt<std::uint8_t>(warped, x, y, 3);
+            QVERIFY(std::abs(valueAt<std::uint8_t>(warped, x, y, 0) - alpha / 2.0) <= 1);
+        }
+}
+
+/// A glow without coverage, beside what covers.
+void TestWarpFilters::lightWithoutAlphaSurvives() {
+    const Image source = numbers(PixelType::Half, 4, true, [](int x, int y) {
+        if (x > 40) return Rgba{0.25F, 0.25F, 0.25F, 1};
+        return x > 10 && y > 10 && y < 40 ? Rgba{0.8F, 0.1F, 0, 0} : Rgba{0, 0, 0, 0};
+    });
+    for (const Filter filter : {Filter::Bilinear, Filter::Bicubic, Filter::Ewa})
+        for (double scale : {1.0, 1.2, 2.0}) {
+            const Image warped = shifted(source, scale, filter);
+            const int x = static_cast<int>(25 / scale), y = static_cast<int>(25 / scale);
+            QVERIFY(std::abs(number(warped, x, y, 0) - 0.8F) < 1e-3F);
+            QCOMPARE(number(warped, x, y, 3), 0.0F);
+            for (int v = 0; v < 48; ++v)
+                for (int u = 0; u < 64; ++u) {
+                    QVERIFY(number(warped, u, v, 0) >= 0);
+                    QVERIFY(number(warped, u, v, 0) <= 1.2F * 0.8F);
+                }
+        }
+}
+
+void TestWarpFilters::highlightsDoNotRingBelowZero_data() {
+    floatRows(false);
+}
+
+/// With and without alpha; colours that are negative in the picture stay so.
+void TestWarpFilters::highlightsDoNotRingBelowZero() {
+    QFETCH(int, type);
+    QFETCH(int, filter);
+    for (int channels : {1, 3, 4}) {
+        const Image source = numbers(static_cast<PixelType>(type), channels, channels == 4, [](int x, int y) {
+            const float light = x % 8 == 3 && y % 8 == 3 ? 900.0F : 0.25F;
+            return x < 32 ? Rgba{light, light, light, 1} : Rgba{-0.125F, -0.125F, -0.125F, 1};
+        });
+        for (double scale : {1.0, 1.2}) {
+            const Image warped = shifted(source, scale, static_cast<Filter>(filter));
+            for (int y = 2; y < 36; ++y)
+                for (int x = 2; x < 50; ++x) {
+                    const bool dark = x * scale > 35;
+                    if (x * scale > 28 && !dark) continue;
+                    const float value = number(warped, x, y, 0);
+                    QVERIFY2(
+                        dark ? std::abs(value + 0.125F) < 1e-3F : value >= 0,
+                        qPrintable(QString("%1, %2, %3: %4").arg(x).arg(y).arg(channels).arg(double(value))));
+                }
+        }
+    }
+}
+
+void TestWarpFilters::largestHalfDoesNotOverflow() {
+    const Image source = numbers(PixelType::Half, 3, false, [](int x, int) {
+        return x % 8 < 4 ? Rgba{65504, 65504, 65504} : Rgba{0, 0, 0};
+    });
+    const Image warped = shifted(source, 1, Filter::Bicubic);
+    for (int y = 1; y < 47; ++y)
+        for (int x = 1; x < 63; ++x) QVERIFY(number(warped, x, y, 0) <= 65504);
+}
+
+void TestWarpFilters::notANumberStaysInItsPixel_data() {
+    floatRows(true);
+}
+
+/// Only positions within the pixel see it; in a picture of one colour the others see nothing of it at all.
+void TestWarpFilters::notANumberStaysInItsPixel() {
+    QFETCH(int, type);
+    QFETCH(int, filter);
+    QFETCH(bool, unassociated);
+    for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+        for (int channel : {0, 3}) {
+            Image source = numbers(static_cast<PixelType>(type), 4, true, [&](int x, int y) {
+                Rgba colour{0.5F, 0.25F, 0.125F, 1};
+                if (x == 20 && y == 20) colour[static_cast<std::size_t>(channel)] = odd;
+                return colour;
+            });
+            source.unassociated = unassociated;
+            for (double scale : {0.5, 1.0, 1.2, 3.0}) {
+                const Vec<2> by(0.5, 0.25);
+                const Image warped = shifted(source, scale, static_cast<Filter>(filter), by);
+                int seen = 0;
+                for (int y = 0; y < 48; ++y)
+                    for (int x = 0; x < 64; ++x) {
+                        const auto at = sourceOf(x, y, scale, by);
+                        if (!at) continue;
+                        const bool within = at->x() >= 20 && at->x() <= 21 && at->y() >= 20 && at->y() <= 21;
+                        bool finite = true;
+                        for (int c = 0; c < 4; ++c) finite = finite && std::isfinite(number(warped, x, y, c));
+                        QVERIFY(finite || within);
+                        seen += finite ? 0 : 1;
+                        for (int c = 0; c < 4 && finite; ++c)
+                            QVERIFY(std::abs(number(warped, x, y, c) -
+                                             Rgba{0.5F, 0.25F, 0.125F, 1}[std::size_t(c)]) < 1e-3F);
+                    }
+                if (scale < 1) QVERIFY(seen > 0);
+            }
+        }
+}
+
+void TestWarpFilters::oddNumbersAreKeptByTheIdentity_data() {
+    floatRows(true);
+}
+void TestWarpFilters::oddNumbersAreKeptByTheIdentity() {
+    QFETCH(int, type);
+    QFETCH(int, filter);
+    QFETCH(bool, unassociated);
+    Image source = numbers(static_cast<PixelType>(type), 4, true, [](int x, int y) {
+        constexpr std::array odd{-0.5F,
+                                 1.5F,
+                                 0.0F,
+                                 300.0F,
+                                 std::numeric_limits<float>::infinity(),
+                                 std::numeric_limits<float>::quiet_NaN(),
+                                 1.000001F};
+        const auto at = [&](int k) { return odd[static_cast<std::size_t>((x + k * y + k) % 7)]; };
+        return Rgba{at(1), at(2), at(3), at(4)};
+    });
+    source.unassociated = unassociated;
+    WarpOptions options;
+    options.filter = static_cast<Filter>(filter);
+    const auto mesh = wholePicture();
+    QVERIFY(warpImage(source, mesh, mesh.points, kView, options).data == source.data);
 }
 
 void TestWarpFilters::collapsedShapeEnds() {
