@@ -1,14 +1,17 @@
 #include "core/mesh/limb_order.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
 
 #include "core/mesh/disjoint_sets.h"
+#include "core/mesh/segments.h"
 
 namespace wend {
 
@@ -23,21 +26,26 @@ class CellGraph {
         int cell;
         double away;
     };
+    struct Border {
+        int cell;
+        Vec<2> a, b;
+    };
 
     explicit CellGraph(const SimplicialMesh<2>& mesh)
-        : m_neighbours(mesh.cells.size()), m_onBoundary(mesh.cells.size()), m_components(mesh.cellCount()) {
-        const auto centroid = [&mesh](int cell) -> Vec<2> {
-            const Cell<2>& corners = mesh.cells[cell];
-            return (mesh.points.col(corners[0]) + mesh.points.col(corners[1]) + mesh.points.col(corners[2])) /
-                   3;
-        };
+        : m_neighbours(mesh.cells.size()), m_components(mesh.cellCount()) {
+        for (const Cell<2>& cell : mesh.cells) {
+            m_centroids.push_back(
+                (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3);
+            m_areas.push_back(std::abs(cellMeasure<2>(mesh.points, cell)));
+        }
         for (const Facet<2>& facet : facetsOf<2>(mesh)) {
             const auto [a, b] = facet.cells;
             if (!facet.interior()) {
-                m_onBoundary[a] = true;
+                m_borders.push_back(
+                    {a, mesh.points.col(facet.vertices[0]), mesh.points.col(facet.vertices[1])});
                 continue;
             }
-            const double away = (centroid(a) - centroid(b)).norm();
+            const double away = (m_centroids[a] - m_centroids[b]).norm();
             m_neighbours[a].push_back({b, away});
             m_neighbours[b].push_back({a, away});
             m_components.join(a, b);
@@ -48,12 +56,35 @@ class CellGraph {
     /// The lowest cell of its component.
     int component(int cell) { return m_components.root(cell); }
 
-    std::vector<int> boundary() const {
-        std::vector<int> cells;
-        for (int c = 0; c < count(); ++c)
-            if (m_onBoundary[c]) cells.push_back(c);
-        return cells;
+    double area(int cell) const { return m_areas[cell]; }
+
+    /// Of every cell's centroid to the boundary: each cell tries the edges that are nearest to its
+    /// neighbours.
+    std::vector<double> depths() const {
+        const auto away = [this](int cell, int border) {
+            return std::sqrt(squaredDistanceToSegment(m_centroids[cell], m_borders[border]));
+        };
+        std::vector<Candidate> first;
+        for (int k = 0; k < static_cast<int>(m_borders.size()); ++k)
+            first.push_back({away(m_borders[k].cell, k), m_borders[k].cell, k});
+        std::vector<double> distances(m_neighbours.size(), std::numeric_limits<double>::infinity());
+        spread(
+            first, away, [](int) { return true; }, distances);
+        return distances;
     }
+    /// Of every cell of a set to the nearest disc, of radius `depths` about one of the seeds; negative
+    /// inside. The `distances` of the set are infinite before.
+    template <typename Within>
+    void discDistances(const std::vector<int>& seeds, const std::vector<double>& depths, const Within& within,
+                       std::vector<double>& distances) const {
+        const auto away = [&](int cell, int seed) {
+            return (m_centroids[cell] - m_centroids[seed]).norm() - depths[seed];
+        };
+        std::vector<Candidate> first;
+        for (const int seed : seeds) first.push_back({-depths[seed], seed, seed});
+        spread(first, away, within, distances);
+    }
+
     /// Dijkstra's distances from the nearest of these cells; 0 where no way leads.
     std::vector<double> distances(const std::vector<int>& from) const {
         using Entry = std::pair<double, int>;
@@ -72,8 +103,7 @@ class CellGraph {
         return distance;
     }
     /// The cell of each component that is farthest from the boundary.
-    std::vector<int> middles() {
-        const std::vector<double> inside = distances(boundary());
+    std::vector<int> middles(const std::vector<double>& inside) {
         std::vector<int> farthest(m_neighbours.size(), -1), cells;
         for (int c = 0; c < count(); ++c) {
             int& best = farthest[component(c)];
@@ -85,9 +115,219 @@ class CellGraph {
     }
 
   private:
+    struct Candidate {
+        double value;
+        int cell, source;
+        bool operator>(const Candidate& other) const {
+            return std::tie(value, cell, source) > std::tie(other.value, other.cell, other.source);
+        }
+    };
+
+    static double squaredDistanceToSegment(const Vec<2>& p, const Border& border) {
+        return (p - nearestOnSegment<2>(p, border.a, border.b)).squaredNorm();
+    }
+    /// The least value of each cell over the sources that reach it from neighbour to neighbour, in cells that
+    /// count.
+    template <typename Value, typename Within>
+    void spread(const std::vector<Candidate>& first, const Value& value, const Within& within,
+                std::vector<double>& best) const {
+        std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
+        const auto offer = [&](const Candidate& candidate) {
+            if (candidate.value >= best[candidate.cell]) return;
+            best[candidate.cell] = candidate.value;
+            open.push(candidate);
+        };
+        for (const Candidate& candidate : first) offer(candidate);
+        while (!open.empty()) {
+            const Candidate candidate = open.top();
+            open.pop();
+            if (candidate.value > best[candidate.cell]) continue;
+            for (const Neighbour& next : m_neighbours[candidate.cell])
+                if (within(next.cell))
+                    offer({value(next.cell, candidate.source), next.cell, candidate.source});
+        }
+    }
+
     std::vector<std::vector<Neighbour>> m_neighbours;
-    std::vector<bool> m_onBoundary;
+    std::vector<Vec<2>> m_centroids;
+    std::vector<double> m_areas;
+    std::vector<Border> m_borders;
     DisjointSets m_components;
+};
+
+/// The tree of bodies and limbs that limbOrder() describes.
+class BodyTree {
+  public:
+    BodyTree(CellGraph& graph, const std::vector<double>& depths, const std::vector<double>& reach)
+        : m_graph(graph),
+          m_depths(depths),
+          m_reach(reach),
+          m_nodeOf(depths.size(), -1),
+          m_beyond(depths.size()),
+          m_isSeen(depths.size()) {
+        std::vector<std::vector<int>> components(depths.size());
+        for (int c = 0; c < graph.count(); ++c) components[graph.component(c)].push_back(c);
+        for (std::vector<int>& cells : components)
+            if (!cells.empty()) decompose(std::move(cells));
+    }
+
+    /// The place of each cell's body or limb.
+    std::vector<int> places() {
+        for (const int root : m_roots) place(root);
+        std::vector<int> places;
+        for (const int node : m_nodeOf) places.push_back(m_nodes[node].place);
+        return places;
+    }
+
+  private:
+    static constexpr double kThick = 0.8, kAround = 0.25,
+                            kSticksOut = 0.5;  // the latter two of a disc's least radius
+    static constexpr double kAsThick = 0.65;
+
+    struct Node {
+        int parent = -1, place = -1;
+        double thickness = 0;  // mean depth of its own cells …
+        double slimness = 0;  // … and of all that grows from it: in steps, so that rounding does not decide
+        double tip = 0;       // the largest reach of these
+        std::vector<int> limbs;
+    };
+    struct Work {
+        std::vector<int> cells;
+        int parent;
+    };
+
+    void decompose(std::vector<int> component) {
+        double farthest = 0;
+        for (const int c : component) farthest = std::max(farthest, m_reach[c]);
+        m_roots.push_back(static_cast<int>(m_nodes.size()));
+        std::vector<Work> open{{std::move(component), -1}};
+        while (!open.empty()) {
+            Work work = std::move(open.back());
+            open.pop_back();
+            const int node = newNode(work);
+            for (std::vector<int>& limb : limbsOf(work.cells, node, farthest))
+                open.push_back({std::move(limb), node});
+            m_nodes[node].thickness = meanDepth(work.cells, node);
+        }
+    }
+
+    /// All cells are its own at first.
+    int newNode(const Work& work) {
+        const int node = static_cast<int>(m_nodes.size());
+        m_nodes.push_back({});
+        m_nodes[node].parent = work.parent;
+        if (work.parent >= 0) m_nodes[work.parent].limbs.push_back(node);
+        for (const int c : work.cells) {
+            m_nodeOf[c] = node;
+            m_nodes[node].tip = std::max(m_nodes[node].tip, m_reach[c]);
+        }
+        const double mean = meanDepth(work.cells, node);
+        m_nodes[node].slimness = mean > 0 ? std::round(std::log(mean) / std::log(1.25)) : 0;
+        return node;
+    }
+
+    double meanDepth(const std::vector<int>& cells, int node) const {
+        double sum = 0, area = 0;
+        for (const int c : cells) {
+            if (m_nodeOf[c] != node) continue;
+            sum += m_graph.area(c) * m_depths[c];
+            area += m_graph.area(c);
+        }
+        return area > 0 ? sum / area : 0;
+    }
+
+    /// The parts of a node's cells that stand out of its body.
+    std::vector<std::vector<int>> limbsOf(const std::vector<int>& cells, int node, double farthest) {
+        double deepest = 0;
+        for (const int c : cells) deepest = std::max(deepest, m_depths[c]);
+        const double radius = kThick * deepest;
+        std::vector<int> seeds;
+        for (const int c : cells)
+            if (m_depths[c] >= radius) seeds.push_back(c);
+        for (const int c : cells) m_beyond[c] = std::numeric_limits<double>::infinity(), m_isSeen[c] = false;
+        const auto within = [&](int c) { return m_nodeOf[c] == node; };
+        m_graph.discDistances(seeds, m_depths, within, m_beyond);
+        const auto isBody = [&](int c) { return m_beyond[c] <= kAround * radius; };
+        std::vector<std::vector<int>> limbs;
+        for (const int c : cells) {
+            if (m_isSeen[c] || isBody(c)) continue;
+            std::vector<int> part = connected(c, [&](int other) { return within(other) && !isBody(other); });
+            if (lengthOf(part, isBody, within) > std::max(kSticksOut * radius, kStandsOut * farthest))
+                limbs.push_back(std::move(part));
+        }
+        return limbs;
+    }
+
+    template <typename Belongs>
+    std::vector<int> connected(int first, const Belongs& belongs) {
+        std::vector<int> part{first};
+        m_isSeen[first] = true;
+        for (std::size_t k = 0; k < part.size(); ++k)
+            for (const CellGraph::Neighbour& next : m_graph.neighbours(part[k]))
+                if (!m_isSeen[next.cell] && belongs(next.cell)) {
+                    m_isSeen[next.cell] = true;
+                    part.push_back(next.cell);
+                }
+        return part;
+    }
+
+    /// How far the part reaches from the body that it hangs on.
+    template <typename IsBody, typename Within>
+    double lengthOf(const std::vector<int>& part, const IsBody& isBody, const Within& within) const {
+        using Entry = std::pair<double, int>;
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+        std::map<int, double> distance;
+        for (const int c : part)
+            for (const CellGraph::Neighbour& next : m_graph.neighbours(c))
+                if (within(next.cell) && isBody(next.cell)) open.emplace(next.away, c);
+        double length = 0;
+        while (!open.empty()) {
+            const auto [way, c] = open.top();
+            open.pop();
+            if (!distance.emplace(c, way).second) continue;
+            length = way;
+            for (const CellGraph::Neighbour& next : m_graph.neighbours(c))
+                if (within(next.cell) && !isBody(next.cell)) open.emplace(way + next.away, next.cell);
+        }
+        return length;
+    }
+
+    bool lessInFront(int a, int b) const {
+        const Node &p = m_nodes[a], &q = m_nodes[b];
+        if (p.slimness != q.slimness) return p.slimness > q.slimness;
+        return p.tip != q.tip ? p.tip < q.tip : a < b;
+    }
+    bool letsLimbsGo(const Node& node) const {
+        return node.limbs.size() > 1 && node.thickness >= kAsThick * m_nodes[node.parent].thickness;
+    }
+
+    /// A body, then what grows from it.
+    void place(int root) {
+        m_nodes[root].place = m_places++;
+        std::vector<int> waiting = m_nodes[root].limbs;
+        while (!waiting.empty()) {
+            const auto next =
+                std::ranges::min_element(waiting, [this](int a, int b) { return lessInFront(a, b); });
+            const int node = *next;
+            waiting.erase(next);
+            if (!letsLimbsGo(m_nodes[node])) {
+                place(node);
+                continue;
+            }
+            m_nodes[node].place = m_places++;
+            waiting.insert(waiting.end(), m_nodes[node].limbs.begin(), m_nodes[node].limbs.end());
+        }
+    }
+
+    CellGraph& m_graph;
+    const std::vector<double>& m_depths;
+    const std::vector<double>& m_reach;
+    std::vector<int> m_nodeOf;     // of each cell
+    std::vector<double> m_beyond;  // of each cell that is being looked at
+    std::vector<bool> m_isSeen;
+    std::vector<Node> m_nodes;
+    std::vector<int> m_roots;
+    int m_places = 0;
 };
 
 /// The join tree of the reach: what stands out becomes a limb, and where two limbs meet, both grow from a
@@ -183,13 +423,14 @@ class LimbTree {
 
 std::vector<int> limbOrder(const SimplicialMesh<2>& mesh) {
     CellGraph graph(mesh);
-    const std::vector<double> reach = graph.distances(graph.middles());
-    const std::vector<int> limbs = LimbTree(graph, reach).places();
-    std::vector<std::tuple<int, double, int>> keys;
-    for (int c = 0; c < graph.count(); ++c) keys.emplace_back(limbs[c], reach[c], c);
+    const std::vector<double> depths = graph.depths(), reach = graph.distances(graph.middles(depths));
+    const std::vector<int> bodies = BodyTree(graph, depths, reach).places(),
+                           branches = LimbTree(graph, reach).places();
+    std::vector<std::tuple<int, int, double, int>> keys;
+    for (int c = 0; c < graph.count(); ++c) keys.emplace_back(bodies[c], branches[c], reach[c], c);
     std::ranges::sort(keys);
     std::vector<int> place(keys.size());
-    for (int k = 0; k < graph.count(); ++k) place[std::get<2>(keys[k])] = k;
+    for (int k = 0; k < graph.count(); ++k) place[std::get<3>(keys[k])] = k;
     return place;
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/mesh/limb_order.h"
+#include "core/meshing/planar_mesher.h"
 
 using namespace wend;
 
@@ -15,6 +16,8 @@ class TestLimbOrder : public QObject {
     void armsLieOverTheBody();
     void whatReachesFartherLiesInFront();
     void bumpsAreNoLimbs();
+    void limbsOfFiguresLieWhole_data();
+    void limbsOfFiguresLieWhole();
     void componentsKeepTheirOrder();
     void nothingIsNothing();
 };
@@ -49,6 +52,46 @@ std::pair<int, int> placesOf(QChar mark, const QString& marks, const std::vector
     return {low, high};
 }
 
+/// A figure seen from the front: a head on a neck, a trunk, two arms that stand out, two legs.
+struct Figure {
+    double head = 46, trunkWidth = 32, trunkLength = 150, armLength = 120, armWidth = 16, legLength = 80,
+           legWidth = 18;
+    int vertices = 600;
+
+    double shoulder() const { return 20; }  // below the trunk's top, at the middle of the arms
+
+    Outline outline() const {
+        const double t = trunkWidth, a = armWidth, y = shoulder(), foot = trunkLength + legLength;
+        std::vector<Vec<2>> half{{12, 0},
+                                 {t, y - a},
+                                 {t + armLength, y - 0.8 * a},
+                                 {t + armLength + 8, y},
+                                 {t + armLength, y + 0.8 * a},
+                                 {t, y + a},
+                                 {t, trunkLength},
+                                 {t + 6, foot},
+                                 {t + 6 - 2 * legWidth, foot}};
+        std::vector<Vec<2>> loop = half;
+        loop.push_back({0, trunkLength});
+        for (auto it = half.rbegin(); it != half.rend(); ++it) loop.push_back({-it->x(), it->y()});
+        const double neck = std::asin(12 / head);
+        for (int k = 0; k <= 24; ++k) {  // clockwise on the screen, around the head from the left of the neck
+            const double angle = neck + (2 * M_PI - 2 * neck) * k / 24;
+            loop.push_back({-head * std::sin(angle), -head * std::cos(neck) - 2 + head * std::cos(angle)});
+        }
+        return {{loop}};
+    }
+    /// What a cell belongs to: h, b, l, r (arms), m, n (legs), blank near the joints.
+    QChar part(const Vec<2>& p) const {
+        const double slack = 0.6 * armWidth;
+        if (p.y() < -8) return 'h';
+        if (std::abs(p.x()) > trunkWidth + slack && p.y() < shoulder() + 2 * armWidth)
+            return p.x() < 0 ? 'l' : 'r';
+        if (p.y() > trunkLength + legWidth) return p.x() < 0 ? 'm' : 'n';
+        return std::abs(p.x()) < trunkWidth - slack / 2 && p.y() > 12 && p.y() < trunkLength - 12 ? 'b' : ' ';
+    }
+};
+
 }  // namespace
 
 void TestLimbOrder::armsLieOverTheBody_data() {
@@ -57,12 +100,13 @@ void TestLimbOrder::armsLieOverTheBody_data() {
     for (int seed = 1; seed < 4; ++seed) QTest::addRow("mixed, seed %d", seed) << seed;
 }
 
-/// Whatever the cells are called. Fingers (f, g) lie over the arm (a) that they grow from; the other arm (l)
-/// has the nearer tip, so that it lies behind that arm with its fingers as a whole.
+/// Whatever the cells are called; x is near a joint. Fingers (f, g) lie over the arm (a) that they grow from;
+/// the other arm (l) has the nearer tip, so that it lies behind that arm with its fingers as a whole.
 void TestLimbOrder::armsLieOverTheBody() {
-    const QStringList rows{"                  ffffff", "     bbbbbbb      f     ", "lllllbbbbbbbaaaaaaa     ",
-                           "lllllbbbbbbbaaaaaaa     ", "     bbbbbbb      g     ", "     bbbbbbb      ggggg ",
-                           "     bbbbbbb            "};
+    const QStringList rows{"                  xxffffff", "     bbbbbbb      x       ",
+                           "llllxbbbbbbbxaaaaaa       ", "llllxbbbbbbbxaaaaaa       ",
+                           "     bbbbbbb      x       ", "     bbbbbbb      ggggg   ",
+                           "     bbbbbbb              "};
     QString marks;
     SimplicialMesh<2> mesh = drawn(rows, marks);
     QFETCH(int, seed);
@@ -116,6 +160,58 @@ void TestLimbOrder::bumpsAreNoLimbs() {
     QVERIFY(placesOf('b', marks, order).second < placesOf('2', marks, order).first);
     QVERIFY(placesOf('1', marks, order).second < placesOf('3', marks, order).first);
     QVERIFY(placesOf('t', marks, order).second < placesOf('3', marks, order).second);
+}
+
+void TestLimbOrder::limbsOfFiguresLieWhole_data() {
+    QTest::addColumn<Figure>("figure");
+    const auto row = [](const Figure& f) {
+        QTest::addRow("head %g trunk %g x %g arms %g x %g legs %g x %g, %d vertices", f.head, f.trunkWidth,
+                      f.trunkLength, f.armLength, f.armWidth, f.legLength, f.legWidth, f.vertices)
+            << f;
+    };
+    for (double arms : {40.0, 60.0, 80.0, 100.0, 130.0, 170.0, 220.0, 300.0})
+        for (double width : {9.0, 13.0, 17.0}) row({.armLength = arms, .armWidth = width});
+    for (double head : {25.0, 35.0, 60.0, 90.0})
+        for (double arms : {70.0, 160.0}) row({.head = head, .armLength = arms});
+    for (double trunk : {24.0, 40.0, 60.0})
+        for (double length : {90.0, 150.0, 220.0})
+            row({.trunkWidth = trunk,
+                 .trunkLength = length,
+                 .armWidth = 0.4 * trunk,
+                 .legWidth = 0.5 * trunk});
+    for (double legs : {40.0, 140.0, 240.0})
+        for (double width : {11.0, 15.0, 18.0}) row({.armWidth = 13, .legLength = legs, .legWidth = width});
+    for (int vertices : {200, 400, 1500}) row({.vertices = vertices});
+}
+
+/// Arms lie over head and trunk, and over thicker legs; any two places of one limb lie on the same side of
+/// another one.
+void TestLimbOrder::limbsOfFiguresLieWhole() {
+    QFETCH(Figure, figure);
+    PlanarMeshOptions options;
+    options.vertices = figure.vertices;
+    const SimplicialMesh<2> mesh = meshOutline(figure.outline(), options);
+    QString marks;
+    for (const Cell<2>& cell : mesh.cells)
+        marks +=
+            figure.part((mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3);
+    const std::vector<int> order = limbOrder(mesh);
+    for (const QChar arm : {'l', 'r'})
+        for (const QChar other : {'h', 'b', 'm', 'n'})
+            if (other < 'l' || figure.armWidth < 0.8 * figure.legWidth)
+                QVERIFY2(placesOf(arm, marks, order).first > placesOf(other, marks, order).second,
+                         qPrintable(QString(arm) + " over " + other));
+    for (const auto& [one, other] : {std::pair('l', 'r'),
+                                     {'m', 'n'},
+                                     {'m', 'b'},
+                                     {'n', 'b'},
+                                     {'l', 'm'},
+                                     {'l', 'n'},
+                                     {'r', 'm'},
+                                     {'r', 'n'}}) {
+        const auto a = placesOf(one, marks, order), b = placesOf(other, marks, order);
+        QVERIFY2(a.first > b.second || b.first > a.second, qPrintable(QString(one) + " and " + other));
+    }
 }
 
 void TestLimbOrder::componentsKeepTheirOrder() {
