@@ -26,6 +26,9 @@ class Factor {
     /// Of the values, in this kind or the first after it that loses no pivot. Can be stopped unless that is
     /// CHOLMOD's.
     Status factorize(FactorKind kind, WorkerPool& workers, std::stop_token stop = {});
+    /// Returns the kind, or Reference where CHOLMOD factorizes the pattern sooner on the SIMD target in use:
+    /// by counted work, the same on every machine.
+    FactorKind quickest(FactorKind kind) const;
     /// Of the last factorization.
     FactorKind kind() const { return static_cast<FactorKind>(m_own.index()); }
     /// x ≈ K⁻¹ b; false if that is not finite.

@@ -122,9 +122,8 @@ Nodal<Dim> FactorCache<Dim>::goAhead(const Points<Dim>& velocity) {
 template <int Dim>
 SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const Points<Dim>* velocity) {
     const bool lasts = use == Use::Lasting, exact = use == Use::OnceExact;
-    const auto kind = lasts   ? m_memory.best
-                      : exact ? FactorKind::Reference
-                              : std::max(m_memory.best, FactorKind::Double);
+    const auto own = lasts ? m_memory.best : std::max(m_memory.best, FactorKind::Double);
+    const auto kind = exact ? FactorKind::Reference : m_factor.quickest(own);
     const Nodal<Dim> ahead = lasts && velocity ? goAhead(*velocity) : nullptr;
     if (!ahead) m_memory.ahead = 0;
     const SolveOutcome outcome = factorize(ahead || !lasts ? ahead : m_backEnd.stages().shape(), kind, stop);

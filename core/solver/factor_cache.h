@@ -33,8 +33,9 @@ class FactorCache {
     std::span<double> values() { return m_factor.values(); }
 
     /// A new factor, at the back end's shape: one that lasts, in the poorest precision that serves here, or
-    /// one for a single solve, in double precision or (`exact`) by CHOLMOD. One that lasts is made ahead of
-    /// the shape where it is known with which velocities that moves: it serves on both sides.
+    /// one for a single solve, in double precision, both by CHOLMOD where that is quicker, or (`exact`) by
+    /// CHOLMOD. One that lasts is made ahead of the shape where it is known with which velocities that moves:
+    /// it serves on both sides.
     enum class Use { Lasting, Once, OnceExact };
     SolveOutcome make(Use use, const std::stop_token& stop, const Points<Dim>* velocity = nullptr);
     /// The factor of the memory is at hand, made again if another was made since. False if there is none, if

@@ -26,6 +26,8 @@ class TestSolverReuse : public QObject {
     void singlePrecisionIsGivenUp();
     void contractionsAreToldAsMeasured();
     void equiaAlwaysFactorizes();
+    void everyTargetStaysWithinTolerance();
+    void cholmodServesWhereItIsQuicker();
     void runsRepeat();
     void memoryGoesOnToTheSameBits();
     void rotationsServeNearbyShapes();
@@ -275,6 +277,38 @@ void TestSolverReuse::equiaAlwaysFactorizes() {
     QCOMPARE(run.statistics.factorizations, 40);
     // Two factors in double precision of matrices of a condition of 1e6, refined to a residual of 1e-10.
     QVERIFY2(run.worst < 1e-9, qPrintable(QString::number(run.worst)));
+}
+
+// With factors of our own, and on the lesser targets CHOLMOD's where they are slower.
+void TestSolverReuse::everyTargetStaysWithinTolerance() {
+    onEveryTarget([](SimdTarget) {
+        const auto flat = drive(2, phi::kMetr, 1e-4), solid = drive(3, phi::kMetr, 1e-4);
+        QVERIFY2(flat.worst <= 3e-4, qPrintable(QString::number(flat.worst)));
+        QVERIFY2(solid.worst <= 3e-4, qPrintable(QString::number(solid.worst)));
+        QVERIFY(drive(3, phi::kMetr, 1e-4, 2).pose == solid.pose);
+    });
+}
+
+// The large fronts of a cube: by work alone, so the same on every machine, and for any number of threads.
+void TestSolverReuse::cholmodServesWhereItIsQuicker() {
+    const Turn<3> large(12), small(4);
+    const auto kindFor = [](const Turn<3>& turn, int threads) {
+        const auto material =
+            std::make_shared<const Material<3>>(Material<3>::uniform(turn.mesh->cellCount(), phi::kMetr));
+        VelocitySolver<3> solver(turn.mesh, material, BackEndKind::Cpu, threads);
+        solver.setConstraints(turn.rows);
+        solver.setVelocityTolerance(1e-4);
+        Points<3> v;
+        if (!solver.solve(turn.mesh->points, turn.speeds(turn.mesh->points), v).done())
+            throw std::runtime_error("not solved");
+        return solver.remember().kind;
+    };
+    onEveryTarget([&](SimdTarget target) {
+        QVERIFY(kindFor(small, 1) == FactorKind::Single);
+        const auto expected = target < SimdTarget::Avx2 ? FactorKind::Reference : FactorKind::Single;
+        QVERIFY(kindFor(large, 1) == expected);
+        QVERIFY(kindFor(large, 2) == expected);
+    });
 }
 
 void TestSolverReuse::runsRepeat() {
