@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Writes the tables of docs/benchmarks.md, between its two marks, from what `wend bench -o FILE` wrote.
 
-    scripts/benchmark_page.py FILE
+    scripts/benchmark_page.py FILE [FILE …]
+
+The first file gives all tables, those of other instruction sets (WEND_SIMD) one short table each.
 """
 import json
 import pathlib
@@ -62,13 +64,35 @@ def growth(rows):
     return lines + [""]
 
 
+def short(results):
+    """The factor beside CHOLMOD's and the whole flow beside the paper's, one thread, on another instruction set."""
+    rows = [(case, {(row["what"], row["threads"]): row for row in case["rows"]}) for case in results["cases"]]
+    lines = [f"### On {results['simd']}", "", "| case | CHOLMOD | factor, double | factor, single | ten RK4 steps, 1 thread |",
+             "| --- | --- | --- | --- | --- |"]
+    for case, found in rows:
+        cholmod = next((row for (what, _), row in found.items() if what.startswith("factor, CHOLMOD")), None)
+        own = [found.get((f"factor, {kind} precision", 1)) for kind in ("double", "single")]
+        steps = found.get(("ten RK4 steps", 1))
+        if cholmod and all(own) and steps:
+            times = " | ".join(duration(row["processorSeconds"]) for row in [cholmod] + own)
+            lines.append(f"| {case['name']} | {times} | {processorRatio(found, steps):.1f} × |")
+    return lines + [""]
+
+
+def processorRatio(found, steps):
+    return found[("ten RK4 steps, paper's scheme", 1)]["processorSeconds"] / steps["processorSeconds"]
+
+
 def main():
-    results = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
-    text = [BEGIN, f"Machine: {results['machine']}, {results['cores']} cores.", ""]
+    results, *others = [json.loads(pathlib.Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:]]
+    text = [BEGIN, f"Machine: {results['machine']}, {results['cores']} cores, instruction set {results['simd']}.", ""]
     text += glance(results["cases"])
     for case in results["cases"]:
         text += table(case)
-    text += growth(results.get("growth", [])) + [END]
+    text += growth(results.get("growth", []))
+    for other in others:
+        text += short(other)
+    text.append(END)
     page = PAGE.read_text(encoding="utf-8")
     before, after = page.split(BEGIN)[0], page.split(END)[1]
     PAGE.write_text(before + "\n".join(text) + after, encoding="utf-8")

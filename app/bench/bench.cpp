@@ -5,12 +5,14 @@
 
 #include "app/bench/drag_rows.h"
 #include "app/bench/flow_rows.h"
+#include "app/bench/kernel_rows.h"
 #include "app/bench/paper.h"
 #include "app/bench/recorder.h"
 #include "app/bench/solver_rows.h"
 #include "app/bench/warp_rows.h"
 #include "app/bench/window_rows.h"
 #include "core/mesh/error.h"
+#include "core/system/simd_target.h"
 
 namespace wend {
 namespace {
@@ -24,7 +26,7 @@ constexpr Size kSizes[] = {{"2d-5.6k", 2, 5600, true}, {"2d-11k", 2, 11000, true
                            {"2d-160k", 2, 160000},     {"3d-1.5k", 3, 1500},       {"3d-5k", 3, 5000, true},
                            {"3d-20k", 3, 20000, true}};
 constexpr const char *kFlatWindow = "window-2d", *kSolidWindow = "window-3d";
-constexpr const char* kWarp = "warp";
+constexpr const char *kWarp = "warp", *kKernels = "kernels";
 constexpr const char* kPaper = "paper";  // measures more than speed: only when it is asked for
 
 template <int Dim>
@@ -60,7 +62,7 @@ void requireKnown(const std::vector<std::string>& cases) {
 std::vector<std::string> benchCases() {
     std::vector<std::string> names;
     for (const Size& size : kSizes) names.push_back(size.name);
-    names.insert(names.end(), {kFlatWindow, kSolidWindow, kWarp, kPaper});
+    names.insert(names.end(), {kFlatWindow, kSolidWindow, kWarp, kKernels, kPaper});
     return names;
 }
 
@@ -72,7 +74,9 @@ BenchTable runBenchmarks(const BenchOptions& options) {
     BenchTable table;
     table.machine = processorName();
     table.cores = static_cast<int>(std::thread::hardware_concurrency());
+    table.simd = nameOf(simdTarget());
     BenchRecorder recorder(table, options);
+    recorder.remark("SIMD target: " + table.simd);
     for (const Size& size : kSizes) {
         if (!wanted(size.name)) continue;
         size.dimension == 2 ? runSize<2>(size, recorder) : runSize<3>(size, recorder);
@@ -82,6 +86,10 @@ BenchTable runBenchmarks(const BenchOptions& options) {
     if (wanted(kWarp)) {
         recorder.begin({kWarp, 2, 0, 0, {}});
         addWarpRows(recorder);
+    }
+    if (wanted(kKernels)) {
+        recorder.begin({kKernels, 0, 0, 0, {}});
+        addKernelRows(recorder);
     }
     if (std::ranges::find(options.cases, kPaper) != options.cases.end()) {
         PaperOptions paper;

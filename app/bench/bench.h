@@ -17,7 +17,7 @@ struct BenchOptions {
     std::stop_token stop;
 };
 
-/// "2d-5.6k", …, "3d-20k", "warp", "paper".
+/// "2d-5.6k", …, "3d-20k", "warp", "kernels", "paper".
 std::vector<std::string> benchCases();
 
 /// Measures. Ratios are between rows of one case, taken in this one process. Throws InputError for a case

@@ -94,7 +94,8 @@ std::string textOf(const std::vector<Growth>& growth) {
 
 std::string jsonOf(const BenchTable& table) {
     using Json = nlohmann::ordered_json;
-    Json json{{"machine", table.machine}, {"cores", table.cores}, {"cases", Json::array()}};
+    Json json{
+        {"machine", table.machine}, {"cores", table.cores}, {"simd", table.simd}, {"cases", Json::array()}};
     for (const BenchCase& one : table.cases) {
         Json rows = Json::array();
         for (const BenchRow& row : one.rows) {

@@ -32,6 +32,7 @@ struct BenchClaim {
 
 struct BenchTable {
     std::string machine;
+    std::string simd;  // the target of its kernels: "avx2"
     int cores = 0;
     std::vector<BenchCase> cases;
     std::vector<BenchClaim> claims;

@@ -99,10 +99,12 @@ void TestBench::growthIsPerDimensionAndThreads() {
 void TestBench::jsonHasEveryRow() {
     BenchTable table;
     table.cores = 2;
+    table.simd = "avx2";
     table.cases = {caseOf(2, 100, 0.5), caseOf(2, 200, 1.5)};
     table.cases[0].rows[0].threads = 0;
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(jsonOf(table))).object();
     QCOMPARE(json["cases"].toArray().size(), 2);
+    QCOMPARE(json["simd"].toString(), "avx2");
     const QJsonObject row = json["cases"].toArray()[0].toObject()["rows"].toArray()[0].toObject();
     QCOMPARE(row["seconds"].toDouble(), 0.5);
     QCOMPARE(row["threads"].toInt(), 2);  // all of them

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/mesh/mesh_of_file.h"
+#include "core/system/simd_target.h"
 #include "tests/app/cli/cli_harness.h"
 
 using namespace wend;
@@ -27,6 +28,7 @@ class TestCliErrors : public QObject {
     void initTestCase();
     void usage_data();
     void usage();
+    void simdTargets();
     void nothingAskedFor();
     void overwriting_data();
     void overwriting();
@@ -177,6 +179,32 @@ void TestCliErrors::overwriting_data() {
 }
 
 /// A run that is asked for nothing says so, in one line, and is no failure.
+// WEND_SIMD: what the processor has is taken, anything else is one line and no work.
+void TestCliErrors::simdTargets() {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    const auto run = [&](const QString& name) {
+        environment.insert("WEND_SIMD", name);
+        return runCli(path(), {"info", "strip.obj"}, environment);
+    };
+    for (const SimdTarget target : supportedSimdTargets()) {
+        const CliResult result = run(QString::fromStdString(std::string(nameOf(target))));
+        QCOMPARE(result.code, 0);
+        QCOMPARE(result.error, QString());
+    }
+    QCOMPARE(run({}).code, 0);
+    const CliResult unknown = run("AVX2");
+    QCOMPARE(unknown.code, 2);
+    QCOMPARE(unknown.out, QString());
+    QCOMPARE(unknown.error.count('\n'), 1);
+    QVERIFY(unknown.error.contains(
+        "WEND_SIMD: 'AVX2' is not an instruction set (sse2, ssse3, sse4, avx2, avx512)"));
+    if (supportedSimdTargets().back() == SimdTarget::Avx512) return;
+    const CliResult lacking = run("avx512");
+    QCOMPARE(lacking.code, 2);
+    QCOMPARE(lacking.error.count('\n'), 1);
+    QVERIFY(lacking.error.contains("WEND_SIMD: this processor has no avx512 (it has sse2"));
+}
+
 void TestCliErrors::nothingAskedFor() {
     const QStringList before = listing();
     const CliResult result = runCli(path(), {"run", "strip.wend"});
