@@ -99,7 +99,8 @@ void buildPattern(AssemblyPlan<Dim>& plan) {
 }  // namespace
 
 template <int Dim>
-AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing) {
+AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing,
+                                   Contributions contributions) {
     AssemblyPlan<Dim> plan;
     plan.vertexCount = mesh.vertexCount();
     plan.cells = mesh.cells;
@@ -107,11 +108,11 @@ AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothi
     for (auto& facets : plan.facetOfCorner) facets.fill(-1);
     if (smoothing) addInteriorFacets(mesh, plan);
     listCorners(plan);
-    buildPattern(plan);
+    if (contributions == Contributions::Listed) buildPattern(plan);
     return plan;
 }
 
-template AssemblyPlan<2> makeAssemblyPlan(const SimplicialMesh<2>&, bool);
-template AssemblyPlan<3> makeAssemblyPlan(const SimplicialMesh<3>&, bool);
+template AssemblyPlan<2> makeAssemblyPlan(const SimplicialMesh<2>&, bool, Contributions);
+template AssemblyPlan<3> makeAssemblyPlan(const SimplicialMesh<3>&, bool, Contributions);
 
 }  // namespace wend

@@ -49,8 +49,13 @@ struct AssemblyPlan {
     }
 };
 
+/// Whether a plan lists the contributions to the matrix: of a solid 300 for every vertex, which is most of
+/// the memory. Without them a back end applies A, but does not assemble it.
+enum class Contributions { Listed, Left };
+
 /// `smoothing` false leaves out the facets: the one-ring pattern of E_φ alone.
 template <int Dim>
-AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing);
+AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing,
+                                   Contributions contributions = Contributions::Listed);
 
 }  // namespace wend

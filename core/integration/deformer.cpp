@@ -24,7 +24,7 @@ Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         IntegrationOptions options, BackEndKind backEnd)
     : m_integrator(std::make_unique<Integrator>(
           rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
-              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads);
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads, options.solver);
           })) {}
 
 template <int Dim>
@@ -33,7 +33,7 @@ Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         IntegrationOptions options, const BackEndFactory<Dim>& backEnd)
     : m_integrator(std::make_unique<Integrator>(
           rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
-              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads);
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads, options.solver);
           })) {}
 
 template <int Dim>
@@ -91,6 +91,11 @@ AdvanceResult Deformer<Dim>::failure() const {
 template <int Dim>
 const Statistics& Deformer<Dim>::statistics() const {
     return m_integrator->statistics;
+}
+
+template <int Dim>
+SolverKind Deformer<Dim>::solver() const {
+    return m_integrator->velocitySolver().solver();
 }
 
 template <int Dim>

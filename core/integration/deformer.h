@@ -107,6 +107,8 @@ class Deformer {
     double restEnergy() const;
     double restForce();
     const Statistics& statistics() const;
+    /// Direct or Multigrid.
+    SolverKind solver() const;
     /// "cpu" or "opencl", and the device's name.
     std::string backEndName() const;
     std::string deviceName() const;

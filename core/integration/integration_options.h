@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/integration/method.h"
+#include "core/solver/solver_choice.h"
 
 namespace wend {
 
@@ -30,6 +31,7 @@ struct IntegrationOptions {
     /// Error of a velocity field that is allowed, relative to the largest velocity; < 0: as the tolerance
     /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
     double velocityTolerance = -1;
+    SolverKind solver = SolverKind::Automatic;
     std::vector<SettleWindow> settle;  // in the order of time
 
     /// Empty if all is in range, else the reason.

@@ -8,6 +8,8 @@ StopReason reasonOf(const SolveOutcome& outcome) {
             return StopReason::CellInverted;
         case SolveOutcome::Kind::NotPositiveDefinite:
             return StopReason::Indefinite;
+        case SolveOutcome::Kind::NotConverged:
+            return StopReason::NotConverged;
         default:
             return StopReason::NotFinite;
     }
@@ -29,6 +31,9 @@ std::string stopMessage(StopReason reason, const std::string& place, int cell) {
         case StopReason::NotFinite:
             return "it moves so fast near " + place +
                    " that numbers overflow; move it less far, or give its motion more time";
+        case StopReason::NotConverged:
+            return "the multigrid solver did not find the velocities near " + place +
+                   "; solve directly (--solver direct), or make the material or the mesh more even";
     }
     return {};
 }

@@ -7,7 +7,7 @@
 namespace wend {
 
 /// Why a motion cannot go on.
-enum class StopReason { CellInverted, StepTooSmall, Indefinite, NotFinite };
+enum class StopReason { CellInverted, StepTooSmall, Indefinite, NotFinite, NotConverged };
 StopReason reasonOf(const SolveOutcome& outcome);
 
 /// Why a handle, "it", cannot go on, in the words of a user: what is wrong, where, and what helps. `place` is

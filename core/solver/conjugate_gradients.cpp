@@ -6,7 +6,6 @@
 namespace wend {
 namespace {
 
-constexpr int kMost = 200;  // far beyond what ever pays; ends a run that rounding keeps from converging
 // What a last step without its product may leave of the error at least, for all that is expected of it.
 constexpr double kPlainContraction = 0.25;
 
@@ -22,8 +21,14 @@ std::span<double> flat(Points<Dim>& points) {
 
 /// How many iterations at a contraction bring a size under a goal.
 double iterationsTo(double goal, double size, double contraction) {
-    if (contraction >= 1) return kMost;
+    if (contraction >= 1) return std::numeric_limits<double>::infinity();
     return std::max(0.0, std::log(goal / size) / std::log(contraction));
+}
+
+/// What an error will be after a step at a contraction, in terms of |z| before it.
+double remaining(double contraction, bool cautious) {
+    const double sum = contraction / (1 - contraction);
+    return cautious ? sum * (1 + contraction) / (1 - contraction) : sum;
 }
 
 template <class Result>
@@ -45,7 +50,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
     m_r = -m_r;
     m_z.resizeLike(m_r);
     double start = 0, before = 0, rzBefore = 0;
-    while (result.iterations < kMost && !goal.stop.stop_requested()) {
+    while (result.iterations < goal.most && !goal.stop.stop_requested()) {
         if (!precondition(flat<Dim>(m_r), flat<Dim>(m_z))) break;
         ++result.iterations;
         const double size = m_z.cwiseAbs().maxCoeff(), rz = dot<Dim>(m_r, m_z);
@@ -59,9 +64,11 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             record(size / before, result);
             if (size / before > goal.poorestContraction) break;
         }
-        const double contraction = first ? goal.contraction : std::max(goal.minContraction, size / before);
+        const double mean = first ? 1 : std::pow(size / start, 1.0 / (result.iterations - 1));
+        double contraction = first ? goal.contraction : std::max(goal.minContraction, size / before);
+        if (goal.cautious && !first) contraction = std::max(contraction, mean);
         const double plain = std::max(contraction, kPlainContraction);
-        if (size * plain <= goal.tolerance * v.cwiseAbs().maxCoeff() * (1 - plain)) {
+        if (plain < 1 && size * remaining(plain, goal.cautious) <= goal.tolerance * v.cwiseAbs().maxCoeff()) {
             system.expand(m_z, v);
             result.end = Result::End::Converged;
             break;
@@ -78,11 +85,10 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
         if (!(pKp > 0 && rz > 0)) break;
         v += rz / pKp * m_lifted;
         const double allowed = goal.tolerance * v.cwiseAbs().maxCoeff();
-        if (size * contraction <= allowed * (1 - contraction)) {
+        if (contraction < 1 && size * remaining(contraction, goal.cautious) <= allowed) {
             result.end = Result::End::Converged;
             break;
         }
-        const double mean = first ? 1 : std::pow(size / start, 1.0 / (result.iterations - 1));
         const double lasting = goal.trials > 1 ? std::max(goal.minContraction, mean) : contraction;
         if (result.iterations > goal.trials && goal.hopeless(iterationsTo(allowed, size, lasting))) break;
         m_r -= rz / pKp * m_q;

@@ -30,7 +30,10 @@ class ConjugateGradients {
         /// Whether to give up, if about so many iterations are still to do: as the last one tells, or, since
         /// |z| need not fall in every one, as the mean of all tells after more than so many.
         std::function<bool(double iterations)> hopeless;
+        // Whether |z| shows only a part of the error: of multigrid, whose B K has eigenvalues well below 1.
+        bool cautious = false;
         int trials = 1;
+        int most = 200;             // iterations, far beyond what ever pays with a factor
         std::stop_token stop = {};  // gives up between iterations
     };
     struct Result {
@@ -42,10 +45,12 @@ class ConjugateGradients {
 
     /// v += Z y, from a v that meets the constraints. The error after a step is estimated as what all further
     /// ones would add, |z| (ρ + ρ² + …) = |z| ρ / (1 − ρ): z the preconditioned residual before the step, ρ
-    /// the last contraction of |z|, both in the maximum norm, but no less than goal.leastContraction. The
-    /// step that would bring it under the tolerance is the last. Where it need not bring much it is z itself,
-    /// without the product that tells how far to go along it: within a few percent as far as that.
-    /// `load` is f, one column per vertex; null: none.
+    /// the last contraction of |z|, both in the maximum norm, but no less than goal.minContraction. A
+    /// cautious goal takes the mean contraction where that is worse, and (1 + ρ) / (1 − ρ) times the
+    /// estimate: the root of the condition number that conjugate gradients have at that rate. The step that
+    /// would bring it under the tolerance is the last. Where it need not bring much it is z itself, without
+    /// the product that tells how far to go along it: within a few percent as far as that. `load` is f, one
+    /// column per vertex; null: none.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
                const Goal& goal, const Points<Dim>* load, Points<Dim>& v);
 

@@ -28,6 +28,8 @@ constexpr double kNearest = 0.5;
 // The rotations of a shape serve for others that are nearer to it than this part of the way from the
 // factor's.
 constexpr double kTurnedAgain = 0.2;
+// To make the levels of multigrid takes about as long as so many iterations with them (docs/scale.md).
+constexpr double kMultigridSetUp = 45;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
@@ -43,11 +45,17 @@ bool noneFolds(const std::vector<Cell<Dim>>& cells, const Points<Dim>& from, con
 
 template <int Dim>
 void FactorCache<Dim>::analyze(const AssemblyPlan<Dim>& plan) {
+    m_plan = &plan;
+    m_shape.reset();
+    m_memory = {};
+    if (m_multigrid) {
+        m_policy.setCosts(kMultigridSetUp, 1);
+        return;
+    }
     const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
     if (!m_system.unknowns().empty())
         m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
-    m_plan = &plan;
     SolverCost cost;
     cost.factorFlops = m_factor.flops();
     cost.factorEntries = m_factor.entries();
@@ -56,8 +64,6 @@ void FactorCache<Dim>::analyze(const AssemblyPlan<Dim>& plan) {
     cost.dimension = Dim;
     m_policy.setCosts(cost.factor(), cost.iteration());
     m_blocks.resize(static_cast<std::size_t>(plan.blockCount()) * Dim * Dim);
-    m_shape.reset();
-    m_memory = {};
 }
 
 template <int Dim>
@@ -73,20 +79,41 @@ void FactorCache<Dim>::recall(const FactorMemory<Dim>& memory) {
     m_policy.setCounts(memory.counts);
 }
 
-/// The back end is at that shape; null if the factor is to serve only once.
 template <int Dim>
-SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kind,
-                                         const std::stop_token& stop) {
-    m_shape.reset();
-    if (stop.stop_requested()) return {SolveOutcome::Kind::Stopped, -1};
+Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_token& stop) {
     {
         const Stopwatch watch(m_statistics.assemble);
         m_backEnd.assemble(m_blocks);
         m_system.gather(m_blocks, m_factor.values());
     }
     const Stopwatch watch(m_statistics.factor);
+    return m_factor.factorize(kind, m_backEnd.workers(), stop);
+}
+
+/// The back end is at that shape.
+template <int Dim>
+Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop) {
+    using Status = typename Multigrid<Dim>::Status;
+    const Stopwatch watch(m_statistics.factor);
+    switch (m_multigrid->build(shape, stop)) {
+        case Status::Stopped:
+            return Factor::Status::Stopped;
+        case Status::NotPositiveDefinite:
+            return Factor::Status::NotPositiveDefinite;
+        case Status::Done:
+            break;
+    }
+    return Factor::Status::Done;
+}
+
+/// The back end is at that shape; null if the factor is to serve only once.
+template <int Dim>
+SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kind,
+                                         const std::stop_token& stop) {
+    m_shape.reset();
+    if (stop.stop_requested()) return {SolveOutcome::Kind::Stopped, -1};
     ++m_statistics.factorizations;
-    switch (m_factor.factorize(kind, m_backEnd.workers(), stop)) {
+    switch (m_multigrid ? makeLevels(shape, stop) : makeFactor(kind, stop)) {
         case Factor::Status::Stopped:
             return {SolveOutcome::Kind::Stopped, -1};
         case Factor::Status::NotFinite:
@@ -131,8 +158,8 @@ SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const 
     if (outcome.kind == SolveOutcome::Kind::Stopped) return outcome;
     m_memory.shape = m_shape;
     m_memory.turned = nullptr;
-    m_memory.kind = m_factor.kind();
-    if (!exact) m_memory.best = m_factor.kind();
+    m_memory.kind = this->kind();
+    if (!exact) m_memory.best = this->kind();
     if (m_memory.contraction) *m_memory.contraction *= kCarriedMargin;
     m_policy.factorized();
     return outcome;
@@ -141,7 +168,7 @@ SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const 
 template <int Dim>
 bool FactorCache<Dim>::restore(const std::stop_token& stop) {
     if (!m_memory.shape || m_policy.due()) return false;
-    if (m_shape == m_memory.shape && m_factor.kind() == m_memory.kind) return true;
+    if (m_shape == m_memory.shape && kind() == m_memory.kind) return true;
     const bool done =
         m_backEnd.setShape(*m_memory.shape) < 0 && factorize(m_memory.shape, m_memory.kind, stop).done();
     m_backEnd.setStage();
@@ -172,8 +199,8 @@ const Nodal<Dim>& FactorCache<Dim>::turnedShape() {
 template <int Dim>
 double FactorCache<Dim>::expectedContraction(double lag) const {
     const double fresh =
-        isSingle() ? std::clamp(kFreshMargin * m_memory.freshContraction.value_or(1), kBestFresh, 1.0)
-                   : kFreshContractionDouble;
+        isRough() ? std::clamp(kFreshMargin * m_memory.freshContraction.value_or(1), kBestFresh, 1.0)
+                  : kFreshContractionDouble;
     if (lag == 0) return fresh;
     if (m_memory.contraction.value_or(1) >= 1) return 1;
     const double there = std::max(minContraction(), *m_memory.contraction);
@@ -194,7 +221,7 @@ void FactorCache<Dim>::learn(double lag, const typename ConjugateGradients<Dim>:
     if (lag > 0) {
         m_memory.contraction = result.firstContraction;
         m_memory.contractionLag = lag;
-    } else if (isSingle()) {
+    } else if (isRough()) {
         m_memory.freshContraction = result.worstContraction;
     }
 }

@@ -8,6 +8,7 @@
 #include "core/assembly/back_end.h"
 #include "core/factor/factor.h"
 #include "core/solver/conjugate_gradients.h"
+#include "core/solver/multigrid/multigrid.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
 #include "core/solver/velocity_solver.h"
@@ -17,12 +18,18 @@ namespace wend {
 /// The factor that serves one solve after another: at which shape it was made, how well it has served, and
 /// when a new one pays. What of this decides the bits of the next solves is FactorMemory; the factor itself
 /// may have been made elsewhere since (for a single solve, or from another memory) and is made again then.
+/// In the place of a factor there may be the levels of multigrid, which serve in the same way.
 template <int Dim>
 class FactorCache {
   public:
     /// These outlive it.
     FactorCache(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, SolverStatistics& statistics)
         : m_backEnd(backEnd), m_system(system), m_statistics(statistics) {}
+
+    /// From now on multigrid takes the factor's place.
+    void useMultigrid(std::unique_ptr<Multigrid<Dim>> multigrid) { m_multigrid = std::move(multigrid); }
+    bool isMultigrid() const { return m_multigrid != nullptr; }
+    Multigrid<Dim>& multigrid() { return *m_multigrid; }
 
     /// Of another system: nothing is kept. The plan outlives it, too.
     void analyze(const AssemblyPlan<Dim>& plan);
@@ -54,7 +61,7 @@ class FactorCache {
     bool isSingle() const { return m_memory.kind == FactorKind::Single; }
     /// x ≈ K⁻¹ b with the factor at hand; false if that is not finite.
     bool solve(std::span<const double> b, std::span<double> x) {
-        return m_factor.solve(b, x, m_backEnd.workers());
+        return m_multigrid ? m_multigrid->apply(b, x) : m_factor.solve(b, x, m_backEnd.workers());
     }
 
     /// By how much an iteration reduces the error: the first one at that lag, and any one at best.
@@ -66,12 +73,18 @@ class FactorCache {
   private:
     Nodal<Dim> goAhead(const Points<Dim>& velocity);
     SolveOutcome factorize(const Nodal<Dim>& shape, FactorKind kind, const std::stop_token& stop);
+    Factor::Status makeFactor(FactorKind kind, const std::stop_token& stop);
+    Factor::Status makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop);
+    /// Multigrid is in double precision, and no more exact than a factor in single.
+    FactorKind kind() const { return m_multigrid ? FactorKind::Double : m_factor.kind(); }
+    bool isRough() const { return m_multigrid || isSingle(); }
 
     BackEnd<Dim>& m_backEnd;
     const ReducedSystem<Dim>& m_system;
     SolverStatistics& m_statistics;
     const AssemblyPlan<Dim>* m_plan = nullptr;
     Factor m_factor;
+    std::unique_ptr<Multigrid<Dim>> m_multigrid;
     Nodal<Dim> m_shape;          // where the factor at hand was made; null: it has served
     FactorMemory<Dim> m_memory;  // its counts are the policy's
     RefactorPolicy m_policy;

@@ -19,7 +19,6 @@ ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Eliminati
                                   const Sliders& sliders)
     : m_elimination(elimination) {
     numberUnknowns(plan);
-    buildPattern(plan);
     if (!sliders.empty()) m_held.assign(m_unknowns.size(), 0);
     for (const auto& [vertex, held] : sliders)
         if (m_unknownOf[vertex] >= 0) m_held[static_cast<std::size_t>(m_unknownOf[vertex])] |= held;

@@ -8,8 +8,8 @@
 namespace wend {
 
 /// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A goes, with which
-/// coefficient, into which block of K, decided once. Without barycentric rows K is a part of A. In a
-/// coordinate in which a vertex is held y is 0: K has nothing there but its diagonal.
+/// coefficient, into which block of K, decided once if K is asked for. Without barycentric rows K is a part
+/// of A. In a coordinate in which a vertex is held y is 0: K has nothing there but its diagonal.
 template <int Dim>
 class ReducedSystem {
   public:
@@ -18,6 +18,12 @@ class ReducedSystem {
 
     /// The vertex of every block of unknowns.
     const std::vector<int>& unknowns() const { return m_unknowns; }
+    const Elimination& elimination() const { return m_elimination; }
+    /// The coordinates in which an unknown is held, one bit each; empty: none is.
+    const std::vector<unsigned>& held() const { return m_held; }
+
+    /// Lists the pattern and its terms, which gather() needs. The plan lists its contributions.
+    void buildPattern(const AssemblyPlan<Dim>& plan);
     /// Scalar pattern of the lower triangle of K by columns (its diagonal blocks are full).
     const std::vector<int>& columnStart() const { return m_columnStart; }
     const std::vector<int>& row() const { return m_row; }
@@ -40,7 +46,6 @@ class ReducedSystem {
         double coefficient;
     };
     void numberUnknowns(const AssemblyPlan<Dim>& plan);
-    void buildPattern(const AssemblyPlan<Dim>& plan);
     /// The row of Z of a vertex: its unknowns and their coefficients.
     std::vector<std::pair<int, double>> rowOfZ(int vertex) const;
     bool holds(std::size_t unknown, int coordinate) const {

@@ -16,14 +16,16 @@ BackEndFactory<Dim> factoryOf(BackEndKind) {  // other kinds come from above, th
 template <int Dim>
 VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                                     std::shared_ptr<const Material<Dim>> material, BackEndKind kind,
-                                    int threads)
-    : VelocitySolver(std::move(normalizedRest), std::move(material), factoryOf<Dim>(kind), threads) {}
+                                    int threads, SolverKind solver)
+    : VelocitySolver(std::move(normalizedRest), std::move(material), factoryOf<Dim>(kind), threads, solver) {}
 
 template <int Dim>
 VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                                     std::shared_ptr<const Material<Dim>> material,
-                                    const BackEndFactory<Dim>& backEnd, int threads)
-    : m_impl(std::make_unique<Impl>(std::move(normalizedRest), *material, backEnd, threads)) {}
+                                    const BackEndFactory<Dim>& backEnd, int threads, SolverKind solver)
+    : m_impl(std::make_unique<Impl>(
+          normalizedRest, *material, backEnd, threads,
+          chosenSolver(solver, Dim, normalizedRest->vertexCount(), machineMemory()))) {}
 
 template <int Dim>
 VelocitySolver<Dim>::~VelocitySolver() = default;
@@ -114,6 +116,11 @@ double VelocitySolver<Dim>::energy() const {
 template <int Dim>
 const SolverStatistics& VelocitySolver<Dim>::statistics() const {
     return m_impl->statistics;
+}
+
+template <int Dim>
+SolverKind VelocitySolver<Dim>::solver() const {
+    return m_impl->isMultigrid() ? SolverKind::Multigrid : SolverKind::Direct;
 }
 
 template <int Dim>

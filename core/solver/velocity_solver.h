@@ -10,12 +10,13 @@
 #include "core/factor/factor_kind.h"
 #include "core/solver/constraint_rows.h"
 #include "core/solver/refactor_policy.h"
+#include "core/solver/solver_choice.h"
 
 namespace wend {
 
 /// How a solve ended. A numerical outcome is a value, never an exception.
 struct SolveOutcome {
-    enum class Kind { Done, CellInverted, NotPositiveDefinite, NotFinite, Stopped };
+    enum class Kind { Done, CellInverted, NotPositiveDefinite, NotFinite, NotConverged, Stopped };
     Kind kind = Kind::Done;
     int cell = -1;  // CellInverted: the first cell that is flat or turned over
 
@@ -62,11 +63,12 @@ class VelocitySolver {
     /// Mesh and material are valid (requireValid). threads = 0: all cores, where that pays.
     VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                    std::shared_ptr<const Material<Dim>> material, BackEndKind kind = BackEndKind::Automatic,
-                   int threads = 0);
-    /// The same with a back end of the caller's.
+                   int threads = 0, SolverKind solver = SolverKind::Direct);
+    /// The same with a back end of the caller's. Multigrid computes on the processor all the same. Throws
+    /// InputError if its module is missing.
     VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                    std::shared_ptr<const Material<Dim>> material, const BackEndFactory<Dim>& backEnd,
-                   int threads);
+                   int threads, SolverKind solver = SolverKind::Direct);
     ~VelocitySolver();
     VelocitySolver(VelocitySolver&&) noexcept;
     VelocitySolver& operator=(VelocitySolver&&) noexcept;
@@ -101,7 +103,8 @@ class VelocitySolver {
 
     /// The error of v̂ that is allowed, relative to its largest nodal velocity. 0 (the default): every solve
     /// factorizes, by CHOLMOD. So does every one, by a factor of our own in double precision, with less than
-    /// 1e-8, and with materials on the way to EQUIA, whose factors do not last.
+    /// 1e-8, and with materials on the way to EQUIA, whose factors do not last. Multigrid iterates in any
+    /// case, to 1e-9 at best.
     void setVelocityTolerance(double tolerance);
     /// Whether a factor may serve for several solves: by the tolerance and the material.
     bool reuses() const;
@@ -122,6 +125,8 @@ class VelocitySolver {
     /// E(v̂) of the last solve, in normalized units; computed when asked for.
     double energy() const;
     const SolverStatistics& statistics() const;
+    /// Direct or Multigrid.
+    SolverKind solver() const;
     /// "cpu" or "opencl", and the device's name.
     std::string backEndName() const;
     std::string deviceName() const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/assembly/cpu_back_end.h"
 #include "core/mesh/error.h"
 #include "core/solver/components.h"
 #include "core/solver/stopwatch.h"
@@ -23,6 +24,9 @@ constexpr double kMinTolerance = 1e-8;
 // Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
 // and they show so little of the error that they would end too early.
 constexpr double kPoorestContraction = 0.33;
+// Multigrid: what rounding allows, and when the run ends with a message.
+constexpr double kMultigridTolerance = 1e-9;
+constexpr int kMostWithMultigrid = 500;
 constexpr int kTrials = 3;  // before a factor that is dear is given up
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
@@ -76,7 +80,7 @@ bool mayTurn(const Material<Dim>& material) {
 
 template <int Dim>
 VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
-                                const BackEndFactory<Dim>& makeBackEnd, int threads)
+                                const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver)
     : rest(std::move(mesh)),
       components(cellComponents(*rest)),
       material(stuff),
@@ -84,9 +88,14 @@ VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
       turns(mayTurn(material)) {
     const Stopwatch watch(statistics.analyze);
     const bool smoothing = material.smoothing.kind != SmoothingKind::None;
-    plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*rest, smoothing));
-    backEnd = makeBackEnd(plan, *rest, material, threads);
+    const bool isDirect = solver == SolverKind::Direct;
+    plan = std::make_shared<const AssemblyPlan<Dim>>(
+        makeAssemblyPlan(*rest, smoothing, isDirect ? Contributions::Listed : Contributions::Left));
+    backEnd = (isDirect ? makeBackEnd : makeCpuBackEnd<Dim>)(plan, *rest, material, threads);
     cache.emplace(*backEnd, system, statistics);
+    if (!isDirect)
+        cache->useMultigrid(
+            std::make_unique<Multigrid<Dim>>(*backEnd, system, LocalForms<Dim>(plan, rest, material)));
 }
 
 template <int Dim>
@@ -103,12 +112,14 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     sliders = withoutPivots(givenSliders, elimination);
     projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
     system = ReducedSystem<Dim>(*plan, elimination, sliders);
+    if (!isMultigrid()) system.buildPattern(*plan);
 
     const auto constrained = wellConstrained(*rest, components, rows, sliders);
     std::vector<double> massRegularization;
     if (std::find(constrained.begin(), constrained.end(), false) != constrained.end())
         for (int component : components)
             massRegularization.push_back(constrained[component] ? 0.0 : kMassRegularization);
+    if (isMultigrid()) cache->multigrid().analyze(plan, massRegularization);
     backEnd->setMassRegularization(std::move(massRegularization));
 
     cache->analyze(*plan);
@@ -118,7 +129,7 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
 
 template <int Dim>
 bool VelocitySolver<Dim>::Impl::reuses() const {
-    return reusable && tolerance >= kMinTolerance;
+    return isMultigrid() || (reusable && tolerance >= kMinTolerance);
 }
 
 template <int Dim>
@@ -194,7 +205,8 @@ template <int Dim>
 bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
     const double lag = cache->lag();
-    const bool turned = turns && lag > 0 && sliders.empty();  // sliding is along fixed directions
+    // Sliding is along fixed directions, and multigrid smooths with the matrix of the shape itself.
+    const bool turned = turns && lag > 0 && sliders.empty() && !isMultigrid();
     if (turned) turnFactor();
     const auto precondition = [&](std::span<const double> r, std::span<double> z) {
         if (!turned) return cache->solve(r, z);
@@ -205,7 +217,9 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
         return done;
     };
     typename ConjugateGradients<Dim>::Goal goal;
-    goal.tolerance = tolerance;
+    goal.tolerance = isMultigrid() ? std::max(tolerance, kMultigridTolerance) : tolerance;
+    goal.cautious = isMultigrid();
+    if (isMultigrid()) goal.most = kMostWithMultigrid;
     goal.contraction = cache->expectedContraction(lag);
     goal.minContraction = cache->minContraction();
     if (lag == 0 && cache->isSingle()) goal.poorestContraction = kPoorestContraction;
@@ -234,7 +248,9 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed,
     if (const auto outcome = cache->make(use(), stop, velocity); !outcome.done()) return outcome;
     if (!v.allFinite()) system.particular(prescribed, v);
     if (reuses() && iterate(v)) return {};
-    return cache->isAhead() ? solveAnew(prescribed, v, nullptr) : solveDirectly(v);
+    if (cache->isAhead()) return solveAnew(prescribed, v, nullptr);
+    if (!isMultigrid()) return solveDirectly(v);
+    return {stop.stop_requested() ? SolveOutcome::Kind::Stopped : SolveOutcome::Kind::NotConverged, -1};
 }
 
 template <int Dim>
@@ -253,7 +269,7 @@ SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Poi
     if (!system.unknowns().empty()) {
         const bool guessed = reuses() && guess && guess->allFinite();
         if (guessed) system.adopt(*guess, v);
-        const bool stale = reuses() && cache->restore(stop);
+        const bool stale = reuses() && reusable && cache->restore(stop);
         if (!stale || !iterate(v))
             if (const auto outcome = solveAnew(prescribed, v, guessed ? &*guess : nullptr); !outcome.done())
                 return outcome;

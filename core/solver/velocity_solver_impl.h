@@ -44,7 +44,8 @@ struct VelocitySolver<Dim>::Impl {
     Points<Dim> last;  // v̂ of the last solve
 
     Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
-         const BackEndFactory<Dim>& makeBackEnd, int threads);
+         const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver);
+    bool isMultigrid() const { return cache->isMultigrid(); }
     void setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders = {});
     RestEnergy<Dim>& rested();
     void computeLoad();

@@ -337,6 +337,9 @@ constexpr std::array kOptions{
            "if the deformation stops early, write the last good shape anyway"},
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",
            "what assembles the matrices"},
+    Option{"", "--solver", Choice, "auto", kAny, "", "auto|direct|multigrid", "run",
+           "how velocities are solved for: by factors, or by iterations with multigrid, whose memory grows "
+           "with the number of vertices only; auto: by size and the machine's memory"},
     Option{"", "--threads", Integer, "0", kThreads, "", "", "run", "number of threads; 0: one per core"},
     Option{"", "--output", File, "", kAny, "", "", "mesh bench",
            "the mesh, or the table as JSON, to write; also -o"},

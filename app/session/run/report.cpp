@@ -18,6 +18,7 @@ std::string reportJson(const RunFigures& figures) {
     const Statistics& counts = figures.statistics;
     Json json{{"vertices", figures.vertices}, {"cells", figures.cells},     {"dimension", figures.dimension},
               {"time", figures.time},         {"backend", figures.backEnd}, {"device", figures.device}};
+    json["solver"] = figures.solver;
     json["errors"] = {{"angle", distortion.totalAngle},
                       {"volume", distortion.totalVolume},
                       {"metric", distortion.totalMetric}};

@@ -13,7 +13,7 @@ namespace wend {
 struct RunFigures {
     int vertices = 0, cells = 0, dimension = 0;
     double time = 0, total = 0;  // reached; seconds
-    std::string backEnd, device;
+    std::string backEnd, device, solver;
     Distortion distortion;
     Statistics statistics;
     double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled

@@ -318,6 +318,7 @@ class Run {
             total.count(),
             m_deformer.backEndName(),
             m_deformer.deviceName(),
+            nameOf(m_deformer.solver()),
             distortionOf<Dim>(m_options.backEnd, *m_shape.rest, {}, m_watch.notice, m_device)(pose),
             m_deformer.statistics(),
             m_deformer.restEnergy(),

@@ -1,0 +1,20 @@
+# Debian's PETSc for real numbers. Defines PETSc::PETSc, with MPI below it (CMake's FindMPI wants the language C).
+find_path(MPI_INCLUDE_DIR mpi.h PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openmpi/include)
+find_library(MPI_LIBRARY mpi)
+find_path(PETSc_INCLUDE_DIR petscksp.h PATHS /usr/lib/petscdir/petsc-real/include)
+find_library(PETSc_LIBRARY NAMES petsc_real petsc)
+if(PETSc_INCLUDE_DIR)
+    file(READ ${PETSc_INCLUDE_DIR}/petscversion.h _version)
+    string(REGEX MATCH "PETSC_VERSION_MAJOR +([0-9]+)" _ "${_version}")
+    set(PETSc_VERSION ${CMAKE_MATCH_1})
+    string(REGEX MATCH "PETSC_VERSION_MINOR +([0-9]+)" _ "${_version}")
+    string(APPEND PETSc_VERSION ".${CMAKE_MATCH_1}")
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(PETSc REQUIRED_VARS PETSc_LIBRARY PETSc_INCLUDE_DIR MPI_LIBRARY MPI_INCLUDE_DIR
+    VERSION_VAR PETSc_VERSION)
+if(PETSc_FOUND AND NOT TARGET PETSc::PETSc)
+    add_library(PETSc::PETSc UNKNOWN IMPORTED)
+    set_target_properties(PETSc::PETSc PROPERTIES IMPORTED_LOCATION ${PETSc_LIBRARY}
+        INTERFACE_INCLUDE_DIRECTORIES "${PETSc_INCLUDE_DIR};${MPI_INCLUDE_DIR}" INTERFACE_LINK_LIBRARIES ${MPI_LIBRARY})
+endif()

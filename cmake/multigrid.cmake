@@ -1,0 +1,13 @@
+# The multigrid solver is built where PETSc is; -DWEND_MULTIGRID=ON insists on it, OFF leaves it out.
+set(WEND_MULTIGRID AUTO CACHE STRING "Build the multigrid solver: AUTO, ON or OFF")
+set_property(CACHE WEND_MULTIGRID PROPERTY STRINGS AUTO ON OFF)
+set(WEND_HAS_MULTIGRID OFF)
+if(WEND_MULTIGRID STREQUAL "ON")
+    find_package(PETSc 3.18 REQUIRED MODULE)
+elseif(WEND_MULTIGRID STREQUAL "AUTO")
+    find_package(PETSc 3.18 QUIET MODULE)
+endif()
+if(PETSc_FOUND)
+    set(WEND_HAS_MULTIGRID ON)
+endif()
+message(STATUS "Multigrid solver: ${WEND_HAS_MULTIGRID}")

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace wend {
+
+/// How the linear system of a velocity field is solved: by a Cholesky factor, or by conjugate gradients with
+/// multigrid. Automatic: see chosenSolver().
+enum class SolverKind { Automatic, Direct, Multigrid };
+
+/// Returns "direct" or "multigrid".
+std::string nameOf(SolverKind kind);
+
+/// Returns Direct or Multigrid. Automatic takes multigrid for solids from so many vertices on that it is the
+/// quicker, and for any shape whose factor would take more than half of `machineMemory` (bytes that the
+/// machine has, not those that are free: the choice is the same at every run), unless its module is missing.
+SolverKind chosenSolver(SolverKind wanted, int dimension, int vertices, double machineMemory);
+
+/// Returns about how many bytes a direct solve takes: matrix, contributions and factor. Measured on bars and
+/// strips; a body that is more compact takes up to twice as many.
+double directSolverBytes(int dimension, int vertices);
+
+/// Returns the bytes of memory that the machine has.
+double machineMemory();
+
+}  // namespace wend
