@@ -710,6 +710,38 @@
         <source>is no project of Wend, which is JSON and begins with {</source>
         <translation>ist kein Projekt von Wend; die sind JSON und beginnen mit {</translation>
     </message>
+    <message>
+        <source>has %1 pictures (pages, frames or parts): the first one is read</source>
+        <translation>enthält %1 Bilder (Seiten, Einzelbilder oder Teile): gelesen wird das erste</translation>
+    </message>
+    <message>
+        <source>has channels that are left out: %1</source>
+        <translation>hat Kanäle, die weggelassen werden: %1</translation>
+    </message>
+    <message>
+        <source>has a channel of no declared kind after its colours: it is taken as alpha</source>
+        <translation>hat nach den Farben einen Kanal ohne erklärte Art: er gilt als Alpha</translation>
+    </message>
+    <message>
+        <source>reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off</source>
+        <translation>reicht über sein Anzeigefenster von %1 x %2 Pixeln hinaus: was außerhalb liegt, wird abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has a colour profile that does not fit its colours: it is left out</source>
+        <translation>hat ein Farbprofil, das nicht zu seinen Farben passt: es wird weggelassen</translation>
+    </message>
+    <message>
+        <source>has a colour space that is not known (cICP %1): it is not kept</source>
+        <translation>hat einen unbekannten Farbraum (cICP %1): er bleibt nicht erhalten</translation>
+    </message>
+    <message>
+        <source>1 pixel is not a finite number (NaN or infinity), at x %1, y %2</source>
+        <translation>1 Pixel ist keine endliche Zahl (NaN oder unendlich), bei x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
+        <translation>%1 Pixel sind keine endlichen Zahlen (NaN oder unendlich), das erste bei x %2, y %3</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

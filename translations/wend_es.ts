@@ -710,6 +710,38 @@
         <source>is no project of Wend, which is JSON and begins with {</source>
         <translation>no es un proyecto de Wend, que es JSON y empieza con {</translation>
     </message>
+    <message>
+        <source>has %1 pictures (pages, frames or parts): the first one is read</source>
+        <translation>contiene %1 imágenes (páginas, fotogramas o partes): se lee la primera</translation>
+    </message>
+    <message>
+        <source>has channels that are left out: %1</source>
+        <translation>tiene canales que se omiten: %1</translation>
+    </message>
+    <message>
+        <source>has a channel of no declared kind after its colours: it is taken as alpha</source>
+        <translation>tiene tras los colores un canal de tipo no declarado: se toma como alfa</translation>
+    </message>
+    <message>
+        <source>reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off</source>
+        <translation>sobresale de su ventana de visualización de %1 x %2 píxeles: lo que queda fuera se recorta</translation>
+    </message>
+    <message>
+        <source>has a colour profile that does not fit its colours: it is left out</source>
+        <translation>tiene un perfil de color que no corresponde a sus colores: se omite</translation>
+    </message>
+    <message>
+        <source>has a colour space that is not known (cICP %1): it is not kept</source>
+        <translation>tiene un espacio de color desconocido (cICP %1): no se conserva</translation>
+    </message>
+    <message>
+        <source>1 pixel is not a finite number (NaN or infinity), at x %1, y %2</source>
+        <translation>1 píxel no es un número finito (NaN o infinito), en x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
+        <translation>%1 píxeles no son números finitos (NaN o infinito), el primero en x %2, y %3</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

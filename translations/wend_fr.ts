@@ -710,6 +710,38 @@
         <source>is no project of Wend, which is JSON and begins with {</source>
         <translation>n’est pas un projet de Wend, qui est du JSON et commence par {</translation>
     </message>
+    <message>
+        <source>has %1 pictures (pages, frames or parts): the first one is read</source>
+        <translation>contient %1 images (pages, vues ou parties) : la première est lue</translation>
+    </message>
+    <message>
+        <source>has channels that are left out: %1</source>
+        <translation>a des canaux qui sont ignorés : %1</translation>
+    </message>
+    <message>
+        <source>has a channel of no declared kind after its colours: it is taken as alpha</source>
+        <translation>a après ses couleurs un canal de nature non déclarée : il est pris pour l’alpha</translation>
+    </message>
+    <message>
+        <source>reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off</source>
+        <translation>dépasse sa fenêtre d’affichage de %1 x %2 pixels : ce qui est dehors est coupé</translation>
+    </message>
+    <message>
+        <source>has a colour profile that does not fit its colours: it is left out</source>
+        <translation>a un profil de couleur qui ne convient pas à ses couleurs : il est ignoré</translation>
+    </message>
+    <message>
+        <source>has a colour space that is not known (cICP %1): it is not kept</source>
+        <translation>a un espace colorimétrique inconnu (cICP %1) : il n’est pas conservé</translation>
+    </message>
+    <message>
+        <source>1 pixel is not a finite number (NaN or infinity), at x %1, y %2</source>
+        <translation>1 pixel n’est pas un nombre fini (NaN ou infini), en x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
+        <translation>%1 pixels ne sont pas des nombres finis (NaN ou infini), le premier en x %2, y %3</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

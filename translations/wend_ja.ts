@@ -710,6 +710,38 @@
         <source>is no project of Wend, which is JSON and begins with {</source>
         <translation>は Wend のプロジェクトではありません(JSON で、{ から始まります)</translation>
     </message>
+    <message>
+        <source>has %1 pictures (pages, frames or parts): the first one is read</source>
+        <translation>%1 枚の画像（ページ、フレームまたはパート）を含みます。最初のものを読み込みます</translation>
+    </message>
+    <message>
+        <source>has channels that are left out: %1</source>
+        <translation>読み込まれないチャンネルがあります: %1</translation>
+    </message>
+    <message>
+        <source>has a channel of no declared kind after its colours: it is taken as alpha</source>
+        <translation>色の後に種類の宣言されていないチャンネルがあります。アルファとして扱います</translation>
+    </message>
+    <message>
+        <source>reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off</source>
+        <translation>%1 x %2 ピクセルの表示ウィンドウからはみ出しています。外側は切り取られます</translation>
+    </message>
+    <message>
+        <source>has a colour profile that does not fit its colours: it is left out</source>
+        <translation>色に合わないカラープロファイルがあります。使用しません</translation>
+    </message>
+    <message>
+        <source>has a colour space that is not known (cICP %1): it is not kept</source>
+        <translation>未知の色空間（cICP %1）です。保持されません</translation>
+    </message>
+    <message>
+        <source>1 pixel is not a finite number (NaN or infinity), at x %1, y %2</source>
+        <translation>1 個のピクセルが有限の数ではありません（NaN または無限大）。位置 x %1、y %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
+        <translation>%1 個のピクセルが有限の数ではありません（NaN または無限大）。最初の位置 x %2、y %3</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

@@ -710,6 +710,38 @@
         <source>is no project of Wend, which is JSON and begins with {</source>
         <translation>不是 Wend 的项目(项目是 JSON,以 { 开头)</translation>
     </message>
+    <message>
+        <source>has %1 pictures (pages, frames or parts): the first one is read</source>
+        <translation>包含 %1 幅图像（页面、帧或部分）：读取第一幅</translation>
+    </message>
+    <message>
+        <source>has channels that are left out: %1</source>
+        <translation>有未读取的通道：%1</translation>
+    </message>
+    <message>
+        <source>has a channel of no declared kind after its colours: it is taken as alpha</source>
+        <translation>颜色之后有一个未声明类型的通道：将其视为 Alpha</translation>
+    </message>
+    <message>
+        <source>reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off</source>
+        <translation>超出了其 %1 x %2 像素的显示窗口：外面的部分被裁掉</translation>
+    </message>
+    <message>
+        <source>has a colour profile that does not fit its colours: it is left out</source>
+        <translation>有与其颜色不符的颜色配置文件：已忽略</translation>
+    </message>
+    <message>
+        <source>has a colour space that is not known (cICP %1): it is not kept</source>
+        <translation>有未知的色彩空间（cICP %1）：不会保留</translation>
+    </message>
+    <message>
+        <source>1 pixel is not a finite number (NaN or infinity), at x %1, y %2</source>
+        <translation>1 个像素不是有限数（NaN 或无穷大），位于 x %1，y %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
+        <translation>%1 个像素不是有限数（NaN 或无穷大），第一个位于 x %2，y %3</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

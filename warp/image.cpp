@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #endif
 
+#include <algorithm>
 #include <cstdint>
 
 namespace wend {
@@ -36,6 +37,16 @@ void wantLargePages(std::byte* data, std::size_t bytes) {
 }
 
 }  // namespace
+
+PixelBox PixelBox::within(int pictureWidth, int pictureHeight) const {
+    const int left = std::clamp(x, 0, pictureWidth), top = std::clamp(y, 0, pictureHeight);
+    return {left, top, std::clamp(x + width, 0, pictureWidth) - left,
+            std::clamp(y + height, 0, pictureHeight) - top};
+}
+
+bool PixelBox::contains(const PixelBox& box) const {
+    return box.x >= x && box.y >= y && box.x + box.width <= x + width && box.y + box.height <= y + height;
+}
 
 void Image::reservePixels() {
     const std::size_t bytes = rowBytes() * static_cast<std::size_t>(height);

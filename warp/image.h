@@ -11,6 +11,24 @@ namespace wend {
 
 enum class PixelType { UInt8, UInt16, Half, Float };
 
+/// Pixels from (x, y) on.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    /// The part within a picture of that size.
+    PixelBox within(int pictureWidth, int pictureHeight) const;
+    bool contains(const PixelBox& box) const;
+    bool operator==(const PixelBox&) const = default;
+};
+
+/// Where a picture's first pixel lies in its frame, the picture that it was made of. Without a size the
+/// picture is a frame of its own.
+struct CanvasPlace {
+    int x = 0, y = 0, frameWidth = 0, frameHeight = 0;
+
+    bool isOwn() const { return frameWidth == 0; }
+};
+
 /// A picture in memory in its own depth, interleaved, rows top to bottom. Alpha, if any, is the last channel
 /// and the colours are associated (premultiplied) in memory unless `unassociated`: then they are as in the
 /// file. One to four channels: gray, gray and alpha, RGB, RGBA.
@@ -23,9 +41,14 @@ struct Image {
     /// ICC profile, resolution, text: all that the format carried. What read it, knows it.
     struct Metadata {
         std::vector<std::byte> iccProfile;  // empty without one
+        bool isOfExr = false;               // it was made of what EXR holds: chromaticities of linear light
+        PixelBox stored;                    // the part that the file held of its display window; empty: all
+        std::vector<std::string> leftOut;   // names of channels that were not read
+        std::vector<std::string> pictures;  // "NAME: 640 x 480" of all in the file, if there are several
         virtual ~Metadata() = default;
     };
     std::shared_ptr<const Metadata> metadata;
+    CanvasPlace place = {};
 
     std::size_t pixelBytes() const;
     std::size_t rowBytes() const { return pixelBytes() * static_cast<std::size_t>(width); }
@@ -45,10 +68,13 @@ struct Image {
 /// The largest picture that is read or made, in millions of pixels.
 inline constexpr double kMaxMegapixels = 400;
 
-/// Reads the formats of pictureFormat(), first picture of several, upright as its orientation tag says.
-/// Throws InputError(path, why) for missing, empty, truncated, corrupt files and for more than
-/// `maxMegapixels`.
-Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels);
+/// Reads the formats of pictureFormat(), first picture of several, upright as its orientation tag says. The
+/// picture is the file's display window: what the file does not store of it is zero, and what it stores
+/// beyond is cut off. `notices` receives what the user should know: what was left out or had to be decided,
+/// and numbers that are not finite. Throws InputError(path, why) for missing, empty, truncated, corrupt files
+/// and for more than `maxMegapixels`.
+Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels,
+                std::vector<std::string>* notices = nullptr);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
 /// that the format holds; without alpha in the format the picture is laid over white. Throws InputError.

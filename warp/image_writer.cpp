@@ -23,6 +23,7 @@ struct Format {
     std::array<bool, 4> types;  // UInt8, UInt16, Half, Float
     bool gray, alpha, grayAlpha;
     Association association;
+    bool profile = false;
 };
 
 constexpr std::array formats{
@@ -32,14 +33,16 @@ constexpr std::array formats{
            true,
            true,
            true,
-           Association::Unassociated},
+           Association::Unassociated,
+           true},
     Format{PictureFormat::Tiff,
            {".tif", ".tiff"},
            {true, true, true, true},
            true,
            true,
            true,
-           Association::Either},
+           Association::Either,
+           true},
     Format{
         PictureFormat::Exr, {".exr"}, {false, false, true, true}, true, true, true, Association::Associated},
     Format{PictureFormat::Jpeg,
@@ -48,14 +51,16 @@ constexpr std::array formats{
            true,
            false,
            false,
-           Association::Either},
+           Association::Either,
+           true},
     Format{PictureFormat::Webp,
            {".webp"},
            {true, false, false, false},
            false,
            true,
            false,
-           Association::Unassociated},
+           Association::Unassociated,
+           true},
     Format{PictureFormat::Bmp,
            {".bmp"},
            {true, false, false, false},
@@ -175,8 +180,85 @@ class Strips {
 };
 
 Image withLayout(const Image& header, const PixelLayout& layout) {
-    return {header.width, header.height,  layout.channels, layout.type, layout.alpha, layout.unassociated,
-            {},           header.metadata};
+    return {header.width, header.height,   layout.channels, layout.type, layout.alpha, layout.unassociated,
+            {},           header.metadata, header.place};
+}
+
+/// The box of the pixels that are not zero, as strips pass by.
+class SeenBox {
+  public:
+    void add(int top, const Image& strip) {
+        const std::size_t bytes = strip.pixelBytes();
+        const auto isZero = [](std::byte byte) { return byte == std::byte(0); };
+        for (int y = 0; y < strip.height; ++y) {
+            const std::byte *begin = strip.row(y), *end = begin + strip.rowBytes();
+            const std::byte* first = std::find_if_not(begin, end, isZero);
+            if (first == end) continue;
+            const std::byte* last = end;
+            while (isZero(last[-1])) --last;
+            const auto columns = [&](const std::byte* at) {
+                return static_cast<int>(static_cast<std::size_t>(at - begin) / bytes);
+            };
+            take(columns(first), columns(last - 1) + 1, top + y);
+        }
+    }
+    /// One pixel if nothing was seen.
+    PixelBox box() const {
+        if (m_bottom < 0) return {0, 0, 1, 1};
+        return {m_left, m_top, m_right - m_left, m_bottom + 1 - m_top};
+    }
+
+  private:
+    void take(int left, int right, int y) {
+        m_left = m_bottom < 0 ? left : std::min(m_left, left);
+        m_right = std::max(m_right, right);
+        if (m_bottom < 0) m_top = y;
+        m_bottom = y;
+    }
+
+    int m_left = 0, m_top = 0, m_right = 0, m_bottom = -1;
+};
+
+/// The part of a strip that lies in a box of the picture; `top` becomes its first row's place in the box.
+Image croppedTo(const PixelBox& box, const Image& strip, int& top) {
+    Image part = strip;
+    const int begin = std::max(top, box.y), end = std::min(top + strip.height, box.y + box.height);
+    part.width = box.width, part.height = std::max(0, end - begin);
+    part.data.clear();
+    for (int y = begin; y < end; ++y) {
+        const std::byte* from = strip.row(y - top) + strip.pixelBytes() * static_cast<std::size_t>(box.x);
+        part.data.insert(part.data.end(), from, from + part.rowBytes());
+    }
+    top = begin - box.y;
+    return part;
+}
+
+using ForStrips = std::function<bool(const TakeRows&)>;
+
+/// An EXR picture whose source stored a part of its display window stores a part, too: the same, unless what
+/// is not zero reaches beyond it. The rows are made twice.
+void keepWindow(const Image& header, const ForStrips& all, PictureToWrite& writing) {
+    SeenBox seen;
+    all([&](int top, const Image& strip) {
+        seen.add(top, strip);
+        return true;
+    });
+    const PixelBox stored = header.metadata->stored.within(header.width, header.height);
+    const PixelBox box = stored.contains(seen.box()) ? stored : seen.box();
+    Image& picture = writing.picture;
+    picture.place = {box.x, box.y, picture.width, picture.height};
+    picture.width = box.width, picture.height = box.height;
+    writing.strips = [all, box](const TakeRows& take) {
+        return all([&](int top, const Image& strip) {
+            const Image part = croppedTo(box, strip, top);
+            return part.height == 0 || take(top, part);
+        });
+    };
+}
+
+bool keepsWindow(const Format& format, const Image& header) {
+    return format.id == PictureFormat::Exr && header.place.isOwn() && header.metadata &&
+           header.metadata->stored.width > 0;
 }
 
 }  // namespace
@@ -195,6 +277,12 @@ bool holdsAlpha(const std::string& path) {
     return format && format->alpha;
 }
 
+bool losesProfile(const std::string& path, const Image& image) {
+    const Format* format = findFormat(lowerExtension(path));
+    if (!format || format->profile || !image.metadata || image.metadata->iccProfile.empty()) return false;
+    return format->id != PictureFormat::Exr || !image.metadata->isOfExr;
+}
+
 void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows) {
     writeImage(path, header, stripRows, makeRows, false);
 }
@@ -208,18 +296,20 @@ void writeImage(const std::string& path, const Image& header, int stripRows, con
     if (format.extensions[0] == ".jp2" && std::min(header.width, header.height) < kMinJpeg2000)
         throw InputError(path, "pictures of less than 32 pixels a side cannot be written as .jp2");
     const PixelLayout layout = fileLayout(format, header);
+    const ForStrips strips = [&](const TakeRows& take) {
+        return Strips(header, layout, stripRows, makeRows).forEach(take);
+    };
     writeWhole(path, [&](const std::string& temporary) {
-        pictureLibrary(path).write(
-            {format.id, path, temporary, withLayout(header, layout),
-             [&](const TakeRows& take) { return Strips(header, layout, stripRows, makeRows).forEach(take); },
-             lossy});
+        PictureToWrite writing{format.id, path, temporary, withLayout(header, layout), strips, lossy};
+        if (keepsWindow(format, header)) keepWindow(header, strips, writing);
+        pictureLibrary(path).write(writing);
     });
 }
 
 void writeImage(const std::string& path, const Image& image) {
     constexpr int kRows = 256;
     Image header{image.width,        image.height, image.channels, image.type, image.alpha,
-                 image.unassociated, {},           image.metadata};
+                 image.unassociated, {},           image.metadata, image.place};
     writeImage(path, header, kRows, [&](int top, Image& strip) {
         std::copy_n(image.row(top), strip.data.size(), strip.data.data());
     });

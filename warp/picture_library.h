@@ -2,8 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "warp/colour_space.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
 
@@ -14,13 +17,22 @@ struct PictureSource {
     std::string path;
     PictureFormat format;
     std::string bytes = {};
+    std::optional<ColourSpace> colours = {};  // that take the place of what the format's library says
+    bool namesExtraSamples = true;            // false of a TIFF that does not say what follows its colours
 };
 
-/// A picture as it lies in its file, and how an EXIF tag asks to turn it (upright()).
+/// A picture as it lies in its file, how an EXIF tag asks to turn it (upright()), and what the user should
+/// know.
 struct StoredPicture {
     Image image;
     int orientation = 1;
+    std::vector<std::string> notices = {};
 };
+
+/// What the user should know of a file with several pictures.
+inline std::string severalPictures(unsigned long long count) {
+    return "has " + std::to_string(count) + " pictures (pages, frames or parts): the first one is read";
+}
 
 /// Takes the rows from `top` on; false once no more are wanted.
 using TakeRows = std::function<bool(int top, const Image& strip)>;

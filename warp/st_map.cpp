@@ -107,7 +107,9 @@ Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& vi
     const PaintingPlan plan(rest, depth);
     for (const int cell : plan.order) painter.paint(cellOf(rest, cell));
     paintOutline(painter, rest, from, to, view, plan);
-    return painter.take();
+    Image image = painter.take();
+    image.place = placeOf(view, sourceWidth, sourceHeight);
+    return image;
 }
 
 }  // namespace wend

@@ -37,6 +37,10 @@ struct WarpOptions {
     std::function<void(double)> progress;  // fraction done; called from any thread
 };
 
+/// Where a view lies in its source of that size, if that can be said in whole pixels; otherwise, and for all
+/// of the source, a frame of its own.
+CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight);
+
 /// The picture carried by the map rest → pose: every output pixel looks up the source through the inverse
 /// affine map of the cell that covers it. Output has the type, channels (plus alpha if needed) and metadata
 /// of `source`. `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled for

@@ -50,6 +50,21 @@ void requireFinite(const Points<2>& pose) {
     if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
 }
 
+/// Whether a grey picture is laid on a colour that it cannot hold.
+bool needsColours(const Image& source, const WarpOptions& options) {
+    const auto& colour = options.colour;
+    const bool isGrey = colour[0] == colour[1] && colour[1] == colour[2];
+    return options.outside == Outside::Colour && source.colours() < 3 && !isGrey;
+}
+
+/// The picture itself, which the caller keeps, or with equal colours where it needs some.
+std::shared_ptr<const Image> colouredAsNeeded(const Image& source, const WarpOptions& options) {
+    if (!needsColours(source, options)) return {std::shared_ptr<const Image>(), &source};
+    PixelLayout layout = layoutOf(source);
+    layout.channels = source.alpha ? 4 : 3;
+    return std::make_shared<const Image>(converted(source, layout));
+}
+
 Image headerOf(const Image& source, const View& view, bool addsAlpha) {
     return {view.width,
             view.height,
@@ -58,7 +73,8 @@ Image headerOf(const Image& source, const View& view, bool addsAlpha) {
             source.alpha || addsAlpha,
             source.unassociated || addsAlpha,
             {},
-            source.metadata};
+            source.metadata,
+            placeOf(view, source.width, source.height)};
 }
 
 bool visible(const Points<2>& pixels, const Cell<2>& cell, const View& view) {
@@ -185,12 +201,17 @@ int deepestLevel(const WarpJob& job) {
 
 }  // namespace
 
+CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight) {
+    const Vec<2> whole = view.origin.array().round();
+    const bool isOwn = whole == Vec<2>::Zero() && view.width == sourceWidth && view.height == sourceHeight;
+    if (isOwn || view.scale != 1 || whole != view.origin || whole.cwiseAbs().maxCoeff() > 1e6) return {};
+    return {static_cast<int>(whole.x()), static_cast<int>(whole.y()), sourceWidth, sourceHeight};
+}
+
 WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
                              const View& view, const WarpOptions& options)
     : m_job(makeJob(source, Pyramid::levelsOf(source.width, source.height), rest, pose, view, options)) {
-    // The caller keeps the picture.
-    m_pyramid.emplace(std::shared_ptr<const Image>(std::shared_ptr<const Image>(), &source),
-                      deepestLevel(*m_job));
+    m_pyramid.emplace(colouredAsNeeded(source, options), deepestLevel(*m_job));
     setSource(*m_job, *m_pyramid);
     if (options.makePainter) m_painter = options.makePainter(*m_job);
 }
@@ -198,7 +219,9 @@ WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest,
 WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
                              const View& view, const WarpOptions& options)
     : m_job(makeJob(source.base(), source.levels(), rest, pose, view, options)) {
-    setSource(*m_job, source);
+    if (needsColours(source.base(), options))
+        m_pyramid.emplace(colouredAsNeeded(source.base(), options), deepestLevel(*m_job));
+    setSource(*m_job, m_pyramid ? *m_pyramid : source);
     if (options.makePainter) m_painter = options.makePainter(*m_job);
 }
 

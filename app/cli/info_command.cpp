@@ -42,16 +42,29 @@ Json outlineInfo(const Image& image) try {
     return {{"problem", error.reason()}};
 }
 
+/// What of the file is not in the picture.
+void addFileInfo(const Image& image, Json& json) {
+    const Image::Metadata& metadata = *image.metadata;
+    if (const PixelBox& box = metadata.stored; box.width > 0)
+        json["dataWindow"] = {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}};
+    json["colourProfile"] = !metadata.iccProfile.empty();
+    if (!metadata.leftOut.empty()) json["channelsLeftOut"] = metadata.leftOut;
+    if (!metadata.pictures.empty()) json["pictures"] = metadata.pictures;
+}
+
 Json pictureInfo(const std::string& path) {
     static const char* const types[] = {"8 bit", "16 bit", "half float", "float"};
-    const Image image = readImage(path);
+    std::vector<std::string> notices;
+    const Image image = readImage(path, kMaxMegapixels, &notices);
     Json json{{"kind", "picture"},
               {"width", image.width},
               {"height", image.height},
               {"channels", image.channels},
               {"depth", types[static_cast<int>(image.type)]},
               {"alpha", image.alpha}};
+    addFileInfo(image, json);
     if (image.alpha) json["outline"] = outlineInfo(image);
+    if (!notices.empty()) json["notices"] = notices;
     return json;
 }
 

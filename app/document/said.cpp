@@ -93,6 +93,15 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "is truncated or corrupt"),
     QT_TRANSLATE_NOOP("Core", "is no project of Wend, which is JSON and begins with {"),
     QT_TRANSLATE_NOOP("Core", "is transparent everywhere"),
+    QT_TRANSLATE_NOOP("Core", "has %1 pictures (pages, frames or parts): the first one is read"),
+    QT_TRANSLATE_NOOP("Core", "has channels that are left out: %1"),
+    QT_TRANSLATE_NOOP("Core", "has a channel of no declared kind after its colours: it is taken as alpha"),
+    QT_TRANSLATE_NOOP("Core",
+                      "reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off"),
+    QT_TRANSLATE_NOOP("Core", "has a colour profile that does not fit its colours: it is left out"),
+    QT_TRANSLATE_NOOP("Core", "has a colour space that is not known (cICP %1): it is not kept"),
+    QT_TRANSLATE_NOOP("Core", "1 pixel is not a finite number (NaN or infinity), at x %1, y %2"),
+    QT_TRANSLATE_NOOP("Core", "%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3"),
     QT_TRANSLATE_NOOP(
         "Core",
         "holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be "

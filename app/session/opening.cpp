@@ -8,6 +8,7 @@
 #include "app/document/domain.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
+#include "app/document/said.h"
 #include "app/session/program_files.h"
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
@@ -39,8 +40,10 @@ OpenedFile openProject(const QString& path, const QMap<QString, QString>& found 
         *own = found.value(name, name).toStdString();
     }
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
+    std::vector<std::string> notices;
     if (domainOf(project).kind == DomainKind::Image)
-        file.picture = loadPicture(domainOf(project), folder.toStdString());
+        file.picture = loadPicture(domainOf(project), folder.toStdString(), &notices);
+    for (const std::string& notice : notices) file.warnings << said(notice);
     file.project = std::move(loaded.project);
     file.path = path;
     return file;
@@ -75,7 +78,9 @@ bool isBlank(const Image& image) {
 
 OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     OpenedFile file;
-    auto picture = std::make_shared<const Image>(readImage(path.toStdString()));
+    std::vector<std::string> notices;
+    auto picture = std::make_shared<const Image>(readImage(path.toStdString(), kMaxMegapixels, &notices));
+    for (const std::string& notice : notices) file.warnings << said(notice);
     if (!evenIfBlank && isBlank(*picture))
         throw NothingToSee(path.toStdString(), "is transparent everywhere");
     auto project = newProject();

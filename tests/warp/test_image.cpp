@@ -6,13 +6,16 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QtEndian>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
 #include "warp/convert.h"
+#include "warp/image_formats.h"
 #include "warp/openimageio/image_metadata.h"
 
 using namespace wend;
@@ -75,6 +78,60 @@ std::string reasonOf(const std::string& path) {
         return error.what();
     }
     return {};
+}
+
+QByteArray bigEndian(quint32 value) {
+    QByteArray bytes(4, '\0');
+    qToBigEndian(value, bytes.data());
+    return bytes;
+}
+
+QByteArray withoutChunk(const QByteArray& png, const char* name) {
+    const qsizetype at = png.indexOf(name) - 4;
+    if (at < 0) return png;
+    const auto length = qFromBigEndian<quint32>(png.constData() + at);
+    return png.left(at) + png.mid(at + 12 + length);
+}
+
+/// One strip of 8 bits: grey or RGB, and a sample without a word about it, or one that is "unspecified".
+QByteArray plainTiff(quint16 width, quint16 height, quint16 samples, bool unspecified,
+                     const QByteArray& pixels) {
+    const auto number = [](quint32 value, int bytes) {
+        QByteArray text;
+        for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> 8 * k & 0xff);
+        return text;
+    };
+    const auto entry = [&](quint16 tag, quint16 type, quint32 count, quint32 value) {
+        return number(tag, 2) + number(type, 2) + number(count, 4) + number(value, 4);
+    };
+    const quint32 count = unspecified ? 10 : 9, end = 8 + 2 + 12 * count + 4;
+    QByteArray file = QByteArray("II*\0", 4) + number(8, 4) + number(count, 2);
+    file += entry(256, 3, 1, width) + entry(257, 3, 1, height) +
+            entry(258, 3, samples, samples == 2 ? 0x80008 : end) + entry(259, 3, 1, 1) +
+            entry(262, 3, 1, samples == 2 ? 1 : 2) + entry(273, 4, 1, end + 2U * samples) +
+            entry(277, 3, 1, samples) + entry(278, 3, 1, height) +
+            entry(279, 4, 1, static_cast<quint32>(pixels.size()));
+    if (unspecified) file += entry(338, 3, 1, 0);
+    file += number(0, 4);
+    for (int k = 0; k < samples; ++k) file += number(8, 2);
+    return file + pixels;
+}
+
+/// Whether a profile means the same colours, by what Qt makes of some.
+bool sameColours(const std::vector<std::byte>& profile, const QColorSpace& space) {
+    const QColorSpace found = QColorSpace::fromIccProfile(
+        QByteArray(reinterpret_cast<const char*>(profile.data()), static_cast<qsizetype>(profile.size())));
+    if (!found.isValid()) return false;
+    const QColorTransform ours = found.transformationToColorSpace(QColorSpace(QColorSpace::SRgb)),
+                          theirs = space.transformationToColorSpace(QColorSpace(QColorSpace::SRgb));
+    for (const QColor& colour :
+         {QColor(200, 90, 60), QColor(70, 160, 90), QColor(80, 90, 200), QColor(128, 128, 128)}) {
+        const QColor a = ours.map(colour), b = theirs.map(colour);
+        if (std::abs(a.red() - b.red()) > 2 || std::abs(a.green() - b.green()) > 2 ||
+            std::abs(a.blue() - b.blue()) > 2)
+            return false;
+    }
+    return true;
 }
 
 QByteArray contents(const QString& path) {
@@ -332,28 +389,191 @@ class TestImage : public QObject {
         QVERIFY(extension == "jpg" || read.data == image.data);
     }
 
-    /// The same picture makes the same file on another day: no library puts the time of writing in.
-    /// The place in a larger frame that the source's file gave it, for a picture of its size.
-    void windowSurvives() {
-        auto metadata = std::make_shared<OpenImageIOMetadata>();
-        metadata->spec = OIIO::ImageSpec(20, 16, 4, OIIO::TypeDesc::HALF);
-        metadata->spec.x = 3, metadata->spec.y = 5;
-        metadata->spec.full_x = -2, metadata->spec.full_y = 1;
-        metadata->spec.full_width = 40, metadata->spec.full_height = 30;
-        for (const int width : {20, 21}) {
-            Image image = chart(width, 16, {PixelType::Half, 4, true, false});
-            image.metadata = metadata;
-            writeImage(path("window.exr"), image);
-            const auto input = OIIO::ImageInput::open(path("window.exr"));
-            QVERIFY(input);
-            const OIIO::ImageSpec& is = input->spec();
-            const std::array found = {is.x, is.y, is.full_x, is.full_y, is.full_width, is.full_height};
-            if (width == 20)
-                QCOMPARE(found, (std::array{3, 5, -2, 1, 40, 30}));
-            else
-                QCOMPARE(found, (std::array{0, 0, 0, 0, width, 16}));
-        }
+    /// A picture is its display window; what is written of it stores the same part of it again, or as much as
+    /// is not zero.
+    void displayWindowIsThePicture() {
+        const Image part = chart(20, 16, {PixelType::Half, 4, true, false});
+        writeExr("window.exr", part, {3, 5, 40, 30, -2, 1});
+        std::vector<std::string> notices;
+        Image image = readImage(path("window.exr"), kMaxMegapixels, &notices);
+        QCOMPARE(image.width, 40);
+        QCOMPARE(image.height, 30);
+        QVERIFY(notices.empty());
+        for (int y = 0; y < 30; ++y)
+            for (int x = 0; x < 40; ++x) {
+                const bool isStored = x >= 5 && x < 25 && y >= 4 && y < 20;
+                for (int c = 0; c < 4; ++c)
+                    QCOMPARE(static_cast<float>(valueAt<half>(image, x, y, c)),
+                             isStored ? static_cast<float>(valueAt<half>(part, x - 5, y - 4, c)) : 0.0F);
+            }
+        QCOMPARE(windowsOf("window.exr", image), (std::array{3, 5, 20, 16, -2, 1, 40, 30}));
+        reinterpret_cast<half*>(image.row(29))[4 * 30 + 3] = half(1);
+        QCOMPARE(windowsOf("grown.exr", image), (std::array{3, 5, 26, 26, -2, 1, 40, 30}));
+        writeImage(path("window.png"), image);
+        QCOMPARE(QImage(m_folder.filePath("window.png")).size(), QSize(40, 30));
     }
+
+    void overscanIsCutAndTold() {
+        writeExr("over.exr", chart(20, 16, {PixelType::Half, 4, true, false}), {-4, 2, 10, 30, 0, 0});
+        std::vector<std::string> notices;
+        const Image image = readImage(path("over.exr"), kMaxMegapixels, &notices);
+        QCOMPARE(image.width, 10);
+        QCOMPARE(notices.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(notices[0]).contains("beyond its display window of 10 x 30"));
+        QCOMPARE(windowsOf("over-out.exr", image), (std::array{0, 2, 10, 16, 0, 0, 10, 30}));
+    }
+
+    /// A canvas that fits a shape has its place in the picture.
+    void placeIsWritten() {
+        Image image = chart(20, 16, {PixelType::Half, 4, true, false});
+        image.place = {-7, 3, 40, 30};
+        QCOMPARE(windowsOf("place.exr", image), (std::array{-7, 3, 20, 16, 0, 0, 40, 30}));
+        image = chart(20, 16, {PixelType::UInt8, 4, true, true});
+        image.place = {-7, 3, 40, 30};
+        writeImage(path("place.png"), image);
+        const QByteArray bytes = contents(m_folder.filePath("place.png"));
+        const qsizetype at = bytes.indexOf("oFFs");
+        QVERIFY(at > 0);
+        QCOMPARE(qFromBigEndian<qint32>(bytes.constData() + at + 4), -7);
+        QCOMPARE(qFromBigEndian<qint32>(bytes.constData() + at + 8), 3);
+        image.place.x = 7;
+        writeImage(path("place.tif"), image);
+        const auto input = OIIO::ImageInput::open(path("place.tif"));
+        QVERIFY(input);
+        QCOMPARE(input->spec().x, 7);
+        QCOMPARE(input->spec().y, 3);
+        QVERIFY(readImage(path("place.tif")).data == image.data);
+    }
+
+    void undeclaredSampleIsAlpha_data() {
+        QTest::addColumn<int>("samples");
+        QTest::addColumn<bool>("unspecified");
+        for (int samples : {2, 4})
+            for (bool unspecified : {false, true})
+                QTest::addRow("%d samples, %s", samples, unspecified ? "unspecified" : "not named")
+                    << samples << unspecified;
+    }
+    /// Of a TIFF whose last sample has no declared kind, by a tag that says so or without one.
+    void undeclaredSampleIsAlpha() {
+        QFETCH(int, samples);
+        QFETCH(bool, unspecified);
+        const QByteArray pixels = QByteArray("\x10\x20\x30\x40\x50\x60\x70\x80", 8).left(2 * samples);
+        QFile file(m_folder.filePath("extra.tif"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(plainTiff(2, 1, static_cast<quint16>(samples), unspecified, pixels));
+        file.close();
+        std::vector<std::string> notices;
+        const Image image = readImage(path("extra.tif"), kMaxMegapixels, &notices);
+        QVERIFY(image.alpha && image.unassociated);
+        QCOMPARE(image.channels, samples);
+        QVERIFY(std::memcmp(image.data.data(), pixels.constData(), static_cast<std::size_t>(pixels.size())) ==
+                0);
+        QCOMPARE(notices.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(notices[0]).contains("taken as alpha"));
+    }
+
+    void furtherChannelsAndPicturesAreNamed() {
+        OIIO::ImageSpec spec(4, 4, 6, OIIO::TypeDesc::HALF);
+        spec.channelnames = {"R", "G", "B", "A", "Z", "id"};
+        spec.alpha_channel = 3, spec.z_channel = 4;
+        const std::vector<half> values(4 * 4 * 6, half(0.5F));
+        const auto exr = OIIO::ImageOutput::create("exr");
+        QVERIFY(exr->open(path("deep.exr"), spec) && exr->write_image(OIIO::TypeDesc::HALF, values.data()) &&
+                exr->close());
+        std::vector<std::string> notices;
+        const Image image = readImage(path("deep.exr"), kMaxMegapixels, &notices);
+        QVERIFY(image.metadata->leftOut == (std::vector<std::string>{"Z", "id"}));
+        QCOMPARE(notices.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(notices[0]).contains("Z, id"));
+
+        const OIIO::ImageSpec first(6, 4, 3, OIIO::TypeDesc::UINT8), second(5, 3, 1, OIIO::TypeDesc::UINT8);
+        const std::vector<unsigned char> bytes(6 * 4 * 3, 90);
+        const auto tiff = OIIO::ImageOutput::create("tif");
+        QVERIFY(tiff->open(path("pages.tif"), first) &&
+                tiff->write_image(OIIO::TypeDesc::UINT8, bytes.data()) &&
+                tiff->open(path("pages.tif"), second, OIIO::ImageOutput::AppendSubimage) &&
+                tiff->write_image(OIIO::TypeDesc::UINT8, bytes.data()) && tiff->close());
+        notices.clear();
+        const Image page = readImage(path("pages.tif"), kMaxMegapixels, &notices);
+        QCOMPARE(page.width, 6);
+        QVERIFY(page.metadata->pictures == (std::vector<std::string>{"1: 6 x 4", "2: 5 x 3"}));
+        QVERIFY(QString::fromStdString(notices.at(0)).contains("has 2 pictures"));
+    }
+
+    void numbersThatAreNotFiniteAreTold() {
+        Image image = chart(9, 7, {PixelType::Float, 4, true, false});
+        writeImage(path("finite.exr"), image);
+        std::vector<std::string> notices;
+        readImage(path("finite.exr"), kMaxMegapixels, &notices);
+        QVERIFY(notices.empty());
+        auto* row = reinterpret_cast<float*>(image.row(4));
+        row[4 * 6] = std::numeric_limits<float>::infinity();
+        row[4 * 8 + 3] = std::numeric_limits<float>::quiet_NaN();
+        writeImage(path("odd.exr"), image);
+        QVERIFY(readImage(path("odd.exr"), kMaxMegapixels, &notices).data == image.data);
+        QCOMPARE(QString::fromStdString(notices.at(0)),
+                 QString::fromStdString(path("odd.exr")) +
+                     ": 2 pixels are not finite numbers (NaN or infinity), the first at x 6, y 4");
+    }
+
+    void coloursByNumbersBecomeAProfile_data() {
+        QTest::addColumn<QByteArray>("chunks");
+        QTest::addColumn<QColorSpace>("space");
+        QByteArray primaries;
+        for (const quint32 value : {31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000})
+            primaries += bigEndian(value);
+        const QByteArray chrm = chunk("cHRM", primaries);
+        QTest::newRow("cHRM and gAMA")
+            << chrm + chunk("gAMA", bigEndian(45455)) << QColorSpace(QColorSpace::Primaries::DciP3D65, 2.2F);
+        QTest::newRow("cHRM alone") << chrm << QColorSpace(QColorSpace::DisplayP3);
+        QTest::newRow("gAMA alone") << chunk("gAMA", bigEndian(100000))
+                                    << QColorSpace(QColorSpace::SRgbLinear);
+        QTest::newRow("cICP") << chunk("cICP", QByteArray("\x0c\x0d\0\x01", 4))
+                              << QColorSpace(QColorSpace::DisplayP3);
+        QTest::newRow("cICP wins") << chunk("cICP", QByteArray("\x0c\x0d\0\x01", 4)) +
+                                          chunk("gAMA", bigEndian(100000))
+                                   << QColorSpace(QColorSpace::DisplayP3);
+    }
+    /// Qt reads the profile, of the picture and of all files that hold one; nothing beside it says otherwise.
+    void coloursByNumbersBecomeAProfile() {
+        QFETCH(QByteArray, chunks);
+        QFETCH(QColorSpace, space);
+        writeImage(path("plain.png"), smoothChart(8, 8, {PixelType::UInt8, 3, false, false}));
+        QByteArray bytes = contents(m_folder.filePath("plain.png"));
+        for (const char* name : {"sRGB", "gAMA", "cHRM"}) bytes = withoutChunk(bytes, name);
+        bytes.insert(33, chunks);
+        QFile file(m_folder.filePath("numbers.png"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        const Image image = readImage(path("numbers.png"));
+        QVERIFY(sameColours(image.iccProfile(), space));
+        for (const char* extension : {"png", "tif", "jpg", "webp"}) {
+            writeImage(path(QStringLiteral("numbers-out.") + extension), image);
+            QVERIFY(
+                sameColours(readImage(path(QStringLiteral("numbers-out.") + extension)).iccProfile(), space));
+        }
+        const QByteArray out = contents(m_folder.filePath("numbers-out.png"));
+        for (const char* name : {"sRGB", "gAMA", "cHRM"}) QVERIFY(!out.contains(name));
+    }
+
+    void chromaticitiesOfExrAreKept() {
+        OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeDesc::HALF);
+        const std::array numbers{0.68F, 0.32F, 0.265F, 0.69F, 0.15F, 0.06F, 0.3127F, 0.329F};
+        spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), numbers.data());
+        const std::vector<half> values(4 * 4 * 3, half(0.5F));
+        const auto exr = OIIO::ImageOutput::create("exr");
+        QVERIFY(exr->open(path("p3.exr"), spec) && exr->write_image(OIIO::TypeDesc::HALF, values.data()) &&
+                exr->close());
+        const Image image = readImage(path("p3.exr"));
+        const QColorSpace linear(QColorSpace::Primaries::DciP3D65, QColorSpace::TransferFunction::Linear);
+        QVERIFY(sameColours(image.iccProfile(), linear));
+        writeImage(path("p3-out.exr"), image);
+        QVERIFY(sameColours(readImage(path("p3-out.exr")).iccProfile(), linear));
+        QVERIFY(!losesProfile("a.exr", image));
+        QVERIFY(losesProfile("a.bmp", image));
+    }
+
+    /// The same picture makes the same file on another day: no library puts the time of writing in.
     void filesAreNotDated_data() {
         QTest::addColumn<QString>("extension");
         for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "jp2", "ppm", "hdr"})
@@ -653,6 +873,25 @@ class TestImage : public QObject {
     }
 
   private:
+    /// x, y of the pixels and size of the display window, and its x and y.
+    void writeExr(const QString& name, const Image& image, const std::array<int, 6>& window) {
+        OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::HALF);
+        spec.x = window[0], spec.y = window[1], spec.full_width = window[2], spec.full_height = window[3];
+        spec.full_x = window[4], spec.full_y = window[5];
+        const auto output = OIIO::ImageOutput::create("exr");
+        const bool isWritten = output->open(path(name), spec) &&
+                               output->write_image(OIIO::TypeDesc::HALF, image.data.data()) &&
+                               output->close();
+        if (!isWritten) qFatal("no EXR");
+    }
+    /// Writes the picture; data window and display window of the file, each with its place first.
+    std::array<int, 8> windowsOf(const QString& name, const Image& image) {
+        writeImage(path(name), image);
+        const auto input = OIIO::ImageInput::open(path(name));
+        if (!input) return {};
+        const OIIO::ImageSpec& is = input->spec();
+        return {is.x, is.y, is.width, is.height, is.full_x, is.full_y, is.full_width, is.full_height};
+    }
     static QByteArray chunk(const QByteArray& name, const QByteArray& data) {
         const auto number = [](quint32 value) {
             QByteArray bytes;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "warp/byte_numbers.h"
+#include "warp/colour_space.h"
 
 namespace wend {
 namespace {
@@ -34,6 +35,17 @@ bool profileFits(const OIIO::ParamValue& profile, int colours) {
     const std::string_view bytes = bytesOf(profile);
     return bytes.size() >= kHeader + 4 && bigEndian(bytes, 0) == bytes.size() &&
            bytes.substr(36, 4) == "acsp" && bytes.substr(16, 4) == (colours < 3 ? "GRAY" : "RGB ");
+}
+
+std::vector<std::byte> colouredProfile(const OIIO::ParamValue& grey) {
+    const std::string_view bytes = bytesOf(grey);
+    if (!profileFits(grey, 1) || !tagsAreInside(bytes)) return {};
+    for (std::size_t k = 0; k < bigEndian(bytes, kHeader); ++k) {
+        const std::size_t at = kHeader + 4 + k * kTag;
+        if (bytes.substr(at, 4) == "kTRC")
+            return colouredProfileOf(bytes.substr(bigEndian(bytes, at + 4), bigEndian(bytes, at + 8)));
+    }
+    return {};
 }
 
 bool profileIsStrict(const OIIO::ParamValue& profile) {

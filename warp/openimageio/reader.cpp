@@ -3,7 +3,9 @@
 #include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "core/mesh/error.h"
@@ -81,36 +83,146 @@ OIIO::TypeDesc typeDesc(PixelType type) {
     return OIIO::TypeDesc::FLOAT;
 }
 
+/// The place of a sample after the colours of a TIFF of which nothing says what it is, and which is alpha, as
+/// many programs write it; −1 if there is none.
+int undeclaredAlpha(const OIIO::ImageSpec& spec, bool namesExtraSamples) {
+    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+    const int colours = photometric == 0 || photometric == 1 ? 1 : photometric == 2 ? 3 : -1;
+    const bool isUndeclared = spec.alpha_channel < 0 || !namesExtraSamples;
+    return isUndeclared && spec.nchannels > colours ? colours : -1;
+}
+
 /// Colours, then alpha; what a file has beyond (depth, masks, other layers) is left out. Some readers of
 /// OpenImageIO name an alpha channel that is not there (GIF: 4 of 4).
-void chooseChannels(const OIIO::ImageSpec& spec, Image& image) {
+void chooseChannels(const OIIO::ImageSpec& spec, bool namesExtraSamples, Image& image) {
     int alpha = spec.alpha_channel;
     if (alpha >= spec.nchannels) alpha = spec.nchannels % 2 == 0 ? spec.nchannels - 1 : -1;
+    const int undeclared = undeclaredAlpha(spec, namesExtraSamples);
+    if (undeclared > 0) alpha = undeclared;
     image.alpha = alpha == 1 || alpha == 3;
     image.channels = image.alpha ? alpha + 1 : (spec.nchannels < 3 ? 1 : 3);
-    image.unassociated = image.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
+    image.unassociated =
+        image.alpha && (undeclared > 0 || spec.get_int_attribute("oiio:UnassociatedAlpha") != 0);
 }
 
-Image header(const OIIO::ImageSpec& spec) {
-    Image image;
+std::vector<std::string> channelsLeftOut(const OIIO::ImageSpec& spec, int read) {
+    std::vector<std::string> names;
+    for (int c = read; c < spec.nchannels; ++c)
+        names.push_back(spec.channelnames[static_cast<std::size_t>(c)]);
+    return names;
+}
+
+/// Whether pixel coordinates are those of a display window that the file names.
+bool hasDisplayWindow(const OIIO::ImageSpec& spec, PictureFormat format) {
+    const bool isNamed =
+        format == PictureFormat::Exr || (format == PictureFormat::Tiff && spec.full_width != spec.width);
+    return isNamed && spec.full_width > 0 && spec.full_height > 0 &&
+           (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
+            spec.height != spec.full_height);
+}
+
+/// Where the stored pixels lie in the picture: beyond it, too.
+PixelBox storedBox(const OIIO::ImageSpec& spec) {
+    return {spec.x - spec.full_x, spec.y - spec.full_y, spec.width, spec.height};
+}
+
+void setProfile(OIIO::ImageSpec& spec, const std::vector<std::byte>& profile) {
+    spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                   profile.data());
+}
+
+/// The colours that an EXR file names, whose light is linear.
+std::optional<ColourSpace> chromaticitiesOf(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* value = spec.find_attribute("chromaticities");
+    if (!value || value->type().basetype != OIIO::TypeDesc::FLOAT ||
+        value->type().basevalues() * value->nvalues() != 8)
+        return std::nullopt;
+    ColourSpace space;
+    const auto* numbers = static_cast<const float*>(value->data());
+    std::copy_n(numbers, 8, space.chromaticities.begin());
+    space.curve = ColourSpace::Curve::Power;
+    if (space.hasCommonColours()) return std::nullopt;
+    return space;
+}
+
+/// Colours by chromaticities become a profile, which all formats hold that hold any; what an EXR file needs
+/// stays beside it.
+void takeColours(const std::optional<ColourSpace>& colours, int count, OIIO::ImageSpec& spec) {
+    if (!colours) return;
+    const std::vector<std::byte> profile = iccProfileOf(*colours, count < 3);
+    if (profile.empty()) return;
+    setProfile(spec, profile);
+    std::array<float, 8> numbers{};
+    std::transform(colours->chromaticities.begin(), colours->chromaticities.end(), numbers.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), numbers.data());
+}
+
+StoredPicture header(const OIIO::ImageSpec& spec, const PictureSource& source) {
+    StoredPicture stored;
+    Image& image = stored.image;
     image.width = spec.width, image.height = spec.height;
     image.type = pixelType(spec.format);
-    chooseChannels(spec, image);
+    chooseChannels(spec, source.namesExtraSamples, image);
     auto metadata = std::make_shared<OpenImageIOMetadata>();
     metadata->spec = spec;
-    if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile")) {
-        const auto* bytes = static_cast<const std::byte*>(profile->data());
-        if (profileFits(*profile, image.colours()))
-            metadata->iccProfile.assign(bytes, bytes + profile->datasize());
-        else
-            metadata->spec.erase_attribute("ICCProfile");
+    if (hasDisplayWindow(spec, source.format)) {
+        image.width = spec.full_width, image.height = spec.full_height;
+        metadata->stored = storedBox(spec);
     }
+    const auto exrColours = chromaticitiesOf(spec);
+    metadata->isOfExr = exrColours.has_value();
+    takeColours(source.colours ? source.colours : exrColours, image.colours(), metadata->spec);
+    if (const OIIO::ParamValue* profile = metadata->spec.find_attribute("ICCProfile")) {
+        const auto* bytes = static_cast<const std::byte*>(profile->data());
+        if (profileFits(*profile, image.colours())) {
+            metadata->iccProfile.assign(bytes, bytes + profile->datasize());
+        } else {
+            metadata->spec.erase_attribute("ICCProfile");
+            stored.notices.push_back("has a colour profile that does not fit its colours: it is left out");
+        }
+    }
+    metadata->leftOut = channelsLeftOut(spec, image.channels);
     metadata->spec.attribute("Orientation", 1);
     image.metadata = std::move(metadata);
-    return image;
+    stored.orientation = spec.get_int_attribute("Orientation", 1);
+    return stored;
 }
 
-void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, double maxMegapixels) {
+std::string joined(const std::vector<std::string>& names) {
+    constexpr std::size_t kMost = 8;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(names.size(), kMost); ++k) text += (k > 0 ? ", " : "") + names[k];
+    return text + (names.size() > kMost ? " …" : "");
+}
+
+/// What of the file is not in the picture, or had to be decided.
+void tellOfFile(const OIIO::ImageSpec& spec, bool namesExtraSamples, StoredPicture& stored) {
+    const Image::Metadata& metadata = *stored.image.metadata;
+    if (undeclaredAlpha(spec, namesExtraSamples) > 0)
+        stored.notices.push_back("has a channel of no declared kind after its colours: it is taken as alpha");
+    if (!metadata.leftOut.empty())
+        stored.notices.push_back("has channels that are left out: " + joined(metadata.leftOut));
+    if (const auto count = metadata.pictures.size(); count > 1)
+        stored.notices.push_back(severalPictures(count));
+    const PixelBox& box = metadata.stored;
+    const PixelBox seen = box.within(stored.image.width, stored.image.height);
+    if (box.width > 0 && (seen.width < box.width || seen.height < box.height))
+        stored.notices.push_back(
+            "reaches beyond its display window of " + std::to_string(stored.image.width) + " x " +
+            std::to_string(stored.image.height) + " pixels: what lies outside is cut off");
+}
+
+void requireSize(const std::string& path, int width, int height, double maxMegapixels) {
+    if (width * 1e-6 * height <= maxMegapixels) return;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "has " << width << " x " << height << " pixels, more than " << maxMegapixels << " million";
+    throw InputError(path, text.str());
+}
+
+void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, PictureFormat format,
+                     double maxMegapixels) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw InputError(path, "has no pixels");
     if (spec.depth > 1) throw InputError(path, "is a volume, not a picture");
     // OpenImageIO adds the rows of a strip to such places, in 32 bits.
@@ -120,14 +232,8 @@ void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, doubl
     const int colours = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
     if (colours >= kCieLab && colours <= kItuLab)
         throw InputError(path, "has L*a*b* colours, which are not read; save it with RGB colours");
-    const double megapixels = spec.width * 1e-6 * spec.height;
-    if (megapixels > maxMegapixels) {
-        std::ostringstream text;
-        text.imbue(std::locale::classic());
-        text << "has " << spec.width << " x " << spec.height << " pixels, more than " << maxMegapixels
-             << " million";
-        throw InputError(path, text.str());
-    }
+    requireSize(path, spec.width, spec.height, maxMegapixels);
+    if (hasDisplayWindow(spec, format)) requireSize(path, spec.full_width, spec.full_height, maxMegapixels);
 }
 
 /// What libjpeg finds and repairs without loss: padding between segments, unusual but harmless scan
@@ -170,6 +276,22 @@ void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, 
     requireSuccess(path, input, success);
 }
 
+/// The stored pixels in their display window.
+void readWindow(const std::string& path, OIIO::ImageInput& input, Image& image, void (*goOn)()) {
+    const PixelBox box = image.metadata->stored;
+    if (box.width == 0) return readPixels(path, input, image, goOn);
+    Image stored = image;
+    stored.width = box.width, stored.height = box.height;
+    readPixels(path, input, stored, goOn);
+    image.makePixels();
+    const PixelBox seen = box.within(image.width, image.height);
+    const std::size_t bytes = image.pixelBytes();
+    for (int y = seen.y; y < seen.y + seen.height; ++y)
+        std::copy_n(stored.row(y - box.y) + bytes * static_cast<std::size_t>(seen.x - box.x),
+                    bytes * static_cast<std::size_t>(seen.width),
+                    image.row(y) + bytes * static_cast<std::size_t>(seen.x));
+}
+
 /// What the file says, with what OpenImageIO leaves to us: WebP's metadata, and one name for the inch.
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
@@ -181,25 +303,55 @@ OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     return spec;
 }
 
-int orientationOf(const OIIO::ImageSpec& spec) {
-    return spec.get_int_attribute("Orientation", 1);
+/// "NAME: 640 x 480" of each picture in a TIFF or EXR file, if there are several. A damaged one ends the
+/// list.
+std::vector<std::string> picturesIn(const PictureSource& source) {
+    constexpr int kMost = 1000;
+    std::vector<std::string> list;
+    if (source.format != PictureFormat::Tiff && source.format != PictureFormat::Exr) return list;
+    const OpenPicture input(source);
+    for (int k = 0; k < kMost && input->seek_subimage(k, 0); ++k) {
+        const OIIO::ImageSpec& spec = input->spec();
+        const std::string name(spec.get_string_attribute("oiio:subimagename"));
+        list.push_back((name.empty() ? std::to_string(k + 1) : name) + ": " + std::to_string(spec.width) +
+                       " x " + std::to_string(spec.height));
+    }
+    input->geterror();  // which is of no interest
+    if (list.size() < 2) list.clear();
+    return list;
+}
+
+std::vector<std::string> framesIn(const PictureSource& source) {
+    std::vector<std::string> list;
+    if (source.format != PictureFormat::Webp) return list;
+    for (int k = 1, count = webpFrames(source.path); count > 1 && k <= count; ++k)
+        list.push_back("frame " + std::to_string(k));
+    return list;
+}
+
+void setPictures(const PictureSource& source, Image& image) {
+    auto metadata =
+        std::make_shared<OpenImageIOMetadata>(static_cast<const OpenImageIOMetadata&>(*image.metadata));
+    metadata->pictures = source.format == PictureFormat::Webp ? framesIn(source) : picturesIn(source);
+    image.metadata = std::move(metadata);
 }
 
 }  // namespace
 
 StoredPicture readStoredHeader(const PictureSource& source) {
     const OpenPicture input(source);
-    const OIIO::ImageSpec spec = specOf(source.path, *input);
-    return {header(spec), orientationOf(spec)};
+    return header(specOf(source.path, *input), source);
 }
 
 StoredPicture readStored(const PictureSource& source, double maxMegapixels, void (*goOn)()) {
     const std::string& path = source.path;
     const OpenPicture input(source);
-    requireSensible(path, input->spec(), maxMegapixels);
+    requireSensible(path, input->spec(), source.format, maxMegapixels);
     const OIIO::ImageSpec spec = specOf(path, *input);
-    StoredPicture stored{header(spec), orientationOf(spec)};
-    readPixels(path, *input, stored.image, goOn);
+    StoredPicture stored = header(spec, source);
+    readWindow(path, *input, stored.image, goOn);
+    setPictures(source, stored.image);
+    tellOfFile(spec, source.namesExtraSamples, stored);
     return stored;
 }
 

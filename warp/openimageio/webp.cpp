@@ -3,6 +3,7 @@
 #include <webp/decode.h>
 #include <webp/mux.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -147,6 +148,15 @@ bool readWebp(const std::string& path, Image& image) {
     image.data = std::move(pixels);
     image.unassociated = image.alpha;
     return true;
+}
+
+int webpFrames(const std::string& path) {
+    const Bytes bytes = contents(path);
+    const WebPData data = asData(bytes);
+    const Mux mux(WebPMuxCreate(&data, 0), WebPMuxDelete);
+    int count = 0;
+    if (!mux || WebPMuxNumChunks(mux.get(), WEBP_CHUNK_ANMF, &count) != WEBP_MUX_OK) return 1;
+    return std::max(count, 1);
 }
 
 void readWebpMetadata(const std::string& path, OIIO::ImageSpec& spec) {

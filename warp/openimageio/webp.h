@@ -30,6 +30,9 @@ std::string writeWebp(const std::string& path, const Image& image, const OIIO::I
 /// no single picture (an animation) or damaged: nothing is changed then.
 bool readWebp(const std::string& path, Image& image);
 
+/// How many pictures an animation has; 1 of others.
+int webpFrames(const std::string& path);
+
 /// Adds the file's colour profile, EXIF and XMP to `spec`.
 void readWebpMetadata(const std::string& path, OIIO::ImageSpec& spec);
 

@@ -43,12 +43,23 @@ bool isLarge(const Image& image) {
     return image.width * 1e-6 * image.height > 16;
 }
 
-/// A crop window that a file of the same size carried stays.
-void copyWindow(const OIIO::ImageSpec& from, OIIO::ImageSpec& to) {
-    if (from.width != to.width || from.height != to.height) return;
-    to.x = from.x, to.y = from.y;
-    to.full_x = from.full_x, to.full_y = from.full_y;
-    to.full_width = from.full_width, to.full_height = from.full_height;
+/// Where the picture lies in its frame, in the coordinates of its source's file: EXR has a display window for
+/// the frame, PNG and TIFF have an offset (TIFF none to the left or above).
+void setPlace(PictureFormat format, const Image& image, const OpenImageIOMetadata* source,
+              OIIO::ImageSpec& spec) {
+    const CanvasPlace& place = image.place;
+    const int frameWidth = place.isOwn() ? image.width : place.frameWidth,
+              frameHeight = place.isOwn() ? image.height : place.frameHeight;
+    int left = 0, top = 0;
+    if (source && source->frameWidth() == frameWidth && source->frameHeight() == frameHeight)
+        left = source->left(), top = source->top();
+    spec.x = left + place.x, spec.y = top + place.y;
+    if (format == PictureFormat::Exr) {
+        spec.full_x = left, spec.full_y = top;
+        spec.full_width = frameWidth, spec.full_height = frameHeight;
+    } else if (format == PictureFormat::Tiff && (spec.x < 0 || spec.y < 0)) {
+        spec.x = spec.y = 0;
+    }
 }
 
 /// Where a format has no place for it, or its library would refuse the file.
@@ -168,6 +179,27 @@ void writeWebpPicture(const PictureToWrite& writing, const OIIO::ImageSpec& spec
     if (!error.empty()) throw InputError(writing.path, "cannot be written: " + error);
 }
 
+/// What describes the source's colours and not its pixels. A profile is not contradicted by a name, and one
+/// of grey pictures becomes one of colours where they got some.
+void takeAttributes(PictureFormat format, const Image& image, const OIIO::ImageSpec& from,
+                    OIIO::ImageSpec& to) {
+    for (const OIIO::ParamValue& value : from.extra_attribs)
+        if (!describesStorage(value.name().string())) to.extra_attribs.add_or_replace(value);
+    const OIIO::ParamValue* profile = to.find_attribute("ICCProfile");
+    if (!profile) return;
+    for (const char* name : {"oiio:ColorSpace", "oiio:Gamma", "Exif:ColorSpace"}) to.erase_attribute(name);
+    profile = to.find_attribute("ICCProfile");
+    if (!profileFits(*profile, image.colours())) {
+        const std::vector<std::byte> coloured = colouredProfile(*profile);
+        to.erase_attribute("ICCProfile");
+        if (!coloured.empty())
+            to.attribute("ICCProfile",
+                         OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(coloured.size())),
+                         coloured.data());
+    }
+    dropOddProfile(format, to);
+}
+
 }  // namespace
 
 OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
@@ -175,13 +207,10 @@ OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
     if (image.colours() == 1) spec.channelnames[0] = "Y";
     if (image.alpha) spec.channelnames.back() = "A";
     spec.alpha_channel = image.alpha ? image.channels - 1 : -1;
-    if (image.metadata) {  // nothing else makes any
-        const OIIO::ImageSpec& source = static_cast<const OpenImageIOMetadata&>(*image.metadata).spec;
-        for (const OIIO::ParamValue& value : source.extra_attribs)
-            if (!describesStorage(value.name().string())) spec.extra_attribs.add_or_replace(value);
-        copyWindow(source, spec);
-        dropOddProfile(format, spec);
-    }
+    const auto* source =
+        static_cast<const OpenImageIOMetadata*>(image.metadata.get());  // nothing else makes any
+    if (source) takeAttributes(format, image, source->spec, spec);
+    setPlace(format, image, source, spec);
     if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string compression = codecOf(format).compression;
     if (!compression.empty()) spec.attribute("compression", compression);

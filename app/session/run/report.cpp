@@ -40,7 +40,18 @@ std::string reportJson(const RunFigures& figures) {
     json.update(Json::parse(figures.faults));
     if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
     if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
+    if (const auto& canvas = figures.canvas)
+        json["canvas"] = {{"x", canvas->origin.x()},
+                          {"y", canvas->origin.y()},
+                          {"width", canvas->width},
+                          {"height", canvas->height}};
     return prettyJson(json);
+}
+
+std::string canvasText(const View& canvas) {
+    return "the canvas of " + std::to_string(canvas.width) + " x " + std::to_string(canvas.height) +
+           " pixels begins at x " + shortNumber(canvas.origin.x()) + ", y " + shortNumber(canvas.origin.y()) +
+           " of the picture";
 }
 
 std::string verdictJson(const MeshVerdict& verdict) {

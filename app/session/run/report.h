@@ -6,6 +6,7 @@
 #include "app/session/shape/pose_faults.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
+#include "warp/sampling.h"
 
 namespace wend {
 
@@ -20,6 +21,7 @@ struct RunFigures {
     std::string faults;                       // faultsJson()
     std::optional<MeshVerdict> verdict = {};  // on cells that were made
     std::optional<CageFacts> cage = {};       // if one carries the surface
+    std::optional<View> canvas = {};          // of pictures that were written
 };
 std::string reportJson(const RunFigures& figures);
 /// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
@@ -28,6 +30,8 @@ std::string verdictJson(const MeshVerdict& verdict);
 /// text.
 template <int Dim>
 std::string faultsJson(const PoseFaults<Dim>& faults);
+/// "the canvas of 400 x 300 pixels begins at x -12, y 0 of the picture".
+std::string canvasText(const View& canvas);
 /// "20 steps; …": how near the end is to the truth.
 std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
 

@@ -23,6 +23,7 @@
 #include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
 #include "warp/film.h"
+#include "warp/image_formats.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -57,6 +58,7 @@ class Run {
         m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
         if (result.outcome == Outcome::Done || m_options.partial) {
             warnOfFaults();
+            warnOfColours();
             writeShapes();
         } else {
             m_files.discard();
@@ -65,6 +67,7 @@ class Run {
         m_files.commit();
         if (m_watch.summary && result.outcome == Outcome::Done)
             m_watch.summary(summaryText(m_deformer.statistics(), integrationOf(m_project)));
+        tellOfCanvas();
         tellOfFaults();
         return result;
     }
@@ -124,6 +127,20 @@ class Run {
         if (minimum < kCrushed)
             m_watch.notice("a cell has shrunk to " + shortNumber(minimum) + " of its size");
         if (Dim == 3 && !m_faults.crossings.empty()) m_watch.notice(crossingText(m_faults));
+    }
+
+    void tellOfCanvas() const {
+        if (m_watch.summary && m_canvas && m_options.canvas.kind != Canvas::Picture)
+            m_watch.summary(canvasText(*m_canvas));
+    }
+
+    /// No format drops a colour profile without a word.
+    void warnOfColours() const {
+        if (!m_watch.notice || !m_shape.picture) return;
+        for (const std::string& path : {m_options.outputs.image, m_options.outputs.frames})
+            if (canWriteImage(path) && losesProfile(path, *m_shape.picture))
+                m_watch.notice(
+                    path + ": the format holds no colour profile: the colours' numbers are kept as they are");
     }
 
     /// What may be so: parts of a picture lie over each other, in the order of their depth.
@@ -202,6 +219,7 @@ class Run {
         if (outputs.image.empty() && outputs.stMap.empty()) return;
         const Points<2> pixels = inPixels(m_shape, pose);
         const View view = canvasView(*m_shape.picture, extent(pixels), m_options.canvas);
+        m_canvas = view;
         if (!outputs.image.empty())
             m_files.add(outputs.image, ".png", [&](const std::string& file) {
                 writePicture(file, warped(pixels, view, warping(0, 1)));
@@ -292,6 +310,7 @@ class Run {
                            const std::function<void(double)>& progress) {
         const std::string& pattern = m_options.outputs.frames;
         const WarpedPicture picture = warped(pixels, view, progress);
+        m_canvas = view;
         if (!isAnimation(pattern))
             return m_files.add(frameName(pattern, number), "",
                                [&](const std::string& file) { writePicture(file, picture); });
@@ -325,7 +344,8 @@ class Run {
             m_deformer.restForce(),
             faultsJson(m_faults),
             m_shape.verdict,
-            m_shape.cage};
+            m_shape.cage,
+            m_canvas};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }
@@ -338,6 +358,7 @@ class Run {
     SharedDevice m_device;
     Deformer<Dim> m_deformer;
     CellDepths m_depths;                // of pictures
+    std::optional<View> m_canvas;       // of the last picture
     MakeCellPainter m_painters;         // made with the first picture
     int m_frames = 0;                   // passed
     std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture

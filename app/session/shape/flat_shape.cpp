@@ -65,10 +65,11 @@ double outlineSlack(const Domain& domain) {
 
 }  // namespace
 
-std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder) {
+std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
+                                         std::vector<std::string>* notices) {
     const std::string& file = domain.kind == DomainKind::Image ? domain.path : domain.texture;
     if (file.empty() || domain.kind == DomainKind::Surface) return nullptr;
-    return std::make_shared<const Image>(readImage(pathIn(folder, file)));
+    return std::make_shared<const Image>(readImage(pathIn(folder, file), kMaxMegapixels, notices));
 }
 
 Outline domainOutline(const Domain& domain, const Image& picture) {
@@ -139,7 +140,7 @@ Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
         throw error.named(path);
     }
     shape.source = file;
-    shape.picture = loadPicture(domain, folder);
+    shape.picture = loadPicture(domain, folder, &shape.notices);
     // On the file's own cells: at a seam, vertices at one place have texture points of their own.
     if (shape.picture)
         shape.texture = std::make_shared<const Texture>(textureOf(*shape.picture, textured, uvOf(*file)));

@@ -8,8 +8,9 @@
 
 namespace wend {
 
-/// The picture of the domain, or null if it has none.
-std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder);
+/// The picture of the domain, or null if it has none; with the notices of readImage().
+std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
+                                         std::vector<std::string>* notices = nullptr);
 
 /// What of a picture is bent.
 Outline domainOutline(const Domain& domain, const Image& picture);

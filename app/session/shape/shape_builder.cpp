@@ -115,7 +115,7 @@ Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token st
     const Domain& domain = domainOf(*inputs.project);
     Shape<2> shape;
     if (domain.kind == DomainKind::Image) {
-        shape.picture = inputs.picture ? inputs.picture : loadPicture(domain, inputs.folder);
+        shape.picture = inputs.picture ? inputs.picture : loadPicture(domain, inputs.folder, &shape.notices);
         shape.rest = meshOutline(inputs, *shape.picture, stop);
         tellOfAim(domain, *shape.rest, shape.notices);
     } else {

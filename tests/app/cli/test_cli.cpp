@@ -246,7 +246,9 @@ void TestCli::framesFit() {
 void TestCli::partOfThePicture() {
     succeed({"run", "disc.wend", "--image", "whole.png"});
     succeed({"run", "disc.wend", "--canvas", "-7,60,70,30", "--image", "part.png", "--frames", "p_#.png",
-             "--count", "2"});
+             "--count", "2", "--report", "part.json"});
+    const QJsonObject canvas = jsonFile("part.json").object()["canvas"].toObject();
+    QCOMPARE(canvas, (QJsonObject{{"x", -7}, {"y", 60}, {"width", 70}, {"height", 30}}));
     const Image whole = readImage(file("whole.png")), part = readImage(file("part.png"));
     QCOMPARE(QPoint(part.width, part.height), QPoint(70, 30));
     const auto pixel = [](const Image& image, int x, int y) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/mesh/input_file.h"
+#include "warp/colour_space.h"
+
+namespace wend {
+
+/// What a sound PNG file (pngProblem()) says that its library does not tell.
+struct PngExtras {
+    std::optional<ColourSpace>
+        colours;                 // by cICP, or by cHRM and gAMA; nothing for sRGB and beside a profile
+    std::string unknownColours;  // the four numbers of a cICP chunk that is not understood
+    unsigned frames = 1;         // of an animation
+};
+PngExtras pngExtras(const InputFile& file);
+
+}  // namespace wend
