@@ -1137,10 +1137,6 @@
         <translation>&amp;Umriss</translation>
     </message>
     <message>
-        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
-        <translation>Was sich biegt: nur, was im Bild deckt, oder das Bild als Ganzes.</translation>
-    </message>
-    <message>
         <source>Change outline</source>
         <translation>Umriss ändern</translation>
     </message>
@@ -1515,6 +1511,14 @@
     <message>
         <source>Change springing back</source>
         <translation>Zurückfedern ändern</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
+        <translation>Was sich biegt: nur, was im Bild deckt, dies samt dem, was seine Linien umschließen, oder das Bild als Ganzes.</translation>
+    </message>
+    <message>
+        <source>Cut-out, holes filled</source>
+        <translation>Ausschnitt, Löcher gefüllt</translation>
     </message>
 </context>
 <context>
@@ -4482,6 +4486,17 @@
     <message>
         <source>%1: from %2 to %3</source>
         <translation>%1: von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LineArtOffer</name>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>Dieses Bild besteht vor allem aus dünnen Linien, und nur die Linien würden sich biegen. Mit gefüllten Löchern biegt sich auch, was sie umschließen.</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>Löcher füllen</translation>
     </message>
 </context>
 <context>

@@ -1105,10 +1105,6 @@
         <translation>&amp;Contorno</translation>
     </message>
     <message>
-        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
-        <translation>Qué se deforma: solo lo opaco de la imagen o la imagen entera.</translation>
-    </message>
-    <message>
         <source>Change outline</source>
         <translation>Cambiar contorno</translation>
     </message>
@@ -1515,6 +1511,14 @@
     <message>
         <source>Change springing back</source>
         <translation>Cambiar la vuelta a la forma</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
+        <translation>Lo que se dobla: solo lo opaco de la imagen, esto junto con lo que encierran sus líneas, o la imagen entera.</translation>
+    </message>
+    <message>
+        <source>Cut-out, holes filled</source>
+        <translation>Recorte, huecos rellenos</translation>
     </message>
 </context>
 <context>
@@ -4482,6 +4486,17 @@
     <message>
         <source>%1: from %2 to %3</source>
         <translation>%1: de %2 a %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LineArtOffer</name>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>Esta imagen se compone sobre todo de líneas finas, y solo se doblarían las líneas. Con los huecos rellenos se dobla también lo que encierran.</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>Rellenar los huecos</translation>
     </message>
 </context>
 <context>

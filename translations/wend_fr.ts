@@ -1105,10 +1105,6 @@
         <translation>Co&amp;ntour</translation>
     </message>
     <message>
-        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
-        <translation>Ce qui se déforme&#x202f;: seulement ce qui est opaque dans l’image, ou l’image entière.</translation>
-    </message>
-    <message>
         <source>Change outline</source>
         <translation>Modifier le contour</translation>
     </message>
@@ -1515,6 +1511,14 @@
     <message>
         <source>Change springing back</source>
         <translation>Modifier le retour élastique</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
+        <translation>Ce qui se plie : seulement ce qui est opaque dans l’image, cela avec ce que ses traits entourent, ou l’image entière.</translation>
+    </message>
+    <message>
+        <source>Cut-out, holes filled</source>
+        <translation>Détourage, trous remplis</translation>
     </message>
 </context>
 <context>
@@ -4482,6 +4486,17 @@
     <message>
         <source>%1: from %2 to %3</source>
         <translation>%1&#x202f;: de %2 à %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LineArtOffer</name>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>Cette image est surtout faite de traits fins, et seuls les traits se plieraient. Avec les trous remplis, ce qu’ils entourent se plie aussi.</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>Remplir les trous</translation>
     </message>
 </context>
 <context>

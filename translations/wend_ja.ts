@@ -1105,10 +1105,6 @@
         <translation>輪郭(&amp;O)</translation>
     </message>
     <message>
-        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
-        <translation>変形する範囲：画像の不透明な部分だけ、または画像全体。</translation>
-    </message>
-    <message>
         <source>Change outline</source>
         <translation>輪郭を変更</translation>
     </message>
@@ -1515,6 +1511,14 @@
     <message>
         <source>Change springing back</source>
         <translation>元の形に戻る力を変更</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
+        <translation>曲がる範囲：画像の不透明な部分だけ、それに線で囲まれた内側を加えたもの、または画像全体。</translation>
+    </message>
+    <message>
+        <source>Cut-out, holes filled</source>
+        <translation>切り抜き（穴を埋める）</translation>
     </message>
 </context>
 <context>
@@ -4475,6 +4479,17 @@
     <message>
         <source>%1: from %2 to %3</source>
         <translation>%1：%2 ～ %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LineArtOffer</name>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>この画像はほとんどが細い線で、線だけが曲がります。穴を埋めると、線で囲まれた内側も曲がります。</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>穴を埋める</translation>
     </message>
 </context>
 <context>

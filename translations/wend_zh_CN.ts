@@ -1105,10 +1105,6 @@
         <translation>轮廓(&amp;O)</translation>
     </message>
     <message>
-        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
-        <translation>变形的范围：仅图片中不透明的部分，或整张图片。</translation>
-    </message>
-    <message>
         <source>Change outline</source>
         <translation>更改轮廓</translation>
     </message>
@@ -1515,6 +1511,14 @@
     <message>
         <source>Change springing back</source>
         <translation>更改回弹</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
+        <translation>弯曲的范围：仅图像中不透明的部分、该部分及其线条所围的内部，或整幅图像。</translation>
+    </message>
+    <message>
+        <source>Cut-out, holes filled</source>
+        <translation>抠图，填充孔洞</translation>
     </message>
 </context>
 <context>
@@ -4475,6 +4479,17 @@
     <message>
         <source>%1: from %2 to %3</source>
         <translation>%1：从 %2 到 %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LineArtOffer</name>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>这幅图像主要由细线组成，只有线条会弯曲。填充孔洞后，线条所围的内部也会弯曲。</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>填充孔洞</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,9 @@
 
 namespace wend {
 
+/// What becomes of the holes in opaque parts: open, or inside of the shape with all that lies in them.
+enum class OutlineHoles { Kept, Filled };
+
 /// How the outline of a picture's opaque parts is found (outlineFromAlpha()).
 ///
 /// The defaults suit antialiased cut-outs: the contour of 10 % alpha is the foot of a soft edge, not its
@@ -13,6 +16,7 @@ struct AlphaOutlineOptions {
     double gap = 2;          // pixels that growing leaves open between parts, limbs and across holes
     double smallest = 64;    // parts and holes of less area (pixels²) are dropped
     double simplify = 0.75;  // pixels that the simplified outline may deviate
+    OutlineHoles holes = OutlineHoles::Kept;
 
     bool operator==(const AlphaOutlineOptions&) const = default;
 };

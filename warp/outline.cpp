@@ -1,8 +1,10 @@
 #include "warp/outline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "core/mesh/error.h"
 #include "core/mesh/segments.h"
@@ -93,17 +95,45 @@ std::vector<std::vector<Vec<2>>> alphaContours(const Image& image, const Contour
                      std::to_string(std::lround(100 * threshold)) + " %");
 }
 
+bool isInside(const Vec<2>& p, const std::vector<Vec<2>>& loop) {
+    bool inside = false;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        if (crossesRay(loop[i], loop[(i + 1) % loop.size()], p)) inside = !inside;
+    return inside;
+}
+
+/// The loops that lie in no other one: loops do not cross, so that one point tells.
+std::vector<std::vector<Vec<2>>> outermost(std::vector<std::vector<Vec<2>>> loops) {
+    std::ranges::stable_sort(loops, std::greater(),
+                             [](const auto& loop) { return std::abs(loopArea(loop)); });
+    std::vector<std::vector<Vec<2>>> outer;
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (auto& loop : loops) {
+        bool within = false;
+        for (std::size_t k = 0; k < outer.size() && !within; ++k)
+            within = boxes[k].contains(loop[0]) && isInside(loop[0], outer[k]);
+        if (within) continue;
+        Eigen::AlignedBox2d& box = boxes.emplace_back();
+        for (const Vec<2>& p : loop) box.extend(p);
+        outer.push_back(std::move(loop));
+    }
+    return outer;
+}
+
 }  // namespace
 
 Outline outlineFromAlpha(const Image& image, const AlphaOutlineOptions& options) {
     requireOptions(options);
     requireAlpha(image);
     const ContourGrid grid{image.width, image.height};
-    auto loops = withoutSpecks(alphaContours(image, grid, options.threshold), options.smallest);
+    const auto asAsked = [&](auto loops) {
+        loops = withoutSpecks(std::move(loops), options.smallest);
+        return options.holes == OutlineHoles::Filled ? outermost(std::move(loops)) : loops;
+    };
+    auto loops = asAsked(alphaContours(image, grid, options.threshold));
     if (options.margin > 0) {
         GrownShape grown(grid, loops, options.margin, options.gap);
-        loops = withoutSpecks(zeroContours(grid, [&](int row, auto& values) { grown.fillRow(row, values); }),
-                              options.smallest);
+        loops = asAsked(zeroContours(grid, [&](int row, auto& values) { grown.fillRow(row, values); }));
     }
     return simplified({std::move(loops)}, options.simplify);
 }

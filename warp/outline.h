@@ -14,6 +14,8 @@ namespace wend {
 /// across less than 2 · margin + gap, the outline grows only until a gap of `gap` pixels is left; a narrower
 /// one is left as it is.
 ///
+/// `holes` filled: what an outline encloses belongs to the shape, as line art needs it.
+///
 /// Throws InputError for a picture without alpha, with nothing above the threshold, with nothing as large as
 /// `smallest`, and for options out of range.
 Outline outlineFromAlpha(const Image& image, const AlphaOutlineOptions& options = {});

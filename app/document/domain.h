@@ -13,6 +13,8 @@ namespace wend {
 
 enum class DomainKind { Image, Mesh, Surface };
 enum class OutlineKind { Frame, Alpha, Polygons };
+/// The place of the cut-out whose holes are filled in the list of outlines, behind those kinds.
+inline constexpr int kFilledCutOut = 3;
 /// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
 /// surface cannot be meshed or has far more vertices than are aimed at.
 enum class Fit { Automatic, Exact, Cage };

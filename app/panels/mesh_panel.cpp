@@ -140,6 +140,8 @@ void MeshPanel::showProject() {
     OptionField& outline = m_settings.field("domain.outline.from");
     outline.allow(static_cast<int>(OutlineKind::Alpha), document.picture() && document.picture()->alpha,
                   tr("This picture has no transparency."));
+    outline.allow(kFilledCutOut, document.picture() && document.picture()->alpha,
+                  tr("This picture has no transparency."));
     outline.allow(static_cast<int>(OutlineKind::Polygons), !domain.polygons.loops.empty(),
                   tr("No outline has been drawn."));
     const QSignalBlocker quiet(m_density);

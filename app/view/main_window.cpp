@@ -47,6 +47,7 @@
 #include "app/view/help/tutorial.h"
 #include "app/view/notices/border_offer.h"
 #include "app/view/notices/info_banner.h"
+#include "app/view/notices/line_art_offer.h"
 #include "app/view/notices/shape_notices.h"
 #include "app/view/notices/soft_edge_offer.h"
 #include "app/view/notices/work_note.h"
@@ -235,6 +236,7 @@ void MainWindow::connectFiles() {
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     new BorderOffer(m_session.document(), *m_banner, this);
     new SoftEdgeOffer(m_session.document(), *m_banner, this);
+    new LineArtOffer(m_session.document(), *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);
     const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
     connect(m_files, &FileWorkflow::recentChanged, this, showRecent);

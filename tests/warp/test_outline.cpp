@@ -371,6 +371,23 @@ class TestOutline : public QObject {
         QVERIFY(errorOf([&] { frameOutline(0, 5); }).contains("no pixels"));
     }
 
+    /// A ring with a dot in it, and a second part beside it: filled, the hole and what lies in it are the
+    /// shape's.
+    void holesAreFilledOnRequest() {
+        const Alpha drawn = [](double x, double y) {
+            const double ring = std::hypot(x - 40, y - 40), dot = std::hypot(x - 100, y - 40);
+            return (ring < 34 && ring > 28) || ring < 8 || dot < 12 ? 1.0 : 0.0;
+        };
+        auto options = plain();
+        QCOMPARE(outlineFromAlpha(picture(120, 80, drawn), options).loops.size(), std::size_t(4));
+        options.holes = OutlineHoles::Filled;
+        const auto outline = outlineFromAlpha(picture(120, 80, drawn), options);
+        QCOMPARE(outline.loops.size(), std::size_t(2));
+        QVERIFY(std::abs(areaOf(outline) - pi * (34 * 34 + 12 * 12)) < 0.01 * pi * 34 * 34);
+        options.margin = 3;
+        QCOMPARE(outlineFromAlpha(picture(120, 80, drawn), options).loops.size(), std::size_t(2));
+    }
+
     void notANumberIsTransparent() {
         auto image = picture(40, 40, disc(20, 20, 12), PixelType::Float, 1);
         const float nan = NAN;

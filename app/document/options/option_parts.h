@@ -33,6 +33,20 @@ constexpr Accessor inMaterial(At) {
 #define AT(member) at([](auto& project) -> auto& { return project.member; })
 #define IN_MATERIAL(member) inMaterial([](auto& material) -> auto& { return material.member; })
 
+/// A cut-out whose holes are filled is a choice of its own in the window.
+constexpr Accessor kOutline{
+    [](const Project& project) {
+        const Domain& domain = project.domain;
+        const bool isFilled =
+            domain.outline == OutlineKind::Alpha && domain.alpha.holes == OutlineHoles::Filled;
+        return isFilled ? double(kFilledCutOut) : static_cast<double>(domain.outline);
+    },
+    [](Project& project, double value) {
+        const bool isFilled = value == kFilledCutOut;
+        project.domain.outline = isFilled ? OutlineKind::Alpha : static_cast<OutlineKind>(value);
+        project.domain.alpha.holes = isFilled ? OutlineHoles::Filled : OutlineHoles::Kept;
+    }};
+
 /// Whoever aims at a number aims no longer at a size.
 constexpr Accessor kAim{[](const Project& project) { return static_cast<double>(project.domain.vertices); },
                         [](Project& project, double value) {

@@ -19,7 +19,8 @@ constexpr int kHeight = 44, kSign = 20;  // pixels
 /// What nothing has gone wrong with.
 bool isOffer(InfoBanner::Topic topic) {
     using enum InfoBanner::Topic;
-    return topic == Remark || topic == Lost || topic == Mesh || topic == Border || topic == SoftEdges;
+    return topic == Remark || topic == Lost || topic == Mesh || topic == Border || topic == SoftEdges ||
+           topic == LineArt;
 }
 
 QString readable(const QString& text) {

@@ -18,7 +18,20 @@ class InfoBanner : public QWidget {
 
   public:
     /// What a line is about, and with that when it goes.
-    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Remark, Lost, Mesh, Border, SoftEdges };
+    enum class Topic {
+        Opening,
+        Saving,
+        Copy,
+        Disk,
+        Export,
+        Shape,
+        Remark,
+        Lost,
+        Mesh,
+        Border,
+        SoftEdges,
+        LineArt
+    };
     /// A button that puts it right.
     struct Remedy {
         QString text;

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QStatusTipEvent>
@@ -29,6 +30,7 @@
 #include "app/view/files/file_workflow.h"
 #include "app/view/main_window.h"
 #include "app/view/notices/info_banner.h"
+#include "app/view/notices/line_art_offer.h"
 #include "app/view/notices/soft_edge_offer.h"
 #include "app/view/properties.h"
 #include "core/mesh/mesh_of_file.h"
@@ -59,6 +61,7 @@ class TestWindow : public WindowTest {
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
     void bordersOfPhotographsAreOffered();
+    void lineArtIsFilled();
     void softEdgesAreTakenAlong();
     void openingIsToldUntilThePictureIsSeen();
     void lightAndDarkHaveOneLayout();
@@ -437,6 +440,39 @@ void TestWindow::openingIsToldUntilThePictureIsSeen() {
     QVERIFY(QTest::qWaitFor([&] { return look(), canvas.screenPicture() != nullptr; }, 20000));
     QVERIFY(!isBlank);
     QTRY_COMPARE(note->text(), QString());
+}
+
+/// A ring drawn as a line: one click, which is one step, fills it.
+void TestWindow::lineArtIsFilled() {
+    const auto ring = [this](const QString& name, double width) {
+        QImage image(200, 200, QImage::Format_ARGB32);
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(Qt::black, width));
+        painter.drawEllipse(QPointF(100, 100), 70, 70);
+        painter.end();
+        const QString path = m_folder->filePath(name);
+        return image.save(path) ? path : QString();
+    };
+    const QString line = ring(QStringLiteral("line.png"), 4), thick = ring(QStringLiteral("thick.png"), 60);
+    QVERIFY(isLineArt(readImage(line.toStdString()), {}));
+    QVERIFY(!isLineArt(readImage(thick.toStdString()), {}));
+    const Document& document = m_window->session().document();
+    InfoBanner& banner = m_window->banner();
+    m_window->openPath(line);
+    QVERIFY(QTest::qWaitFor([&] { return banner.isVisible(); }, 20000));
+    auto* fill = banner.findChild<QPushButton*>();
+    QCOMPARE(fill->text(), QStringLiteral("Fill the Holes"));
+    QTest::mouseClick(fill, Qt::LeftButton);
+    QVERIFY(settle(m_window->session()) && !banner.isVisible());
+    const auto frame = m_window->session().frame<2>();
+    double area = 0;
+    for (const Cell<2>& cell : frame->rest->cells)
+        area += std::abs(cellMeasure<2>(frame->rest->points, cell));
+    QVERIFY(area > 3.14 * 70 * 70);
+    m_window->session().document().undoStack()->undo();
+    QVERIFY(document.domain().alpha.holes == OutlineHoles::Kept);
 }
 
 /// A glow that the cut-out leaves out may be taken along by a click, which is one step; a narrow soft edge is
