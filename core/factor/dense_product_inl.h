@@ -54,10 +54,13 @@ struct Rows {
 };
 
 /// C −= sum, or C = −sum.
-template <class Real>
-HWY_INLINE void subtract(bool replaces, Vector<Real> sum, Real* C) {
+template <bool kReplaces, class Real>
+HWY_INLINE void subtract(Vector<Real> sum, Real* C) {
     const Tag<Real> d;
-    hn::StoreU(replaces ? hn::Neg(sum) : hn::Sub(hn::LoadU(d, C), sum), d, C);
+    if constexpr (kReplaces)
+        hn::StoreU(hn::Sub(hn::Zero(d), sum), d, C);  // GCC vectorizes no emulated Neg
+    else
+        hn::StoreU(hn::Sub(hn::LoadU(d, C), sum), d, C);
 }
 
 template <int kVectors, class V>
@@ -68,17 +71,17 @@ HWY_INLINE void accumulate(V a, V b, V factor, V& p, V& q) {
 
 /// C −= A Bᵀ, or C = −A Bᵀ, for one or two vectors of rows and the columns J. Every accumulator is a
 /// register: the indices are constants.
-template <int kVectors, class Real, std::size_t... J>
+template <bool kReplaces, int kVectors, class Real, std::size_t... J>
 HWY_INLINE void tile(std::index_sequence<J...>, int depth, const Real* A, ptrdiff_t strideA, ptrdiff_t second,
-                     const Real* B, ptrdiff_t strideB, Real* C, ptrdiff_t leadingC, bool replaces) {
+                     const Real* B, ptrdiff_t strideB, Real* C, ptrdiff_t leadingC) {
     const Tag<Real> d;
     Vector<Real> p[sizeof...(J)] = {((void)J, hn::Zero(d))...}, q[sizeof...(J)] = {((void)J, hn::Zero(d))...};
     for (int k = 0; k < depth; ++k, A += strideA, B += strideB) {
         const auto a = hn::LoadU(d, A), b = kVectors == 2 ? hn::LoadU(d, A + second) : a;
         (accumulate<kVectors>(a, b, hn::Set(d, B[J]), p[J], q[J]), ...);
     }
-    (subtract(replaces, p[J], C + J * leadingC), ...);
-    if constexpr (kVectors == 2) (subtract(replaces, q[J], C + J * leadingC + kLanes<Real>), ...);
+    (subtract<kReplaces>(p[J], C + J * leadingC), ...);
+    if constexpr (kVectors == 2) (subtract<kReplaces>(q[J], C + J * leadingC + kLanes<Real>), ...);
 }
 
 /// C −= A Bᵀ, or C = −A Bᵀ, for the rows [rowBegin, rowEnd), of whole groups of kPad, and so many columns.
@@ -87,15 +90,24 @@ struct Strip {
     template <class Real>
     static void run(const Rows<Real>* A, int depth, const Real* B, ptrdiff_t strideB, Real* C,
                     ptrdiff_t leadingC, int rowBegin, int rowEnd, bool replaces) {
+        if (replaces)
+            tiles<true>(*A, depth, B, strideB, C, leadingC, rowBegin, rowEnd);
+        else
+            tiles<false>(*A, depth, B, strideB, C, leadingC, rowBegin, rowEnd);
+    }
+
+  private:
+    template <bool kReplaces, class Real>
+    static void tiles(const Rows<Real>& A, int depth, const Real* B, ptrdiff_t strideB, Real* C,
+                      ptrdiff_t leadingC, int rowBegin, int rowEnd) {
         constexpr std::make_index_sequence<kColumns> columns;
         constexpr int kTwo = 2 * kLanes<Real>;
         int r = rowBegin;
         for (; r + kTwo <= rowEnd; r += kTwo)
-            tile<2>(columns, depth, A->row(r), A->stride, A->second, B, strideB, C + r, leadingC, replaces);
+            tile<kReplaces, 2>(columns, depth, A.row(r), A.stride, A.second, B, strideB, C + r, leadingC);
         if constexpr (kPad<Real> % kTwo != 0)
             if (r < rowEnd)
-                tile<1>(columns, depth, A->row(r), A->stride, A->second, B, strideB, C + r, leadingC,
-                        replaces);
+                tile<kReplaces, 1>(columns, depth, A.row(r), A.stride, A.second, B, strideB, C + r, leadingC);
     }
 };
 
