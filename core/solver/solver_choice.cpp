@@ -9,8 +9,9 @@
 namespace wend {
 namespace {
 
-// Measured on a bar and on two cores (docs/scale.md): from here on multigrid takes less time.
-constexpr int kQuickerSolid = 30000;
+// By extrapolation from what was measured on a bar (docs/scale.md): from about here on multigrid takes less
+// time. With 35 700 vertices it still takes more.
+constexpr int kQuickerSolid = 80000;
 constexpr double kPartOfMemory = 0.5;
 
 }  // namespace
