@@ -2709,22 +2709,6 @@
         <translation>Tempo: %1 %</translation>
     </message>
     <message>
-        <source>Less &amp;Motion</source>
-        <translation>Weniger Be&amp;wegung</translation>
-    </message>
-    <message>
-        <source>Turn off animations that are only for show</source>
-        <translation>Im Fenster bewegt sich nur, was etwas zeigt</translation>
-    </message>
-    <message>
-        <source>T&amp;ips</source>
-        <translation>T&amp;ipps</translation>
-    </message>
-    <message>
-        <source>Show beside the shape what to do first</source>
-        <translation>Sagt neben der Form, was zuerst zu tun ist</translation>
-    </message>
-    <message>
         <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>Die Bewegung abspielen oder anhalten; auch durch Antippen der Leertaste</translation>
     </message>
@@ -3532,6 +3516,30 @@
         <source>No place is farther from rest than another.</source>
         <translation>Keine Stelle ist weiter von der Ruhe entfernt als eine andere.</translation>
     </message>
+    <message>
+        <source>Pin error</source>
+        <translation>Pinfehler</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>Wie weit der schlechteste Pin von seinem Ort entfernt ist</translation>
+    </message>
+    <message>
+        <source>Computing time</source>
+        <translation>Rechenzeit</translation>
+    </message>
+    <message>
+        <source>How long the shown shape took to compute</source>
+        <translation>Wie lange die Berechnung der gezeigten Form gedauert hat</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -3654,14 +3662,6 @@
             <numerusform>%n Bild von %1</numerusform>
             <numerusform>%n Bilder von %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 (measured)</source>
-        <translation>%1 (gemessen)</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>etwa %1 (geschätzt)</translation>
     </message>
     <message>
         <source>Cropped</source>
@@ -4132,21 +4132,6 @@
     </message>
 </context>
 <context>
-    <name>wend::FirstTips</name>
-    <message>
-        <source>Click the shape to pin it</source>
-        <translation>Die Form anklicken, um einen Pin zu setzen</translation>
-    </message>
-    <message>
-        <source>Drag the pin</source>
-        <translation>Den Pin ziehen</translation>
-    </message>
-    <message>
-        <source>Change what the shape keeps</source>
-        <translation>Ändern, was die Form bewahrt</translation>
-    </message>
-</context>
-<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4258,10 +4243,6 @@
         <translation>&amp;Sprache</translation>
     </message>
     <message>
-        <source>Which language the window speaks</source>
-        <translation>Welche Sprache das Fenster spricht</translation>
-    </message>
-    <message>
         <source>Like the &amp;Desktop</source>
         <translation>Wie der &amp;Schreibtisch</translation>
     </message>
@@ -4272,6 +4253,14 @@
     <message>
         <source>Speak %1</source>
         <translation>%1 sprechen</translation>
+    </message>
+    <message>
+        <source>The language of the window, from the next start of Wend</source>
+        <translation>Die Sprache des Fensters, ab dem nächsten Start von Wend</translation>
+    </message>
+    <message>
+        <source>The language changes when Wend starts the next time.</source>
+        <translation>Die Sprache wechselt, wenn Wend das nächste Mal startet.</translation>
     </message>
 </context>
 <context>
@@ -5115,10 +5104,6 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 Pixel</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>etwa %1 (geschätzt)</translation>
     </message>
 </context>
 <context>
@@ -6479,22 +6464,6 @@
         <translation>Wo der Zeiger ist, in Pixeln des Bildes</translation>
     </message>
     <message>
-        <source>Pin error</source>
-        <translation>Pinfehler</translation>
-    </message>
-    <message>
-        <source>How far the worst pin is from where it should be</source>
-        <translation>Wie weit der schlechteste Pin von seinem Ort entfernt ist</translation>
-    </message>
-    <message>
-        <source>pin error %1 px</source>
-        <translation>Pinfehler %1 px</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>max. %1</translation>
-    </message>
-    <message>
         <source>Area change</source>
         <translation>Flächenänderung</translation>
     </message>
@@ -6507,37 +6476,8 @@
         <translation>Fläche %1 %</translation>
     </message>
     <message>
-        <source>Time per frame</source>
-        <translation>Zeit je Bild</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>pin error %1</source>
-        <translation>Pinfehler %1</translation>
-    </message>
-    <message>
         <source>volume %1 %</source>
         <translation>Volumen %1 %</translation>
-    </message>
-    <message>
-        <source>Worst place</source>
-        <translation>Schlimmste Stelle</translation>
-    </message>
-    <message>
-        <source>How far the worst place is from rest in what the map shows</source>
-        <translation>Wie weit die schlimmste Stelle von der Ruhe entfernt ist, nach dem, was die Karte zeigt</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <comment>a ratio</comment>
-        <translation>am stärksten: %1</translation>
-    </message>
-    <message>
-        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
-        <translation>Beim Ziehen: wie lange nach der Hand kommt, was zu sehen ist. In Ruhe: was die Berechnung gedauert hat</translation>
     </message>
 </context>
 <context>

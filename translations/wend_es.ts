@@ -2709,22 +2709,6 @@
         <translation>Velocidad: %1 %</translation>
     </message>
     <message>
-        <source>Less &amp;Motion</source>
-        <translation>Menos &amp;movimiento</translation>
-    </message>
-    <message>
-        <source>Turn off animations that are only for show</source>
-        <translation>En la ventana solo se mueve lo que muestra algo</translation>
-    </message>
-    <message>
-        <source>T&amp;ips</source>
-        <translation>&amp;Consejos</translation>
-    </message>
-    <message>
-        <source>Show beside the shape what to do first</source>
-        <translation>Dice junto a la forma qué hacer primero</translation>
-    </message>
-    <message>
         <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>Reproducir el movimiento o pausarlo; también al pulsar brevemente la barra espaciadora</translation>
     </message>
@@ -3532,6 +3516,30 @@
         <source>No place is farther from rest than another.</source>
         <translation>Ningún lugar está más lejos del reposo que otro.</translation>
     </message>
+    <message>
+        <source>Pin error</source>
+        <translation>Error de alfiler</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>Cuánto se aparta el peor alfiler de su sitio</translation>
+    </message>
+    <message>
+        <source>Computing time</source>
+        <translation>Tiempo de cálculo</translation>
+    </message>
+    <message>
+        <source>How long the shown shape took to compute</source>
+        <translation>Cuánto tardó en calcularse la forma mostrada</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -3654,14 +3662,6 @@
             <numerusform>%n imagen de %1</numerusform>
             <numerusform>%n imágenes de %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 (measured)</source>
-        <translation>%1 (medido)</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>aprox. %1 (estimado)</translation>
     </message>
     <message>
         <source>Cropped</source>
@@ -4132,21 +4132,6 @@
     </message>
 </context>
 <context>
-    <name>wend::FirstTips</name>
-    <message>
-        <source>Click the shape to pin it</source>
-        <translation>Haga clic en la forma para poner un alfiler</translation>
-    </message>
-    <message>
-        <source>Drag the pin</source>
-        <translation>Arrastre el alfiler</translation>
-    </message>
-    <message>
-        <source>Change what the shape keeps</source>
-        <translation>Cambie lo que conserva la forma</translation>
-    </message>
-</context>
-<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4258,10 +4243,6 @@
         <translation>&amp;Idioma</translation>
     </message>
     <message>
-        <source>Which language the window speaks</source>
-        <translation>Qué idioma habla la ventana</translation>
-    </message>
-    <message>
         <source>Like the &amp;Desktop</source>
         <translation>Como el &amp;escritorio</translation>
     </message>
@@ -4272,6 +4253,14 @@
     <message>
         <source>Speak %1</source>
         <translation>Hablar %1</translation>
+    </message>
+    <message>
+        <source>The language of the window, from the next start of Wend</source>
+        <translation>El idioma de la ventana, desde el próximo inicio de Wend</translation>
+    </message>
+    <message>
+        <source>The language changes when Wend starts the next time.</source>
+        <translation>El idioma cambiará la próxima vez que se inicie Wend.</translation>
     </message>
 </context>
 <context>
@@ -5115,10 +5104,6 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 píxeles</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>aprox. %1 (estimado)</translation>
     </message>
 </context>
 <context>
@@ -6479,30 +6464,6 @@
         <translation>Dónde está el puntero, en píxeles de la imagen</translation>
     </message>
     <message>
-        <source>Pin error</source>
-        <translation>Error de alfiler</translation>
-    </message>
-    <message>
-        <source>How far the worst pin is from where it should be</source>
-        <translation>Cuánto se aparta el peor alfiler de su sitio</translation>
-    </message>
-    <message>
-        <source>pin error %1 px</source>
-        <translation>error de alfiler %1 px</translation>
-    </message>
-    <message>
-        <source>Worst place</source>
-        <translation>Peor punto</translation>
-    </message>
-    <message>
-        <source>How far the worst place is from rest in what the map shows</source>
-        <translation>Cuánto se aparta el peor punto del reposo, según lo que muestra el mapa</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>peor %1</translation>
-    </message>
-    <message>
         <source>Area change</source>
         <translation>Cambio de área</translation>
     </message>
@@ -6515,29 +6476,8 @@
         <translation>área %1 %</translation>
     </message>
     <message>
-        <source>Time per frame</source>
-        <translation>Tiempo por fotograma</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>pin error %1</source>
-        <translation>error de alfiler %1</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <comment>a ratio</comment>
-        <translation>extremo: %1</translation>
-    </message>
-    <message>
         <source>volume %1 %</source>
         <translation>volumen %1 %</translation>
-    </message>
-    <message>
-        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
-        <translation>Al arrastrar: cuánto tarda en seguir a la mano lo que se ve. En reposo: lo que llevó calcularlo</translation>
     </message>
 </context>
 <context>

@@ -2709,22 +2709,6 @@
         <translation>Vitesse&#x202f;: %1&#x202f;%</translation>
     </message>
     <message>
-        <source>Less &amp;Motion</source>
-        <translation>Moins de &amp;mouvement</translation>
-    </message>
-    <message>
-        <source>Turn off animations that are only for show</source>
-        <translation>Dans la fenêtre ne bouge que ce qui montre quelque chose</translation>
-    </message>
-    <message>
-        <source>T&amp;ips</source>
-        <translation>&amp;Conseils</translation>
-    </message>
-    <message>
-        <source>Show beside the shape what to do first</source>
-        <translation>Dit à côté de la forme ce qu’il faut faire d’abord</translation>
-    </message>
-    <message>
         <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>Lire le mouvement ou le mettre en pause&#x202f;; un appui bref sur la barre d’espace fait de même</translation>
     </message>
@@ -3532,6 +3516,30 @@
         <source>No place is farther from rest than another.</source>
         <translation>Aucun endroit n’est plus loin du repos qu’un autre.</translation>
     </message>
+    <message>
+        <source>Pin error</source>
+        <translation>Erreur d’épingle</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>Écart de la pire épingle par rapport à sa place</translation>
+    </message>
+    <message>
+        <source>Computing time</source>
+        <translation>Temps de calcul</translation>
+    </message>
+    <message>
+        <source>How long the shown shape took to compute</source>
+        <translation>Durée du calcul de la forme affichée</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -3654,14 +3662,6 @@
             <numerusform>%n image de %1</numerusform>
             <numerusform>%n images de %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 (measured)</source>
-        <translation>%1 (mesuré)</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>environ %1 (estimé)</translation>
     </message>
     <message>
         <source>Cropped</source>
@@ -4132,21 +4132,6 @@
     </message>
 </context>
 <context>
-    <name>wend::FirstTips</name>
-    <message>
-        <source>Click the shape to pin it</source>
-        <translation>Cliquez sur la forme pour l’épingler</translation>
-    </message>
-    <message>
-        <source>Drag the pin</source>
-        <translation>Faites glisser l’épingle</translation>
-    </message>
-    <message>
-        <source>Change what the shape keeps</source>
-        <translation>Changez ce que la forme conserve</translation>
-    </message>
-</context>
-<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4258,10 +4243,6 @@
         <translation>&amp;Langue</translation>
     </message>
     <message>
-        <source>Which language the window speaks</source>
-        <translation>Quelle langue parle la fenêtre</translation>
-    </message>
-    <message>
         <source>Like the &amp;Desktop</source>
         <translation>Comme le &amp;bureau</translation>
     </message>
@@ -4272,6 +4253,14 @@
     <message>
         <source>Speak %1</source>
         <translation>Parler %1</translation>
+    </message>
+    <message>
+        <source>The language of the window, from the next start of Wend</source>
+        <translation>La langue de la fenêtre, à partir du prochain démarrage de Wend</translation>
+    </message>
+    <message>
+        <source>The language changes when Wend starts the next time.</source>
+        <translation>La langue changera au prochain démarrage de Wend.</translation>
     </message>
 </context>
 <context>
@@ -5115,10 +5104,6 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 pixels</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>environ %1 (estimé)</translation>
     </message>
 </context>
 <context>
@@ -6479,30 +6464,6 @@
         <translation>Position du pointeur, en pixels de l’image</translation>
     </message>
     <message>
-        <source>Pin error</source>
-        <translation>Erreur d’épingle</translation>
-    </message>
-    <message>
-        <source>How far the worst pin is from where it should be</source>
-        <translation>Écart de la pire épingle par rapport à sa place</translation>
-    </message>
-    <message>
-        <source>pin error %1 px</source>
-        <translation>erreur d’épingle %1 px</translation>
-    </message>
-    <message>
-        <source>Worst place</source>
-        <translation>Pire endroit</translation>
-    </message>
-    <message>
-        <source>How far the worst place is from rest in what the map shows</source>
-        <translation>Écart du pire endroit par rapport au repos, selon ce que montre la carte</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>pire %1</translation>
-    </message>
-    <message>
         <source>Area change</source>
         <translation>Variation d’aire</translation>
     </message>
@@ -6515,29 +6476,8 @@
         <translation>aire %1&#x202f;%</translation>
     </message>
     <message>
-        <source>Time per frame</source>
-        <translation>Temps par image</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>pin error %1</source>
-        <translation>erreur d’épingle %1</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <comment>a ratio</comment>
-        <translation>extrême&#x202f;: %1</translation>
-    </message>
-    <message>
         <source>volume %1 %</source>
         <translation>volume %1&#x202f;%</translation>
-    </message>
-    <message>
-        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
-        <translation>Pendant un glissement&#x202f;: le retard de ce que vous voyez sur la main. Au repos&#x202f;: la durée du calcul</translation>
     </message>
 </context>
 <context>

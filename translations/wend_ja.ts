@@ -2708,22 +2708,6 @@
         <translation>速度: %1 %</translation>
     </message>
     <message>
-        <source>Less &amp;Motion</source>
-        <translation>動きを減らす(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Turn off animations that are only for show</source>
-        <translation>意味のある動きだけを表示します</translation>
-    </message>
-    <message>
-        <source>T&amp;ips</source>
-        <translation>ヒント(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Show beside the shape what to do first</source>
-        <translation>最初にすることを形のそばに示します</translation>
-    </message>
-    <message>
         <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>動きを再生または一時停止します。スペースキーを軽く押しても同じです</translation>
     </message>
@@ -3529,6 +3513,30 @@
         <source>No place is farther from rest than another.</source>
         <translation>ほかより大きく変わった場所はありません。</translation>
     </message>
+    <message>
+        <source>Pin error</source>
+        <translation>ピン誤差</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>最もずれたピンと、本来の位置との距離</translation>
+    </message>
+    <message>
+        <source>Computing time</source>
+        <translation>計算時間</translation>
+    </message>
+    <message>
+        <source>How long the shown shape took to compute</source>
+        <translation>表示中の形状の計算にかかった時間</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -3649,14 +3657,6 @@
         <translation>
             <numerusform>%n 枚の画像（各 %1）</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 (measured)</source>
-        <translation>%1（実測）</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>約 %1（推定）</translation>
     </message>
     <message>
         <source>Cropped</source>
@@ -4125,21 +4125,6 @@
     </message>
 </context>
 <context>
-    <name>wend::FirstTips</name>
-    <message>
-        <source>Click the shape to pin it</source>
-        <translation>形をクリックしてピンを打つ</translation>
-    </message>
-    <message>
-        <source>Drag the pin</source>
-        <translation>ピンをドラッグする</translation>
-    </message>
-    <message>
-        <source>Change what the shape keeps</source>
-        <translation>形が保つものを変える</translation>
-    </message>
-</context>
-<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4251,10 +4236,6 @@
         <translation>言語(&amp;L)</translation>
     </message>
     <message>
-        <source>Which language the window speaks</source>
-        <translation>ウィンドウの表示言語</translation>
-    </message>
-    <message>
         <source>Like the &amp;Desktop</source>
         <translation>デスクトップに合わせる(&amp;D)</translation>
     </message>
@@ -4265,6 +4246,14 @@
     <message>
         <source>Speak %1</source>
         <translation>%1 で表示します</translation>
+    </message>
+    <message>
+        <source>The language of the window, from the next start of Wend</source>
+        <translation>ウィンドウの言語。次回の起動から有効になります</translation>
+    </message>
+    <message>
+        <source>The language changes when Wend starts the next time.</source>
+        <translation>言語は、次回 Wend を起動したときに変わります。</translation>
     </message>
 </context>
 <context>
@@ -5107,10 +5096,6 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 ピクセル</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>約 %1（推定）</translation>
     </message>
 </context>
 <context>
@@ -6468,30 +6453,6 @@
         <translation>ポインターの位置（画像のピクセル）</translation>
     </message>
     <message>
-        <source>Pin error</source>
-        <translation>ピン誤差</translation>
-    </message>
-    <message>
-        <source>How far the worst pin is from where it should be</source>
-        <translation>最もずれたピンと、本来の位置との距離</translation>
-    </message>
-    <message>
-        <source>pin error %1 px</source>
-        <translation>ピン誤差 %1 px</translation>
-    </message>
-    <message>
-        <source>Worst place</source>
-        <translation>最大ひずみ箇所</translation>
-    </message>
-    <message>
-        <source>How far the worst place is from rest in what the map shows</source>
-        <translation>マップの示す量で、最大ひずみ箇所が変形前からどれだけ離れているか</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>最大%1</translation>
-    </message>
-    <message>
         <source>Area change</source>
         <translation>面積の変化</translation>
     </message>
@@ -6504,29 +6465,8 @@
         <translation>面積 %1%</translation>
     </message>
     <message>
-        <source>Time per frame</source>
-        <translation>フレームあたりの時間</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>pin error %1</source>
-        <translation>ピン誤差 %1</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <comment>a ratio</comment>
-        <translation>最大変化：%1</translation>
-    </message>
-    <message>
         <source>volume %1 %</source>
         <translation>体積 %1%</translation>
-    </message>
-    <message>
-        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
-        <translation>ドラッグ中: 見えているものが手からどれだけ遅れるか。静止時: 計算にかかった時間</translation>
     </message>
 </context>
 <context>

@@ -2708,22 +2708,6 @@
         <translation>速度：%1 %</translation>
     </message>
     <message>
-        <source>Less &amp;Motion</source>
-        <translation>减少动画(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Turn off animations that are only for show</source>
-        <translation>窗口中只有表达内容的部分才会动</translation>
-    </message>
-    <message>
-        <source>T&amp;ips</source>
-        <translation>提示(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Show beside the shape what to do first</source>
-        <translation>在形状旁提示先做什么</translation>
-    </message>
-    <message>
         <source>Play or pause the motion; tapping the space bar does so, too</source>
         <translation>播放或暂停运动；轻按空格键也可</translation>
     </message>
@@ -3529,6 +3513,30 @@
         <source>No place is farther from rest than another.</source>
         <translation>没有哪处的变化比别处更大。</translation>
     </message>
+    <message>
+        <source>Pin error</source>
+        <translation>图钉误差</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>偏差最大的图钉距其应在位置多远</translation>
+    </message>
+    <message>
+        <source>Computing time</source>
+        <translation>计算时间</translation>
+    </message>
+    <message>
+        <source>How long the shown shape took to compute</source>
+        <translation>计算所示形状所用的时间</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
@@ -3649,14 +3657,6 @@
         <translation>
             <numerusform>%n 张图片，每张 %1</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 (measured)</source>
-        <translation>%1（实测）</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>约 %1（估计）</translation>
     </message>
     <message>
         <source>Cropped</source>
@@ -4125,21 +4125,6 @@
     </message>
 </context>
 <context>
-    <name>wend::FirstTips</name>
-    <message>
-        <source>Click the shape to pin it</source>
-        <translation>单击形状以放置图钉</translation>
-    </message>
-    <message>
-        <source>Drag the pin</source>
-        <translation>拖动图钉</translation>
-    </message>
-    <message>
-        <source>Change what the shape keeps</source>
-        <translation>更改形状保持的内容</translation>
-    </message>
-</context>
-<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4251,10 +4236,6 @@
         <translation>语言(&amp;L)</translation>
     </message>
     <message>
-        <source>Which language the window speaks</source>
-        <translation>窗口使用哪种语言</translation>
-    </message>
-    <message>
         <source>Like the &amp;Desktop</source>
         <translation>跟随桌面(&amp;D)</translation>
     </message>
@@ -4265,6 +4246,14 @@
     <message>
         <source>Speak %1</source>
         <translation>使用%1</translation>
+    </message>
+    <message>
+        <source>The language of the window, from the next start of Wend</source>
+        <translation>窗口的语言，下次启动 Wend 时生效</translation>
+    </message>
+    <message>
+        <source>The language changes when Wend starts the next time.</source>
+        <translation>下次启动 Wend 时语言将会改变。</translation>
     </message>
 </context>
 <context>
@@ -5107,10 +5096,6 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 像素</translation>
-    </message>
-    <message>
-        <source>about %1 (estimated)</source>
-        <translation>约 %1（估计）</translation>
     </message>
 </context>
 <context>
@@ -6468,30 +6453,6 @@
         <translation>指针所在位置，以图片像素计</translation>
     </message>
     <message>
-        <source>Pin error</source>
-        <translation>图钉误差</translation>
-    </message>
-    <message>
-        <source>How far the worst pin is from where it should be</source>
-        <translation>偏差最大的图钉距其应在位置多远</translation>
-    </message>
-    <message>
-        <source>pin error %1 px</source>
-        <translation>图钉误差 %1 px</translation>
-    </message>
-    <message>
-        <source>Worst place</source>
-        <translation>变形最大处</translation>
-    </message>
-    <message>
-        <source>How far the worst place is from rest in what the map shows</source>
-        <translation>按色图所示的量，变形最大处与变形前相差多少</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>最大%1</translation>
-    </message>
-    <message>
         <source>Area change</source>
         <translation>面积变化</translation>
     </message>
@@ -6504,29 +6465,8 @@
         <translation>面积 %1%</translation>
     </message>
     <message>
-        <source>Time per frame</source>
-        <translation>每帧用时</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>pin error %1</source>
-        <translation>图钉误差 %1</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <comment>a ratio</comment>
-        <translation>变化最大：%1</translation>
-    </message>
-    <message>
         <source>volume %1 %</source>
         <translation>体积 %1%</translation>
-    </message>
-    <message>
-        <source>While you drag: how long the view lags behind your hand. At rest: how long computing it took</source>
-        <translation>拖动时：所见比手慢多久。静止时：计算所用的时间</translation>
     </message>
 </context>
 <context>

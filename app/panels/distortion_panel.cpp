@@ -37,6 +37,8 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_area(new QLabel(m_details)),
       m_length(new QLabel(m_details)),
       m_worst(new QLabel(m_details)),
+      m_pinError(new QLabel(m_details)),
+      m_time(new QLabel(m_details)),
       m_find(new QToolButton(this)),
       m_watch(session),
       m_crossings(new QToolButton(m_details)),
@@ -135,6 +137,8 @@ QLayout* DistortionPanel::totals() {
     m_areaName = add(tr("Area error"), m_area, {});
     add(tr("Stretch"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
     add(tr("Worst place"), m_worst, {});
+    add(tr("Pin error"), m_pinError, tr("How far the worst pin is from where it should be"));
+    add(tr("Computing time"), m_time, tr("How long the shown shape took to compute"));
     m_crossingsName = add({}, m_crossings, {});
     add(tr("Blown up"), m_blown, {});
     return totals;
@@ -252,7 +256,7 @@ void DistortionPanel::takeFrame() {
     if (!frame) return;
     setDimension(frame->dimension);
     m_opacityRow->setVisible(hasPicture(*frame));
-    showTotals(*frame->distortion);
+    showTotals(*frame);
     const std::vector<double> values = shownValues(m_session, measure());
     if (!m_keep->isChecked()) {
         m_range = rangeOf(values, measure(), m_dimension);
@@ -261,7 +265,8 @@ void DistortionPanel::takeFrame() {
     m_legend->set(measure(), m_range, m_dimension, values);
 }
 
-void DistortionPanel::showTotals(const Distortion& distortion) {
+void DistortionPanel::showTotals(const ShapeFrame& frame) {
+    const Distortion& distortion = *frame.distortion;
     const QLocale locale;
     const auto text = [&locale](double value) { return locale.toString(value, 'f', 4); };
     m_angle->setText(text(distortion.totalAngle));
@@ -270,6 +275,9 @@ void DistortionPanel::showTotals(const Distortion& distortion) {
     allow(m_find, worstOf(distortion, measure()).cell >= 0,
           tr("No place is farther from rest than another."));
     m_worst->setText(worstText(distortion, measure(), m_dimension));
+    const QString error = locale.toString(frame.pinError, 'f', 2);
+    m_pinError->setText(m_session.document().picture() ? tr("%1 px").arg(error) : error);
+    m_time->setText(tr("%1 ms").arg(locale.toString(frame.milliseconds, 'f', 0)));
 }
 
 }  // namespace wend

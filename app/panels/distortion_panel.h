@@ -55,7 +55,7 @@ class DistortionPanel : public QWidget {
     void arrange();
     QLayout* totals();
     void takeFrame();
-    void showTotals(const Distortion& distortion);
+    void showTotals(const ShapeFrame& frame);
     void describeFaults();
     void showFaults();
     template <int Dim>
@@ -75,6 +75,7 @@ class DistortionPanel : public QWidget {
     QLabel* m_area;
     QLabel* m_length;
     QLabel* m_worst;
+    QLabel *m_pinError, *m_time;
     QToolButton* m_find;
     QLabel* m_areaName = nullptr;
     PoseWatch m_watch;

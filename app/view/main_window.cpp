@@ -42,7 +42,6 @@
 #include "app/view/film/film_controls.h"
 #include "app/view/film/time_strip.h"
 #include "app/view/film/track_view.h"
-#include "app/view/help/first_tips.h"
 #include "app/view/help/side_windows.h"
 #include "app/view/help/tutorial.h"
 #include "app/view/notices/border_offer.h"
@@ -231,7 +230,7 @@ void MainWindow::connectFiles() {
     connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });
     connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
     connect(m_material, &MaterialActions::failed, this, tellIn(Topic::Export));
-    connect(m_material, &MaterialActions::done, m_fields, &StatusFields::tell);
+    connect(m_material, &MaterialActions::done, m_fields, &StatusFields::showMessage);
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     new BorderOffer(m_session.document(), *m_banner, this);
@@ -251,7 +250,7 @@ void MainWindow::connectFiles() {
                        steps->canUndo() ? QList<InfoBanner::Remedy>{{tr("Undo"), [steps] { steps->undo(); }}}
                                         : QList<InfoBanner::Remedy>());
     });
-    connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::tell);
+    connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::showMessage);
 }
 
 void MainWindow::connectEdit() {
@@ -288,8 +287,6 @@ void MainWindow::connectView() {
     connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
     connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
     const DistortionPanel* distortion = &m_properties->distortion();
-    connect(distortion, &DistortionPanel::mapChanged, this,
-            [this, distortion] { m_fields->setMeasure(distortion->measure()); });
     connect(distortion, &DistortionPanel::mapChosen, this, [this] { m_actions->showMap->setChecked(true); });
     connect(distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
@@ -301,14 +298,9 @@ void MainWindow::connectView() {
     });
     connect(distortion, &DistortionPanel::faultsChanged, this,
             [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
-    m_fields->delay().watch(*m_canvas, [this]() -> FramePtr {
-        const auto& drawn = m_canvas->drawn();
-        return drawn ? drawn->request.frame : nullptr;
-    });
     connectViewport(m_canvas->viewport());
     connect(m_solids, &SolidWorkshop::viewportMade, this, [this](Viewport& view) {
         connectViewport(view);
-        m_fields->delay().watch(*m_solids->canvas(), [this] { return m_session.frame(); });
         connect(m_solids->canvas(), &VolumeView::cameraChanged, m_exporter, &Exporter::viewTurned);
     });
 }
@@ -323,13 +315,8 @@ void MainWindow::connectViewport(Viewport& view) {
 
 void MainWindow::connectHelp() {
     new SideWindows(m_session, *m_actions, *this);
-    new FirstTips({m_session, *m_tools, *m_canvas, [this] { return m_solids->canvas(); },
-                   *m_properties->material().energySlider(), *m_tutorial, *m_actions->tips},
-                  *m_pages);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
-    // Not while its menu is open.
-    connect(m_actions->languages, &LanguageChoice::changed, this, &MainWindow::startAgain,
-            Qt::QueuedConnection);
+    connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
     m_files->setPractice([this] { return m_tutorial->isPractice(); });
     connect(m_actions->tutorial, &QAction::triggered, this, [this] {
         m_tutorial->begin();
@@ -356,7 +343,7 @@ void MainWindow::showDocument() {
         widget->setVisible(has);
     focusView();
     m_fields->setVisible(has);
-    m_fields->forgetTold();
+    m_fields->forgetMessage();
     showSelection();
     showTitle();
 }
@@ -370,7 +357,7 @@ void MainWindow::addSolidPage() {
 /// An export that failed before has its file now.
 void MainWindow::tellDone(const QString& text) {
     m_banner->clear(Topic::Export);
-    m_fields->tell(text);
+    m_fields->showMessage(text);
 }
 
 void MainWindow::showSelection() {

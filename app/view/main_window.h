@@ -2,10 +2,8 @@
 
 #include <QMainWindow>
 #include <memory>
-#include <optional>
 
 #include "app/session/shape_session.h"
-#include "app/view/window_state.h"
 
 class QStackedWidget;
 
@@ -53,11 +51,6 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     void openPath(const QString& path);
-    /// Closes the window, with all that is unsaved, for another one in its place.
-    void startAgain();
-    /// What that one is to take over; nothing if it was closed for good.
-    const std::optional<WindowState>& again() const { return m_again; }
-    void takeOver(const WindowState& state);
 
     ShapeSession& session() { return m_session; }
     ShapeCanvas& canvas() { return *m_canvas; }
@@ -132,7 +125,6 @@ class MainWindow : public QMainWindow {
     QStackedWidget* m_pages;
     WorkNote* m_work;
     Tutorial* m_tutorial;
-    std::optional<WindowState> m_again;
     ModeRow* m_modes = nullptr;
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;

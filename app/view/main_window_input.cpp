@@ -12,7 +12,6 @@
 #include "app/panels/look/theme.h"
 #include "app/session/opening.h"
 #include "app/view/actions/actions.h"
-#include "app/view/actions/toolbox.h"
 #include "app/view/compare_view.h"
 #include "app/view/files/file_workflow.h"
 #include "app/view/files/start_page.h"
@@ -56,23 +55,7 @@ void MainWindow::followFocus(const QWidget* from, const QWidget* to) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    event->setAccepted(m_again || m_files->mayLeave());
-}
-
-void MainWindow::startAgain() {
-    const OpenedFile file = m_files->handOver();  // with what is being typed
-    m_again = WindowState{file, saveGeometry(), m_tools->mode(), session().selection().handles(),
-                          session().playback().time()};
-    close();
-}
-
-void MainWindow::takeOver(const WindowState& state) {
-    restoreGeometry(state.geometry);
-    if (!state.file.project) return;
-    m_files->takeOver(state.file);
-    m_tools->setMode(state.mode);
-    session().selection().set(state.selected);
-    session().playback().setTime(state.time);
+    event->setAccepted(m_files->mayLeave());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

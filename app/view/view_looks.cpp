@@ -1,11 +1,7 @@
 #include "app/view/view_looks.h"
 
-#include <QCursor>
-#include <algorithm>
-
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/look/liveliness.h"
 #include "app/panels/material_panel.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/backdrop_choice.h"
@@ -18,11 +14,6 @@
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {
-namespace {
-
-constexpr double kFullLean = 200;  // pixels of a drag
-
-}  // namespace
 
 void followLooks(Viewport& view, const Actions& a, const DistortionPanel& map) {
     for (const auto& [action, look] : {std::pair{a.showMesh, &Looks::mesh},
@@ -72,18 +63,6 @@ void ViewLooks::connectComparison() {
     });
     new TilePictures(
         m_parts.session, m_parts.picture, [this] { return m_parts.solids.canvas(); }, tiles);
-    connectLeaning(tiles);
-}
-
-/// The pictures of the energies lean to where the shape is pulled.
-void ViewLooks::connectLeaning(EnergySlider& tiles) {
-    ShapeSession& session = m_parts.session;
-    connect(&session, &ShapeSession::dragBegan, this, [this] { m_pulledFrom = QCursor::pos().x(); });
-    connect(&session, &ShapeSession::dragMoved, this, [this, &tiles] {
-        if (isLively()) tiles.setLean(std::clamp((QCursor::pos().x() - m_pulledFrom) / kFullLean, -1.0, 1.0));
-    });
-    for (const auto end : {&ShapeSession::dragEnded, &ShapeSession::dragCancelled})
-        connect(&session, end, this, [&tiles] { tiles.setLean(0); });
 }
 
 /// Pins and maps hide for good or while a key is held; so the shape is seen as it was before, without them.

@@ -8,7 +8,6 @@ namespace wend {
 class Actions;
 class CompareView;
 class DistortionPanel;
-class EnergySlider;
 class Properties;
 class ShapeCanvas;
 class ShapeSession;
@@ -38,11 +37,9 @@ class ViewLooks : public QObject {
 
   private:
     void connectComparison();
-    void connectLeaning(EnergySlider& tiles);
     void connectHiding(QWidget& window);
 
     Parts m_parts;
-    int m_pulledFrom = 0;  // where the pointer was on the screen when a drag began
 };
 
 }  // namespace wend

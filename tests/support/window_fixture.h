@@ -61,7 +61,6 @@ class TestFolder : public QTemporaryDir {
         QCoreApplication::setApplicationName(QStringLiteral("WendTest"));
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path());
-        QSettings().setValue("lessMotion", true);  // pictures of windows are compared
     }
 };
 

@@ -19,7 +19,6 @@ class ProjectCommand : public QUndoCommand {
     int id() const override;
     bool mergeWith(const QUndoCommand* next) override;
     const QString& mergeKey() const { return m_mergeKey; }
-    DoneStep step() const { return {text(), m_before, m_after}; }
 
   private:
     Document& m_document;

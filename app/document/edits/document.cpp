@@ -1,7 +1,6 @@
 #include "app/document/edits/document.h"
 
 #include <QFileInfo>
-#include <algorithm>
 
 #include "app/document/edits/commands.h"
 #include "app/document/file/project_writer.h"
@@ -58,38 +57,11 @@ void Document::open(OpenedFile file) {
     m_path = file.path;
     m_source = file.source;
     m_camera = m_cameraInFile = m_project ? m_project->view.camera : std::nullopt;
-    if (file.camera) m_camera = file.camera;
     ++m_generation;
-    takeSteps(file);
     if (!file.recoveredFrom.isEmpty()) m_undo.resetClean();
     emit opened();
     emit projectChanged();
     emit titleChanged();
-}
-
-/// They are as they were, but nothing merges with the last one. Nobody hears of the projects in between.
-void Document::takeSteps(const OpenedFile& file) {
-    const QSignalBlocker quiet(this);
-    for (const DoneStep& step : file.steps)
-        m_undo.push(new ProjectCommand(*this, step.name, step.before, step.after, {}));
-    m_undo.setIndex(std::max(file.saved, 0));
-    file.saved < 0 ? m_undo.resetClean() : m_undo.setClean();
-    m_undo.setIndex(file.done);
-}
-
-OpenedFile Document::handOver() {
-    emit viewWanted();
-    OpenedFile all;
-    all.project = m_project;
-    all.picture = m_picture;
-    all.path = m_path;
-    all.source = m_source;
-    for (int i = 0; i < m_undo.count(); ++i)
-        all.steps.push_back(static_cast<const ProjectCommand*>(m_undo.command(i))->step());
-    all.done = m_undo.index();
-    all.saved = m_undo.cleanIndex();
-    all.camera = m_camera;
-    return all;
 }
 
 void Document::close() {

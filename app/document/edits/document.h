@@ -14,12 +14,6 @@ namespace wend {
 
 struct Image;
 
-/// What can be undone, or done again.
-struct DoneStep {
-    QString name;
-    std::shared_ptr<const Project> before, after;
-};
-
 /// What a file brings: a project, and the picture that it warps (null for a mesh without one).
 struct OpenedFile {
     std::shared_ptr<const Project> project;
@@ -28,10 +22,6 @@ struct OpenedFile {
     QString source;  // the file that was opened
     QStringList warnings;
     QString recoveredFrom;  // a copy of unsaved work: there are changes that `path` does not have
-    // Of a window that another one takes the place of.
-    std::vector<DoneStep> steps;
-    int done = 0, saved = 0;            // how many of the steps are; saved: −1 for none that is there
-    std::optional<SavedCamera> camera;  // where a solid was looked at from
 };
 
 /// The project that is being worked on, as an immutable value that undo commands exchange.
@@ -77,8 +67,6 @@ class Document : public QObject {
 
     /// Begins anew with what was read.
     void open(OpenedFile file);
-    /// All of it, for open() elsewhere.
-    OpenedFile handOver();
     void close();
     /// Writes the project file; throws InputError, and the document stays modified.
     void save(const QString& path);
@@ -111,7 +99,6 @@ class Document : public QObject {
     friend class ProjectCommand;
     /// A step that is undone is gone.
     bool isDropping() const { return m_drops; }
-    void takeSteps(const OpenedFile& file);
     void setProject(const std::shared_ptr<const Project>& project);
 
     std::shared_ptr<const Project> m_project;

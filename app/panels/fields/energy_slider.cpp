@@ -33,7 +33,6 @@ constexpr int kTileText = 54, kTileFont = 12;  // pixels: of the narrowest tile,
 constexpr QSize kTilePicture(46, 48);
 constexpr int kRest = 250;  // milliseconds of the pointer on a tile
 constexpr double kFaint = 0.4;
-constexpr double kMostLean = 0.2, kLeanStep = 0.1;  // width to height; what is seen to be another
 constexpr const char* kMime = "application/x-wend-energy";
 constexpr std::array<const char*, EnergyScale::kStops> kPictures = {"area", "length", "rigid", "angle"};
 
@@ -139,36 +138,26 @@ void EnergySlider::setPicturesStale(bool stale) {
     if (std::exchange(m_stale, stale) != stale) showPictures();
 }
 
-void EnergySlider::setLean(double lean) {
-    if (std::abs(lean - m_lean) < kLeanStep && lean != 0) return;
-    if (std::exchange(m_lean, lean) != lean) showPictures();
-}
-
 void EnergySlider::showPictures() {
     if (m_stops != Stops::Tiles) return;
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         const QIcon& sample = m_samples[i];
-        if (m_pictures.empty() && m_lean == 0)
+        if (m_pictures.empty())
             m_labels[i]->setIcon(sample);
         else
-            m_labels[i]->setIcon(QIcon(drawn(
-                m_pictures.empty() ? sample.pixmap(kTilePicture, devicePixelRatioF()) : m_pictures[i])));
+            m_labels[i]->setIcon(QIcon(drawn(m_pictures[i])));
     }
 }
 
-/// Faint if it is out of date, and standing on its lower edge as it leans.
+/// Returns the picture, faint if it is out of date.
 QPixmap EnergySlider::drawn(const QPixmap& picture) const {
-    if (!m_stale && m_lean == 0) return picture;
+    if (!m_stale) return picture;
     QPixmap result(picture.size());
     result.setDevicePixelRatio(picture.devicePixelRatio());
     result.fill(Qt::transparent);
     QPainter painter(&result);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (m_stale) painter.setOpacity(kFaint);
-    const double height = picture.deviceIndependentSize().height();
-    painter.translate(0, height);
-    painter.shear(-kMostLean * m_lean, 0);
-    painter.drawPixmap(QPointF(0, -height), picture);
+    painter.setOpacity(kFaint);
+    painter.drawPixmap(QPointF(), picture);
     return result;
 }
 

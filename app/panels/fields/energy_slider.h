@@ -40,8 +40,6 @@ class EnergySlider : public QWidget {
     /// out of date is faint.
     void setPictures(const std::vector<QPixmap>& pictures);
     void setPicturesStale(bool stale);
-    /// The pictures lean to the right (up to 1) or to the left (to −1).
-    void setLean(double lean);
     static QSize pictureSize();
     /// What a tile that is dragged to the shape carries, and its φ; none for other data.
     static std::optional<double> phiIn(const QMimeData* data);
@@ -82,7 +80,6 @@ class EnergySlider : public QWidget {
     int m_gesture = 0;
     std::vector<QPixmap> m_pictures;  // of the shape itself; empty: of a sample
     bool m_stale = false;
-    double m_lean = 0;
     QTimer m_rest;  // the pointer on a tile
     int m_under = -1;
     QPoint m_pressed;

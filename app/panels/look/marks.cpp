@@ -82,17 +82,17 @@ void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool s
 }
 
 /// Around a place, in the size that is chosen.
-void Marks::enlarged(const QPointF& at, double squash, const std::function<void()>& draw) {
+void Marks::enlarged(const QPointF& at, const std::function<void()>& draw) {
     m_painter.save();
     m_painter.translate(at);
-    m_painter.scale(marked(1 + squash), marked(1 - squash));
+    m_painter.scale(marked(1), marked(1));
     draw();
     m_painter.restore();
 }
 
 void Marks::pin(const QPointF& at, const Pin& look) {
-    if (look.squash == 0 && markSize() == 1) return drawPin(at, look);
-    enlarged(at, look.squash, [&] { drawPin({}, look); });
+    if (markSize() == 1) return drawPin(at, look);
+    enlarged(at, [&] { drawPin({}, look); });
 }
 
 void Marks::drawPin(const QPointF& at, const Pin& look) {
@@ -144,7 +144,7 @@ void Marks::padlock(const QPointF& at) {
 
 void Marks::ghost(const QPointF& place, bool selected, bool hovered) {
     if (markSize() != 1)
-        enlarged(place, 0, [&] { drawGhost({}, selected, hovered); });
+        enlarged(place, [&] { drawGhost({}, selected, hovered); });
     else
         drawGhost(place, selected, hovered);
 }
@@ -162,7 +162,7 @@ void Marks::drawGhost(const QPointF& at, bool selected, bool hovered) {
 }
 
 void Marks::name(const QPointF& at, const QString& text) {
-    markSize() == 1 ? drawName(at, text) : enlarged(at, 0, [&] { drawName({}, text); });
+    markSize() == 1 ? drawName(at, text) : enlarged(at, [&] { drawName({}, text); });
 }
 
 void Marks::drawName(const QPointF& at, const QString& text) {
@@ -195,7 +195,7 @@ void Marks::spots(const std::vector<QPointF>& places, const QColor& fill, double
 }
 
 void Marks::worst(const QPointF& at, bool hidden) {
-    markSize() == 1 ? drawWorst(at, hidden) : enlarged(at, 0, [&] { drawWorst({}, hidden); });
+    markSize() == 1 ? drawWorst(at, hidden) : enlarged(at, [&] { drawWorst({}, hidden); });
 }
 
 void Marks::drawWorst(const QPointF& at, bool hidden) {

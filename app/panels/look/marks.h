@@ -40,7 +40,6 @@ class Marks {
         bool moves = true;    // of one that only holds, the disc is dark
         QColor colour = QColor(0x3a3d47);
         bool locked = false;  // bears a padlock
-        double squash = 0;    // so much flatter than it is wide
     };
     void pin(const QPointF& at, const Pin& look);
     /// A handle that is let go of, or yet to come: an empty, dashed ring.
@@ -52,7 +51,7 @@ class Marks {
     void worst(const QPointF& at, bool hidden = false);
 
   private:
-    void enlarged(const QPointF& at, double squash, const std::function<void()>& draw);
+    void enlarged(const QPointF& at, const std::function<void()>& draw);
     void drawPin(const QPointF& at, const Pin& look);
     void drawGhost(const QPointF& at, bool selected, bool hovered);
     void drawName(const QPointF& at, const QString& text);

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "app/panels/look/marks.h"
-#include "app/panels/look/pin_animation.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -20,8 +19,7 @@ Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool a
             area,
             !handle.motions.empty() || session.isDragging(),
             pinColour(view.handle, handle.traits),
-            handle.traits.locked,
-            0};
+            handle.traits.locked};
 }
 
 /// Lines from each pin that is selected or pointed at to those that move together with it.
@@ -53,9 +51,8 @@ QString ghostName(const Handle<Dim>& handle, const QString& name, double time) {
 template <int Dim>
 struct PinScene {
     const ShapeSession& session;
-    const PinAnimation& animation;
     std::vector<PinView<Dim>> pins;
-    int hovered;
+    int hovered, named;
     std::function<QPointF(const Vec<Dim>&)> toWidget;
     std::function<bool(const PinView<Dim>&)> isArea, isCovered;
 
@@ -67,18 +64,13 @@ struct PinScene {
         painter.setOpacity(kCoveredOpacity);
         for (auto view = pins.begin(); view != pins.end(); ++view) {
             if (view == seen) painter.setOpacity(1);
-            const auto [shift, squash] = animation.of(view->handle);
-            Marks::Pin look = pinLook<Dim>(session, *view, isArea(*view), hovered);
-            look.squash = squash;
-            marks.pin(toWidget(view->centre) + shift, look);
+            marks.pin(toWidget(view->centre), pinLook<Dim>(session, *view, isArea(*view), hovered));
         }
         painter.setOpacity(1);
         for (const auto& view : pins)
             if (isNamed(view)) marks.name(toWidget(view.centre), view.name);
     }
-    bool isNamed(const PinView<Dim>& view) const {
-        return view.handle == hovered && view.handle == animation.named();
-    }
+    bool isNamed(const PinView<Dim>& view) const { return view.handle == hovered && view.handle == named; }
     void paintGhosts(Marks& marks) const {
         const auto ghosts = session.template ghosts<Dim>();
         const auto& handles = session.document().template design<Dim>().handles;

@@ -17,11 +17,6 @@ struct Overhang {
     bool any() const { return left + top + right + bottom > 0; }
 };
 
-struct FileSize {
-    double bytes = 0;
-    bool measured = false;  // the same bytes were written once; otherwise it is reckoned from a part of them
-};
-
 /// A frame of the window with all that is needed to write it: immutable values, for any thread. What comes
 /// out is what `wend run` writes of the same shape.
 class FrameExport {
@@ -50,27 +45,17 @@ class FrameExport {
     /// should know of what was written. Throws InputError and Cancelled.
     void write(ExportKind kind, const std::string& path, const RunOptions& options, const RunWatch& watch,
                std::string& remark) const;
-    /// Of the file or, reckoned from one, all of a sequence, or of the film that `options` name (see
-    /// isAnimation()). `extension`: with its dot. Throws as write().
-    FileSize size(ExportKind kind, const std::string& extension, const RunOptions& options,
-                  std::stop_token stop) const;
 
   private:
     void writePicture(const std::string& path, const View& view, const RunOptions& options,
                       const RunWatch& watch) const;
     void writeStMap(const std::string& path, const View& view) const;
     template <int Dim>
-    void writeMesh(const std::string& path, const RunOptions& options, bool inSequence, const RunWatch& watch,
+    void writeMesh(const std::string& path, const RunOptions& options, const RunWatch& watch,
                    std::string& remark) const;
-    void writeMesh(const std::string& path, const RunOptions& options, bool inSequence, const RunWatch& watch,
+    void writeMesh(const std::string& path, const RunOptions& options, const RunWatch& watch,
                    std::string& remark) const;
     void writeFrames(const std::string& path, const RunOptions& options, const RunWatch& watch) const;
-    FileSize pictureSize(ExportKind kind, const std::string& extension, const RunOptions& options,
-                         std::stop_token stop) const;
-    double filmSize(const RunOptions& options, const std::stop_token& stop) const;
-    double solidFilmBytes(int count, const RunOptions& options) const;
-    double pictureFilmBytes(int count, const RunOptions& options, const std::stop_token& stop) const;
-    Points<2> poseAt(double part) const;
     Extent<2> extent(ExportKind kind) const;
 
     std::shared_ptr<const Project> m_project;

@@ -107,7 +107,6 @@ void Actions::makeView() {
     systemLook = addToggle({tr("Like the &Desktop"), tr("Light or dark, like the desktop")}, {});
     lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
     darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
-    lessMotion = addToggle({tr("Less &Motion"), tr("Turn off animations that are only for show")}, {});
     fillFactors(*markSizes, {100, 150, 200, 300});
     markSizes->setTitle(tr("Size of M&arks"));
     markSizes->menuAction()->setStatusTip(
@@ -158,8 +157,6 @@ void Actions::makeHelp() {
     manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
                  "help");
     tutorial = add({tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
-    tips = add({tr("T&ips"), tr("Show beside the shape what to do first")}, {});
-    tips->setCheckable(true);
     shortcuts = add({tr("&Keys and Mouse"), tr("What the mouse and the keys do")}, QKeySequence(tr("?")));
     about = add({tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
@@ -191,7 +188,6 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     appearance->addActions({systemLook, lightLook, darkLook});
     appearance->addSeparator();
     appearance->addMenu(markSizes.get());
-    appearance->addAction(lessMotion);
     view->addMenu(languages->menu());
     view->addActions({showProperties, fullScreen});
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
@@ -202,7 +198,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     motion->addSeparator();
     motion->addActions({record, onionSkin, settle});
     motion->addMenu(curve);
-    window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, tips, manual, shortcuts, about});
+    window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, manual, shortcuts, about});
     for (const QAction* one : window.menuBar()->actions()) makeLettersUnique(*one->menu());
     new MenuReasons(&window);
 }

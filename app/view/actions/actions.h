@@ -29,8 +29,8 @@ class Actions : public ActionMaker {
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
-    QAction *lessMotion, *systemLook, *lightLook, *darkLook;
-    QAction *about, *manual, *tutorial, *tips, *shortcuts, *history;
+    QAction *systemLook, *lightLook, *darkLook;
+    QAction *about, *manual, *tutorial, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
     BackdropChoice* const backdrop;
     LanguageChoice* const languages;

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QSettings>
 
-#include "app/panels/look/liveliness.h"
 #include "app/session/mark_size.h"
 #include "app/tools/shape_surface.h"
 #include "app/view/actions/actions.h"
@@ -19,18 +18,11 @@ AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
         connect(action, &QAction::triggered, this, [this, look = appearance] { apply(look); });
     connect(actions.markSizes.get(), &QMenu::triggered, this,
             [this](const QAction* chosen) { enlargeMarks(chosen->data().toDouble()); });
-    connect(actions.lessMotion, &QAction::toggled, this, [](bool less) {
-        QSettings().setValue("lessMotion", less);
-        setLively(!less);
-    });
 }
 
 void AppearanceChoice::restore() {
     apply(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
     restoreMarks();
-    const bool less = QSettings().value("lessMotion", false).toBool();
-    m_actions.lessMotion->setChecked(less);
-    setLively(!less);
 }
 
 void AppearanceChoice::restoreMarks() {

@@ -11,7 +11,7 @@ namespace wend {
 
 class Actions;
 
-/// Light, dark, or as the desktop is, how large marks are, and how lively; remembered for other days.
+/// Light, dark or as the desktop, and the size of marks; remembered in the settings.
 class AppearanceChoice : public QObject {
     Q_OBJECT
 

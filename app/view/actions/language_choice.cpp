@@ -18,7 +18,7 @@ struct Language {
 constexpr Language kLanguages[] = {{"de", "Deutsch"},  {"en", "English"}, {"es", "Español"},
                                    {"fr", "Français"}, {"ja", "日本語"},  {"zh_CN", "简体中文"}};
 
-/// Of the settings; empty: as the desktop.
+/// Returns the code from the settings; empty for the desktop's language.
 QString chosenCode() {
     const QString kept = QSettings().value(kSetting).toString();
     for (const Language& one : kLanguages)
@@ -30,7 +30,7 @@ QLocale localeOf(const QString& code) {
     return code.isEmpty() ? QLocale::system() : QLocale(code);
 }
 
-/// Not what a desktop would like second best, where English comes first: that is what the sources speak.
+/// Loads nothing where English is the first choice: the sources are English, so a second choice must not win.
 bool loadWords(QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder) {
     const QString first = locale.uiLanguages().value(0);
     return locale.language() != QLocale::C && !first.startsWith(QStringLiteral("en")) &&
@@ -43,7 +43,7 @@ bool loadOurs(QTranslator& translator, const QLocale& locale) {
 
 }  // namespace
 
-/// Numbers are written as in that country, unless the desktop speaks its language anyway.
+/// Also sets the number format, unless the desktop uses the same language.
 SpokenLanguage::SpokenLanguage() {
     const QLocale locale = localeOf(chosenCode());
     if (locale.language() != QLocale::system().language()) QLocale::setDefault(locale);
@@ -61,7 +61,7 @@ SpokenLanguage::~SpokenLanguage() {
 LanguageChoice::LanguageChoice(QObject* parent)
     : ActionMaker(parent), m_menu(new QMenu), m_spoken(chosenCode()) {
     m_menu->setTitle(tr("&Language"));
-    m_menu->menuAction()->setStatusTip(tr("Which language the window speaks"));
+    m_menu->menuAction()->setStatusTip(tr("The language of the window, from the next start of Wend"));
     auto* group = new QActionGroup(this);
     const auto offer = [&](const Words& words, const QString& code) {
         QAction* one = addToggle(words, {});
@@ -80,7 +80,7 @@ LanguageChoice::LanguageChoice(QObject* parent)
 
 void LanguageChoice::choose(const QString& code) {
     QSettings().setValue(kSetting, code);
-    if (code != m_spoken) emit changed();
+    if (code != m_spoken) emit changed(tr("The language changes when Wend starts the next time."));
 }
 
 }  // namespace wend

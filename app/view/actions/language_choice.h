@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What the program says in the chosen language, as long as this lives: made before the window.
+/// Installs the translators of the chosen language for its lifetime; made before the window.
 class SpokenLanguage {
   public:
     SpokenLanguage();
@@ -18,7 +18,8 @@ class SpokenLanguage {
     QTranslator m_ours, m_qts;
 };
 
-/// The language of the window: the desktop's, or one of those that it knows; remembered for other days.
+/// The menu of languages: the desktop's, or one that Wend knows. The choice is stored and applies from the
+/// next start on.
 class LanguageChoice : public ActionMaker {
     Q_OBJECT
 
@@ -28,14 +29,15 @@ class LanguageChoice : public ActionMaker {
     QMenu* menu() const { return m_menu.get(); }
 
   signals:
-    /// Another language is chosen than the one that is spoken.
-    void changed();
+    /// Emitted when the chosen language differs from the spoken one, with a message that says when it
+    /// applies.
+    void changed(const QString& message);
 
   private:
     void choose(const QString& code);
 
     std::unique_ptr<QMenu> m_menu;
-    QString m_spoken;  // its code; empty: the desktop's
+    QString m_spoken;  // code of the language; empty: that of the desktop
 };
 
 }  // namespace wend

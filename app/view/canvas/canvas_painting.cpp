@@ -48,7 +48,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
     m_onion.paintOutlines(painter, *this);
     if (!m_session.playback().isPlaying()) {
         over.paths(m_viewport.hovered());
-        over.pins(m_viewport.animation(), m_viewport.hovered());
+        over.pins(m_viewport.hovered(), m_viewport.named());
         if (Tool* tool = m_viewport.tool()) tool->paint(painter);
     }
     m_viewport.paintLegend(painter, size());

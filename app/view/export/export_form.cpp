@@ -25,11 +25,6 @@ namespace {
 constexpr int kFilmRole = Qt::UserRole + 1;  // of a format's entry: whether it is a film
 constexpr int kLow = 168;                    // of a preview above its fields, where room is scarce
 
-QString bytesText(double bytes) {
-    return QLocale().formattedDataSize(static_cast<qint64>(bytes), bytes < 1000 ? 0 : 1,
-                                       QLocale::DataSizeSIFormat);
-}
-
 }  // namespace
 
 ExportForm::ExportForm(Fields place, QWidget* parent)
@@ -52,16 +47,13 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     makeCropNote(place);
     lay(place);
     showFields();
-    for (QTimer* timer : {&m_previewTimer, &m_sizeTimer}) timer->setSingleShot(true);
+    m_previewTimer.setSingleShot(true);
     m_previewTimer.setInterval(40);
-    m_sizeTimer.setInterval(250);
     connect(&m_previewTimer, &QTimer::timeout, this, &ExportForm::startPreview);
-    connect(&m_sizeTimer, &QTimer::timeout, this, &ExportForm::startSize);
 }
 
 ExportForm::~ExportForm() {
     m_previewStop.request_stop();
-    m_sizeStop.request_stop();
 }
 
 void ExportForm::setSubject(const ExportSubject& subject) {
@@ -84,10 +76,7 @@ void ExportForm::setSubject(const ExportSubject& subject) {
 /// What was seen last stays, as far as it is no other document's.
 void ExportForm::setNothing(const QString& why) {
     m_previewStop.request_stop();
-    m_sizeStop.request_stop();
-    m_sizeTimer.stop();
     m_previewTimer.stop();
-    ++m_asked;
     m_subject.shape.reset();
     m_preview->setOutdated();
     m_facts->clear();
@@ -169,13 +158,6 @@ OptionValues ExportForm::values() const {
     return values;
 }
 
-/// With the name of a film, or of a sequence, for the size.
-RunOptions ExportForm::options() const {
-    RunOptions options = runOptionsFrom(values());
-    options.outputs.frames = (isFilm() ? "film" : "frame_####") + extension().toStdString();
-    return options;
-}
-
 /// The film lasts as long as the motion: number and rate of its frames follow each other.
 void ExportForm::tieRate(const OptionField& changed) {
     OptionField *count = field("--count"), *rate = field("--fps");
@@ -193,8 +175,6 @@ void ExportForm::adapt() {
     m_facts->setText(pixels());
     tellProblem({});
     askPreview();
-    m_sizeTimer.start();
-    ++m_asked;  // an answer that is under way is to another question
 }
 
 /// None before there is something to write.
@@ -259,12 +239,6 @@ QString ExportForm::pixels() const {
     }
 }
 
-void ExportForm::showSize(const FileSize& size) {
-    const QString text = bytesText(size.bytes);
-    m_facts->setText(pixels() + QStringLiteral("  ·  ") +
-                     (size.measured ? tr("%1 (measured)").arg(text) : tr("about %1 (estimated)").arg(text)));
-}
-
 void ExportForm::tellProblem(const QString& problem) {
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
@@ -310,22 +284,6 @@ void ExportForm::startPreview() {
         if (!answer.problem.isEmpty()) tellProblem(answer.problem);
         m_preview->setProperty("bare", !isPicture());
         m_preview->setImage(answer.value);
-    });
-}
-
-void ExportForm::startSize() {
-    if (!shape()) return;
-    m_sizeStop.request_stop();
-    m_sizeStop = std::stop_source();
-    const std::stop_token stop = m_sizeStop.get_token();
-    const auto measure = [shape = m_subject.shape, kind = kind(), extension = extension().toStdString(),
-                          options = options(), stop] {
-        return answerOf<FileSize>([&] { return shape->size(kind, extension, options, stop); });
-    };
-    inBackground(this, measure, [this, asked = m_asked](const Answer<FileSize>& answer) {
-        if (asked != m_asked || answer.stopped) return;
-        if (answer.problem.isEmpty()) return showSize(answer.value);
-        tellProblem(answer.problem);
     });
 }
 

@@ -24,7 +24,7 @@ struct ExportSubject {
 };
 
 /// How something is written: the options that `wend run` has for it, a preview of what comes out, its size in
-/// pixels and as a file, and what would be lost.
+/// pixels, and what would be cut off.
 class ExportForm : public QWidget {
     Q_OBJECT
 
@@ -69,19 +69,16 @@ class ExportForm : public QWidget {
     void showFormats();
     void showPart();
     bool isPicture() const;
-    RunOptions options() const;
     bool takes(const std::string& flag) const;
     void adapt();
     void tieRate(const OptionField& changed);
     void showFields();
     void showDepths();
     void showCrop();
-    void showSize(const FileSize& size);
     QString pixels() const;
     void preparePicture();
     void askPreview();
     void startPreview();
-    void startSize();
     void tellProblem(const QString& problem);
 
     ExportSubject m_subject;
@@ -94,9 +91,8 @@ class ExportForm : public QWidget {
     QList<OptionField*> m_fields;
     QLabel *m_facts, *m_cropText, *m_problem;
     QWidget* m_crop;
-    QTimer m_previewTimer, m_sizeTimer;
-    std::stop_source m_previewStop, m_sizeStop;
-    int m_asked = 0;  // the newest question for a size
+    QTimer m_previewTimer;
+    std::stop_source m_previewStop;
 };
 
 }  // namespace wend

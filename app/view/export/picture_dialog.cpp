@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/in_background.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/view/export/export_button.h"
@@ -170,7 +169,6 @@ void PictureDialog::check() {
     m_form->setRowVisible(m_rate, isFilm());
     m_form->setRowVisible(m_quality, extension() == QStringLiteral(".webp"));
     m_facts->setText(pixels());
-    ++m_asked;
     if (good && m_draw) m_timer.start();
 }
 
@@ -206,27 +204,12 @@ QString PictureDialog::pixels() const {
     return QCoreApplication::translate("wend::ExportForm", "%n pictures of %1", nullptr, frames).arg(one);
 }
 
-/// Drawn here, where OpenGL is; only the file's size is found beside it.
 void PictureDialog::showPreview() {
     PictureChoice small = choice();
-    const double pixels = static_cast<double>(small.size.width()) * small.size.height();
     if (small.size.width() > m_preview->room().width() || small.size.height() > m_preview->room().height())
         small.size = small.size.scaled(m_preview->room(), Qt::KeepAspectRatio).expandedTo({1, 1});
     QImage image = m_draw(small);
     if (image.isNull()) return;
-    const auto work = [image, pixels, extension = extension().toStdString(), wanted = choice()] {
-        try {
-            return viewFileSize(image, extension, pixels, wanted.lossy) * std::max(1, wanted.frames);
-        } catch (const std::exception&) {
-            return 0.0;  // the export itself will say what is wrong
-        }
-    };
-    inBackground(this, work, [this, asked = m_asked](double bytes) {
-        if (asked != m_asked || bytes <= 0) return;
-        const QString text =
-            QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
-        m_facts->setText(this->pixels() + QStringLiteral("  ·  ") + tr("about %1 (estimated)").arg(text));
-    });
     image.setDevicePixelRatio(devicePixelRatioF());
     m_preview->setImage(image);
 }

@@ -29,8 +29,7 @@ struct PictureChoice {
 class ExportPreview;
 class OptionField;
 
-/// How large the picture of a view is to be, or the film of its motion, and what is in it; shows it, smaller,
-/// and about how large the file will be.
+/// Asks for the size and content of a picture of a view, or of a film of its motion, with a small preview.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
@@ -73,7 +72,6 @@ class PictureDialog : public QDialog {
     QLabel* m_facts;
     Draw m_draw;
     QTimer m_timer;
-    int m_asked = 0;  // the newest question for a size
     QCheckBox *m_transparent, *m_marks, *m_legend;
 };
 

@@ -7,7 +7,6 @@
 #include <QProgressDialog>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <future>
 #include <new>
@@ -198,19 +197,6 @@ class Hold {
 
 QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
     return viewRows(canvas, choice, 0, choice.size.height());
-}
-
-double viewFileSize(const QImage& small, const std::string& extension, double pixels, bool lossy) {
-    const TemporaryFolder folder(scratchFolder());
-    const std::string path = folder.path() + "/size" + extension;
-    PictureChoice choice;
-    choice.size = small.size();
-    const MakeRows makeRows = [&](int top, Image& strip) {
-        copyRows(small.copy(0, top, small.width(), strip.height), strip);
-    };
-    writeImage(path, headerOf(choice), kStripRows, makeRows, lossy);
-    const double drawn = static_cast<double>(small.width()) * small.height();
-    return static_cast<double>(std::filesystem::file_size(path)) * pixels / drawn;
 }
 
 bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice) {

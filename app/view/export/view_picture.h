@@ -12,10 +12,6 @@ class SolidCanvas;
 /// The view as a picture with what was chosen. Null where the memory does not suffice.
 QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice);
 
-/// About how many bytes a view of so many pixels has as a file with this extension, by a smaller picture of
-/// it.
-double viewFileSize(const QImage& small, const std::string& extension, double pixels, bool lossy);
-
 /// The same as a file, by extension; formats without alpha get the view's background. Drawn and written strip
 /// by strip, the writing in another thread, with progress and a way to cancel; returns when it is done, false
 /// if it was cancelled. A film is drawn so frame by frame, from the start of the motion to its end. Throws

@@ -4,11 +4,8 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPainter>
-#include <cmath>
-#include <numbers>
 
 #include "app/document/in_background.h"
-#include "app/panels/look/liveliness.h"
 #include "app/panels/look/theme.h"
 #include "app/view/files/thumbnail.h"
 
@@ -17,8 +14,6 @@ namespace wend {
 namespace {
 
 constexpr int kPictureHeight = 118, kPadding = 12, kTitleHeight = 20, kLineHeight = 18;
-constexpr int kBreathTime = 2400;  // milliseconds
-constexpr double kBreath = 0.02;   // of the width; twice of the height
 
 QString titleOf(const QString& path) {
     QString name = QFileInfo(path).completeBaseName().replace('-', ' ').replace('_', ' ');
@@ -78,12 +73,7 @@ FileCard::FileCard(const QString& path, Kind kind, QWidget* parent, const QStrin
             break;
     }
     setStatusTip(toolTip());
-    m_breathes = sample;
-    m_breath.setStartValue(0.0);
-    m_breath.setEndValue(1.0);
-    m_breath.setDuration(kBreathTime);
-    m_breath.setLoopCount(-1);
-    connect(&m_breath, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
+    setAttribute(Qt::WA_Hover);
 }
 
 void FileCard::load() {
@@ -97,22 +87,6 @@ void FileCard::load() {
     });
 }
 
-void FileCard::breathe(bool begins) {
-    if (begins && m_breathes && isLively())
-        m_breath.start();
-    else
-        m_breath.stop();
-    update();
-}
-
-void FileCard::enterEvent(QEnterEvent*) {
-    breathe(true);
-}
-
-void FileCard::leaveEvent(QEvent*) {
-    breathe(false);
-}
-
 void FileCard::paintPicture(QPainter& painter) const {
     const QRectF space(kPadding, kPadding, width() - 2 * kPadding, kPictureHeight - 2 * kPadding + 4);
     if (m_picture.isNull()) {
@@ -121,11 +95,7 @@ void FileCard::paintPicture(QPainter& painter) const {
             .paint(&painter, icon.toRect(), Qt::AlignCenter, QIcon::Disabled);
         return;
     }
-    QSizeF size = QSizeF(m_picture.size()).scaled(space.size(), Qt::KeepAspectRatio);
-    if (m_breath.state() == QAbstractAnimation::Running) {
-        const double breath = std::sin(std::numbers::pi * m_breath.currentValue().toDouble());
-        size = QSizeF(size.width() * (1 + kBreath * breath), size.height() * (1 + 2 * kBreath * breath));
-    }
+    const QSizeF size = QSizeF(m_picture.size()).scaled(space.size(), Qt::KeepAspectRatio);
     painter.drawImage(QRectF(space.center() - QPointF(size.width(), size.height()) / 2, size), m_picture);
 }
 

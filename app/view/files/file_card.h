@@ -2,7 +2,6 @@
 
 #include <QAbstractButton>
 #include <QImage>
-#include <QVariantAnimation>
 
 namespace wend {
 
@@ -23,19 +22,15 @@ class FileCard : public QAbstractButton {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
-    void enterEvent(QEnterEvent* event) override;
-    void leaveEvent(QEvent* event) override;
 
   private:
     void load();
-    void breathe(bool begins);
     void paintPicture(QPainter& painter) const;
     void paintBadge(QPainter& painter) const;
 
     QString m_path, m_line;
     QImage m_picture;
-    QVariantAnimation m_breath;  // of a sample, while it is pointed at: from 0 to 1
-    bool m_isAsked = false, m_isSolid = false, m_breathes = false;
+    bool m_isAsked = false, m_isSolid = false;
 };
 
 }  // namespace wend

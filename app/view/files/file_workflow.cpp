@@ -203,19 +203,6 @@ void FileWorkflow::take(const Reading& reading) {
     if (!file.warnings.isEmpty()) say(Topic::Remark, file.warnings.join('\n'));
 }
 
-OpenedFile FileWorkflow::handOver() {
-    takeTyped();
-    OpenedFile all = m_document.handOver();
-    all.recoveredFrom = m_recoveredFrom;
-    return all;
-}
-
-void FileWorkflow::takeOver(const OpenedFile& file) {
-    m_recoveredFrom = file.recoveredFrom;
-    m_document.open(file);
-    if (!file.path.isEmpty()) m_watch->watch(file.path, stampOf(file.path));
-}
-
 /// What was said of saving, or for want of it, holds no more.
 void FileWorkflow::takeBackSaved() {
     m_watch->watch(m_document.path(), stampOf(m_document.path()));

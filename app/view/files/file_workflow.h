@@ -33,9 +33,6 @@ class FileWorkflow : public QObject {
     QList<LostWork> lost() const;
     /// What may be left without a question: nobody made it to keep it.
     void setPractice(std::function<bool()> isPractice) { m_isPractice = std::move(isPractice); }
-    /// What is open with all that was done to it, also what is being typed, for takeOver() of another window.
-    OpenedFile handOver();
-    void takeOver(const OpenedFile& file);
     /// Says so beside the next file that is opened, where nobody sees the start page.
     void tellLostWhenOpened();
 

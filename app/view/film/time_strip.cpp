@@ -7,14 +7,12 @@
 #include <QPainter>
 #include <QToolButton>
 #include <cmath>
-#include <utility>
 
 #include "app/document/edits/film_time.h"
 #include "app/document/project.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/panels/look/liveliness.h"
 #include "app/panels/look/theme.h"
 
 namespace wend {
@@ -22,8 +20,6 @@ namespace wend {
 namespace {
 
 constexpr int kSteps = 10000;
-constexpr int kBounceTime = 220;                   // milliseconds
-constexpr double kBounce = 4;                      // pixels
 constexpr double kShortest = 0.1, kLongest = 600;  // seconds
 
 }  // namespace
@@ -59,10 +55,6 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     row->addWidget(m_slider, 1);
     m_slider->installEventFilter(this);
 
-    m_bounce.setStartValue(0.0);
-    m_bounce.setEndValue(1.0);
-    m_bounce.setDuration(kBounceTime);
-    connect(&m_bounce, &QVariantAnimation::valueChanged, this, &TimeStrip::bounce);
     Playback& playback = m_session.playback();
     connect(m_slider, &QSlider::valueChanged, this,
             [&playback](int value) { playback.setTime(playback.end() * value / kSteps); });
@@ -135,21 +127,12 @@ void TimeStrip::showEnd(double end) {
 
 void TimeStrip::showTime() {
     const Playback& playback = m_session.playback();
-    const double before = std::exchange(m_shown, playback.time());
-    if (playback.isPlaying() && playback.loops() && m_shown < before && isLively()) m_bounce.start();
     const QSignalBlocker quiet(m_slider);
     m_slider->setValue(
         playback.end() > 0 ? static_cast<int>(std::lround(kSteps * playback.time() / playback.end())) : 0);
     const QLocale locale;
     m_label->setText(playback.end() > 0 ? tr("%1 /").arg(locale.toString(playback.time(), 'f', 2))
                                         : tr("Drag a pin to begin"));
-}
-
-/// Up once, and down.
-void TimeStrip::bounce() {
-    const double t = m_bounce.currentValue().toDouble();
-    const int top = (height() - m_slider->height()) / 2;
-    m_slider->move(m_slider->x(), top - static_cast<int>(std::lround(kBounce * 4 * t * (1 - t))));
 }
 
 void TimeStrip::showPlaying(bool playing) {

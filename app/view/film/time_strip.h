@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QVariantAnimation>
 #include <QWidget>
 
 #include "app/session/shape_session.h"
@@ -43,7 +42,6 @@ class TimeStrip : public QWidget {
     void showLength();
     void changeLength();
     void showTime();
-    void bounce();
     void paintSettling(QPainter& painter, double end);
     void showPlaying(bool playing);
 
@@ -53,9 +51,8 @@ class TimeStrip : public QWidget {
     JumpSlider* m_slider;
     QLabel* m_label;
     ExactBox* m_length;
-    QVariantAnimation m_bounce;  // of the slider, when a loop turns: from 0 to 1
     QIcon m_playIcon, m_pauseIcon;
-    double m_computed = 0, m_shown = 0;
+    double m_computed = 0;
 };
 
 }  // namespace wend

@@ -154,7 +154,7 @@ void ShapePainter<3>::region(const PinView<3>& view, bool) {
 }
 
 template <int Dim>
-void ShapePainter<Dim>::pins(const PinAnimation& animation, int hovered) {
+void ShapePainter<Dim>::pins(int hovered, int named) {
     if (session().document().dimension() != Dim) return;
     const auto pins = session().template pins<Dim>();
     m_marks.setQuick(session().isDragging());
@@ -163,9 +163,9 @@ void ShapePainter<Dim>::pins(const PinAnimation& animation, int hovered) {
     for (const PinView<Dim>& view : pins)
         if (view.points.size() > 1 && (Dim == 3 || !view.region)) spots(view);
     PinScene<Dim>{session(),
-                  animation,
                   pins,
                   hovered,
+                  named,
                   [this](const Vec<Dim>& p) { return m_surface.toWidget(p); },
                   [](const PinView<Dim>& view) { return isArea(view); },
                   [this](const PinView<Dim>& view) { return isMarkCovered<Dim>(m_surface, view); }}

@@ -4,7 +4,6 @@
 
 #include "app/panels/look/colour_map.h"
 #include "app/panels/look/marks.h"
-#include "app/panels/look/pin_animation.h"
 #include "app/panels/look/theme.h"
 #include "app/session/shape/pose_faults.h"
 #include "app/tools/shape_tool.h"
@@ -22,8 +21,9 @@ class ShapePainter {
         : m_painter(painter), m_marks(painter), m_surface(surface), m_theme(theme) {}
 
     void paths(int hovered);
-    /// Also, faintly, the handles that do not hold at the time that is shown.
-    void pins(const PinAnimation& animation, int hovered);
+    /// Draws the pins, and faintly the handles that do not hold at the shown time. `named`: the one with its
+    /// name.
+    void pins(int hovered, int named);
     /// A cross in the middle of a cell; of a solid where it is seen, or a faint ring over where it is hidden.
     /// Beside it what it says, if that is not empty.
     void worst(const PosedFrame<Dim>& frame, int cell, const QString& words = {});

@@ -8,7 +8,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kDimAfter = 250;  // milliseconds
+constexpr int kDimAfter = 250, kNameAfter = 300;  // milliseconds
 
 }  // namespace
 
@@ -19,18 +19,22 @@ Viewport::Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& 
       m_overlay(overlay),
       m_session(session),
       m_dimension(dimension),
-      m_over(over),
-      m_animation(session) {
+      m_over(over) {
     m_dim.setSingleShot(true);
     m_dim.setInterval(kDimAfter);
     m_marksDue.setSingleShot(true);
+    m_nameDue.setSingleShot(true);
+    m_nameDue.setInterval(kNameAfter);
     const auto paint = qOverload<>(&QWidget::update);
     connect(&m_dim, &QTimer::timeout, this, [this] {
         m_dimmed = m_session.isStale();
         m_view.showLooks();
     });
     connect(&m_marksDue, &QTimer::timeout, &m_overlay, paint);
-    connect(&m_animation, &PinAnimation::changed, &m_overlay, paint);
+    connect(&m_nameDue, &QTimer::timeout, this, [this] {
+        m_named = m_pointedAt;
+        m_overlay.update();
+    });
     connect(&m_session.playback(), &Playback::playingChanged, &m_overlay, paint);
     connect(&m_session.document(), &Document::opened, this, &Viewport::wantField);
     connect(&m_session, &ShapeSession::pinsChanged, this, &Viewport::lookAgain);

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/panels/look/pin_animation.h"
+#include "app/session/shape_session.h"
 #include "app/tools/tool.h"
 #include "app/view/shape/looks.h"
 
@@ -61,7 +61,8 @@ class Viewport : public QObject {
     bool showsMap() const { return m_looks.map && !m_looks.hidden; }
     /// True while what is seen has been stale for a while.
     bool isDimmed() const { return m_dimmed; }
-    const PinAnimation& animation() const { return m_animation; }
+    /// The pin whose name is shown because the pointer has stayed on it; −1 for none.
+    int named() const { return m_named; }
 
     /// Marks are painted again: while a shape follows the hand, painting for the pointer alone would take the
     /// time that the shape needs, so no more often than this.
@@ -94,6 +95,7 @@ class Viewport : public QObject {
     bool pressKey(QKeyEvent& event);
     bool ownsKey(const QKeyEvent& event) const;
     void leave();
+    void nameHovered();
     void useTool(Tool* tool);
     void tellHint(const Tool& tool);
     void setSpaceDown(bool down);
@@ -114,8 +116,8 @@ class Viewport : public QObject {
     std::optional<QPointF> m_pointer;  // where it is
     Looks m_looks;
     LegendLock* m_lock = nullptr;
-    PinAnimation m_animation;
-    QTimer m_dim, m_marksDue;
+    QTimer m_dim, m_marksDue, m_nameDue;
+    int m_pointedAt = -1, m_named = -1;  // handles
     bool m_dimmed = false, m_hasShape = false;
 };
 

@@ -108,7 +108,7 @@ void Viewport::move(QMouseEvent& event) {
     if (!m_active && m_over && tool != m_over) m_over->move(event);
     if (!tool) return;
     tool->move(event);
-    m_animation.hover(hovered());
+    nameHovered();
     useTool(tool);
 }
 
@@ -141,10 +141,17 @@ void Viewport::release(QMouseEvent& event) {
 
 void Viewport::leave() {
     if (m_tool) m_tool->leave();
-    m_animation.hover(hovered());
+    nameHovered();
     m_overlay.update();
     m_pointer.reset();
     emit pointed({});
+}
+
+/// Shows the name of the hovered handle after a moment, so that names do not flicker past.
+void Viewport::nameHovered() {
+    if (std::exchange(m_pointedAt, hovered()) == hovered()) return;
+    m_named = -1;
+    m_pointedAt < 0 ? m_nameDue.stop() : m_nameDue.start();
 }
 
 bool Viewport::pressKey(QKeyEvent& event) {

@@ -60,7 +60,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     m_onion.paintOutlines(painter, *this);
     if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
     over.paths(m_viewport.hovered());
-    over.pins(m_viewport.animation(), m_viewport.hovered());
+    over.pins(m_viewport.hovered(), m_viewport.named());
 }
 
 }  // namespace wend

@@ -69,7 +69,7 @@ class TestPanelFields : public QObject {
     void clicksOnTheStripGoToTheirTime_data();
     void clicksOnTheStripGoToTheirTime();
     void clicksOnSlidersAreStepsOfTheirOwn();
-    void numbersGiveWayToHints();
+    void hintsFitBesideTheNumbers();
     void fieldsShowAnyValueOfTheirSetting();
     void spaceTappedPlays_data();
     void spaceTappedPlays();
@@ -503,22 +503,23 @@ void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// Numbers give way to words, and only where none is left these end early: not in the midst of a sentence
-/// where there is room for a part of it; the tooltip has the whole.
-void TestPanelFields::numbersGiveWayToHints() {
+/// Hints end before the numbers, and not in the middle of a sentence where a whole one fits; the tooltip has
+/// all of it.
+void TestPanelFields::hintsFitBesideTheNumbers() {
     QVERIFY(open(true));
     const QStatusBar& bar = *m_f->window().statusBar();
-    const auto numbers = [&bar] {
+    const auto room = [&bar] {
         settleLayout(bar);
-        QList<const QLabel*> seen;
+        int left = bar.width();
         for (const auto* label : bar.findChildren<QLabel*>())
-            if (label->isVisible() && !label->accessibleName().isEmpty()) seen << label;
-        return seen;
+            if (label->isVisible() && !label->accessibleName().isEmpty()) left = std::min(left, label->x());
+        return left;
     };
-    int cut = 0, beside = 0;
+    int cut = 0;
     for (const int width : {1200, m_f->window().minimumSizeHint().width()}) {
         m_f->window().resize(width, 800);
         settleLayout(m_f->window());
+        QVERIFY(room() < bar.width());
         for (const auto* widget : side().findChildren<QWidget*>()) {
             const QString hint = widget->statusTip();
             if (hint.isEmpty()) continue;
@@ -526,15 +527,11 @@ void TestPanelFields::numbersGiveWayToHints() {
             QCoreApplication::sendEvent(&m_f->window(), &tip);
             const QString shown = bar.currentMessage();
             QVERIFY(hint.startsWith(shown.chopped(1)) && shown.size() > 10);
-            int room = bar.width();
-            for (const QLabel* number : numbers()) room = std::min(room, number->x());
-            QVERIFY2(bar.fontMetrics().horizontalAdvance(shown) < room, qPrintable(shown));
+            QVERIFY2(bar.fontMetrics().horizontalAdvance(shown) < room(), qPrintable(shown));
             cut += shown != hint;
-            beside += room < bar.width();
-            QVERIFY2(shown == hint || room == bar.width(), qPrintable(shown));
         }
     }
-    QVERIFY(cut > 0 && beside > 0);
+    QVERIFY(cut > 0);
     QStatusTipEvent sizes(m_f->window().findChild<QWidget*>(QStringLiteral("sizeList"))->statusTip());
     QCoreApplication::sendEvent(&m_f->window(), &sizes);
     QVERIFY2(bar.currentMessage().endsWith('.'), qPrintable(bar.currentMessage()));
@@ -544,8 +541,9 @@ void TestPanelFields::numbersGiveWayToHints() {
     const auto labels = bar.findChildren<QLabel*>();
     const auto* tool =
         *std::min_element(labels.begin(), labels.end(), [](auto* a, auto* b) { return a->x() < b->x(); });
-    QVERIFY(QTest::qWaitFor([&] { return tool->isVisible() && tool->text() == tool->toolTip(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return tool->isVisible() && !tool->text().isEmpty(); }, 20000));
     QVERIFY(tool->fontMetrics().horizontalAdvance(tool->text()) <= tool->contentsRect().width());
+    QVERIFY(tool->toolTip().startsWith(tool->text().chopped(1)));
     QCOMPARE(bar.currentMessage(), QString());
 }
 

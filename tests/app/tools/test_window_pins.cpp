@@ -29,7 +29,6 @@ class TestWindowPins : public WindowTest {
     void init() { begin(); }
     void cleanup() { end(); }
     void clickPinsAndDragMoves();
-    void timeOfADragIsThatOfWhatIsSeen();
     void dragIsOneStepThatUndoes();
     void escapeEndsADrag();
     void marqueeAndShiftSelect();
@@ -63,45 +62,6 @@ void TestWindowPins::clickPinsAndDragMoves() {
     const double pixel = 1 / m_window->canvas().view().zoom();
     QVERIFY((m_window->session().pins()[1].centre - Vec<2>(190, 105)).norm() < 2 * pixel);
     QVERIFY(m_window->isWindowModified());
-}
-
-namespace {
-
-/// A view whose painting takes its time.
-class SlowPainting : public QObject {
-  public:
-    static constexpr int kTime = 60;  // milliseconds
-
-  protected:
-    bool eventFilter(QObject*, QEvent* event) override {
-        if (event->type() == QEvent::Paint) QTest::qSleep(kTime);
-        return false;
-    }
-};
-
-}  // namespace
-
-/// However fast it was computed. At rest it is what computing the shape took.
-void TestWindowPins::timeOfADragIsThatOfWhatIsSeen() {
-    open();
-    click(40, 80);
-    click(200, 80);
-    QVERIFY(settle(m_window->session()));
-    QLabel* time = nullptr;
-    for (QLabel* label : m_window->statusBar()->findChildren<QLabel*>())
-        if (label->accessibleName() == QLatin1String("Time per frame")) time = label;
-    QVERIFY(time);
-    const auto shown = [&] { return time->text().section(' ', 0, 0).toInt(); };
-    SlowPainting slow;
-    m_window->canvas().installEventFilter(&slow);
-    time->clear();
-    dragPin(200, 80, -10, 25);
-    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame()->live && shown() > 0; }, 20000));
-    QVERIFY2(shown() >= SlowPainting::kTime, qPrintable(time->text()));
-    m_window->canvas().removeEventFilter(&slow);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 105));
-    QVERIFY(settle(m_window->session()));
-    QCOMPARE(shown(), qRound(m_window->session().frame()->milliseconds));
 }
 
 void TestWindowPins::dragIsOneStepThatUndoes() {

@@ -36,8 +36,6 @@ class TestExportDialog : public QObject {
     void cropsAreToldSideBySide();
     void previewIsWhatIsWritten();
     void whatHasNoAlphaIsPreviewedOnItsGround();
-    void sizeIsThatOfTheFile();
-    void sizeOfALargePictureIsReckoned();
     void framesAreNumbered();
     void depthsAreWritten_data();
     void depthsAreWritten();
@@ -70,9 +68,8 @@ OptionValues with(const std::string& flag, const std::string& value) {
     return values;
 }
 
-bool waitForSize(ExportDialog& dialog) {
-    const auto* facts = dialog.findChild<QLabel*>(QStringLiteral("facts"));
-    return QTest::qWaitFor([&] { return facts->text().contains(QStringLiteral("·")); }, 30000);
+bool waitForPreview(ExportDialog& dialog) {
+    return QTest::qWaitFor([&] { return dialog.form().preview().isCurrent(); }, 30000);
 }
 
 void choose(ExportDialog& dialog, const char* extension) {
@@ -204,7 +201,7 @@ void TestExportDialog::formatsDecideWhatIsAsked() {
     choose(*mesh, ".vtu");
     QVERIFY(mesh->form().field("--fields")->isVisible() && !mesh->form().field("--msh")->isVisible());
     QCOMPARE(runOptionsFrom(mesh->form().values()).meshes.gmshVersion, 4);  // what is hidden says nothing
-    if (waitForSize(*mesh)) keepPicture(*mesh, "export-mesh.png");
+    if (waitForPreview(*mesh)) keepPicture(*mesh, "export-mesh.png");
 }
 
 /// False if a letter is there already; a text may have none.
@@ -226,7 +223,7 @@ void TestExportDialog::cropIsToldAndFits() {
     QVERIFY(note->isVisible());
     QVERIFY(note->findChild<QLabel*>()->text().contains(QStringLiteral("right")));
     QVERIFY(!note->findChild<QLabel*>()->text().contains(QStringLiteral("left")));
-    if (waitForSize(*asked)) keepPicture(*asked, "export-crop.png");
+    if (waitForPreview(*asked)) keepPicture(*asked, "export-crop.png");
     // No letter is that of two controls, and the buttons are of one height.
     QSet<QString> letters;
     for (const QLabel* one : asked->findChildren<QLabel*>())
@@ -241,7 +238,6 @@ void TestExportDialog::cropIsToldAndFits() {
     note->findChild<QPushButton*>()->click();
     QVERIFY(!note->isVisible());
     QCOMPARE(asked->form().values().text("--canvas"), std::string("fit"));
-    QVERIFY(waitForSize(*asked));
     keepPicture(*asked, "export-fit.png");
     const QString path = file("fit.png");
     QVERIFY(written(ExportKind::Picture, path, asked->form().values()));
@@ -345,48 +341,6 @@ void TestExportDialog::previewIsWhatIsWritten() {
     QCOMPARE(off, 0);
 }
 
-void TestExportDialog::sizeIsThatOfTheFile() {
-    open(writeCutOut(*m_folder));
-    bend(-10, 25);
-    const std::pair<ExportKind, const char*> kinds[] = {{ExportKind::Picture, ".png"},
-                                                        {ExportKind::Picture, ".exr"},
-                                                        {ExportKind::StMap, ".exr"},
-                                                        {ExportKind::Mesh, ".vtu"},
-                                                        {ExportKind::Mesh, ".obj"}};
-    for (const auto& [kind, extension] : kinds) {
-        const FileSize size = shape()->size(kind, extension, {}, {});
-        const QString path = file("size") + QLatin1String(extension);
-        QVERIFY2(written(kind, path, {}), extension);
-        QVERIFY2(size.measured, extension);
-        QCOMPARE(size.bytes, double(QFileInfo(path).size()));
-    }
-    const auto asked = dialog(ExportKind::StMap);
-    QVERIFY(waitForSize(*asked));
-    const QString told = asked->findChild<QLabel*>(QStringLiteral("facts"))->text();
-    QVERIFY2(told.contains(QStringLiteral("measured")), qPrintable(told));
-    keepPicture(*asked, "export-stmap.png");
-    // All of a sequence is reckoned from one.
-    RunOptions ten;
-    ten.outputs.count = 10;
-    const FileSize film = shape()->size(ExportKind::Frames, ".png", ten, {});
-    const FileSize one = shape()->size(ExportKind::Picture, ".png", {}, {});
-    QVERIFY(!film.measured && film.bytes == 10 * one.bytes);
-}
-
-/// From strips of it: of a format that does not compress, to what the header takes.
-void TestExportDialog::sizeOfALargePictureIsReckoned() {
-    QImage large(2000, 1201, QImage::Format_RGB888);
-    large.fill(QColor(90, 120, 40));
-    large.save(file("large.png"));
-    open(file("large.png"));
-    const FileSize size = shape()->size(ExportKind::Picture, ".ppm", {}, {});
-    QVERIFY(!size.measured);
-    QVERIFY(written(ExportKind::Picture, file("large.ppm"), {}));
-    const double is = double(QFileInfo(file("large.ppm")).size());
-    QVERIFY(is > 3.0 * 2000 * 1201);
-    QVERIFY2(std::abs(size.bytes / is - 1) < 1e-3, qPrintable(QString::number(size.bytes)));
-}
-
 /// Whoever forgets the place of the number gets it.
 void TestExportDialog::framesAreNumbered() {
     open(writeCutOut(*m_folder));
@@ -412,13 +366,7 @@ void TestExportDialog::filmIsOneFile() {
     QVERIFY(!form.field("--depth")->isVisible());
     form.field("--count")->setNumber(9);
     emit form.field("--count")->changed();
-    QVERIFY(waitForSize(*asked));
-    RunOptions options = runOptionsFrom(form.values());
-    options.outputs.frames = "film.webp";
-    const double told = shape()->size(ExportKind::Frames, ".webp", options, {}).bytes;
     QVERIFY(written(ExportKind::Frames, file("film.webp"), form.values()));
-    const double is = double(QFileInfo(file("film.webp")).size());
-    QVERIFY2(told > is / 2 && told < 2 * is, qPrintable(QString("%1 for %2").arg(told).arg(is)));
     QVERIFY(written(ExportKind::Frames, file("f_#.png"), with("--count", "9")));
     const WebpFrames film = webpFrames(file("film.webp"));
     QCOMPARE(film.pictures.size(), std::size_t(9));
@@ -530,7 +478,7 @@ void TestExportDialog::framesFollowTheirRate() {
     rate->setNumber(30);
     emit rate->changed();
     QCOMPARE(count->number(), std::lround(30 * seconds) + 1.0);
-    if (waitForSize(*asked)) keepPicture(*asked, "export-frames.png");
+    if (waitForPreview(*asked)) keepPicture(*asked, "export-frames.png");
 }
 
 QTEST_MAIN(TestExportDialog)

@@ -1,20 +1,19 @@
 #include <QMenuBar>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 #include "app/document/design.h"
 #include "app/session/opening.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/language_choice.h"
-#include "app/view/actions/toolbox.h"
-#include "app/view/files/file_workflow.h"
 #include "app/view/main_window.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
 using namespace wend::test;
 
-/// The language of the window is chosen in its menu, and spoken at once by a window in its place.
+/// The language of the window is chosen in its menu and applies from the next start on.
 class TestLanguage : public QObject {
     Q_OBJECT
   private slots:
@@ -24,17 +23,11 @@ class TestLanguage : public QObject {
     void chosenLanguageIsSpoken();
     void unknownLanguageIsTheDesktops();
     void englishDesktopsSpeakEnglish();
-    void choosingWhatIsSpokenChangesNothing();
-    void nextWindowTakesAllOver_data();
-    void nextWindowTakesAllOver();
-    void nextWindowShowsTheSame();
-    void nextWindowIsEmptyAsWell();
+    void changeIsAnnounced();
     void namesOfSamplesAreSpoken();
 
   private:
     QAction* language(const QString& name) const;
-    WindowState leaveFor(const QString& name);
-    void open();
 
     std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<SpokenLanguage> m_spoken;
@@ -58,14 +51,6 @@ QAction* TestLanguage::language(const QString& name) const {
     for (QAction* one : m_window->actions().languages->menu()->actions())
         if (one->text() == name) return one;
     return nullptr;
-}
-
-void TestLanguage::open() {
-    m_window = std::make_unique<MainWindow>();
-    m_window->show();
-    m_window->openPath(writeCutOut(*m_folder));
-    QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
-    QVERIFY(settle(m_window->session()));
 }
 
 void TestLanguage::chosenLanguageIsSpoken_data() {
@@ -132,102 +117,15 @@ void TestLanguage::englishDesktopsSpeakEnglish() {
     QCOMPARE(m_window->menuBar()->actions().first()->text().remove('&'), QStringLiteral("File"));
 }
 
-void TestLanguage::choosingWhatIsSpokenChangesNothing() {
+/// The status bar says when the language changes; nothing is said when the spoken language is chosen.
+void TestLanguage::changeIsAnnounced() {
     m_window = std::make_unique<MainWindow>();
     m_window->show();
     m_window->actions().languages->menu()->actions().first()->trigger();
-    QCoreApplication::processEvents();
-    QVERIFY(m_window->isVisible() && !m_window->again());
-}
-
-/// The window closes and asks nothing; the next one speaks the language.
-WindowState TestLanguage::leaveFor(const QString& name) {
-    language(name)->trigger();
-    const bool closed = QTest::qWaitFor([this] { return !m_window->isVisible(); }, 20000);
-    const std::optional<WindowState> left = m_window->again();
-    if (!closed || !left) return {};
-    m_window.reset();
-    m_spoken = std::make_unique<SpokenLanguage>();
-    m_window = std::make_unique<MainWindow>();
-    m_window->takeOver(*left);
-    m_window->show();
-    return *left;
-}
-
-void TestLanguage::nextWindowTakesAllOver_data() {
-    QTest::addColumn<bool>("saved");
-    QTest::newRow("saved once") << true;
-    QTest::newRow("never saved") << false;
-}
-
-/// What is unsaved, what can be undone and done again, the step of the work, and the place on the screen.
-void TestLanguage::nextWindowTakesAllOver() {
-    QFETCH(bool, saved);
-    open();
-    m_window->setGeometry(60, 50, 900, 640);
-    const auto pins = [this] { return m_window->session().document().design<2>().handles.size(); };
-    const auto undo = [this]() -> QUndoStack& { return *m_window->session().document().undoStack(); };
-    m_window->session().addPin({60, 80});
-    const QString file = m_folder->filePath("bar.wend");
-    if (saved) m_window->session().document().save(file);
-    m_window->session().addPin({100, 80});
-    m_window->session().addPin({180, 80});
-    undo().undo();
-    m_window->tools().setMode(Mode::Paint);
-    const std::shared_ptr<const Project> before = m_window->session().document().project();
-    const QRect place = m_window->geometry();
-    const QString step = undo().undoText();
-    QVERIFY(leaveFor(QStringLiteral("Deutsch")).file.project == before);
-    QVERIFY(m_window->menuBar()->actions().first()->text().remove('&').startsWith(QStringLiteral("Datei")));
-    const Document& document = m_window->session().document();
-    QVERIFY(document.project() == before && document.isModified() && document.picture());
-    QCOMPARE(document.path(), saved ? file : QString());
-    QCOMPARE(m_window->geometry(), place);
-    QCOMPARE(m_window->tools().mode(), Mode::Paint);
-    QCOMPARE(undo().undoText(), step);
-    undo().redo();
-    QCOMPARE(pins(), std::size_t(3));
-    undo().undo();
-    undo().undo();
-    QCOMPARE(pins(), std::size_t(1));
-    QCOMPARE(document.isModified(), !saved);
-    undo().undo();
-    QVERIFY(pins() == 0 && !undo().canUndo());
-    QCOMPARE(document.isModified(), saved);
-    QVERIFY(settle(m_window->session()));
-    undo().setClean();
-}
-
-/// The pins that are selected, and the time in the middle of the film.
-void TestLanguage::nextWindowShowsTheSame() {
-    open();
-    ShapeSession& first = m_window->session();
-    for (const double x : {60.0, 120.0, 180.0}) first.addPin({x, 80});
-    first.selection().set({2});
-    first.beginDrag();
-    first.dragTo({180, 50});
-    first.endDrag(0.5);
-    QVERIFY(settle(first));
-    first.selection().set({0, 2});
-    first.playback().setTime(0.4);
-    QVERIFY(settle(first));
-    const Points<2> pose = first.frame<2>()->pose;
-    leaveFor(QStringLiteral("Deutsch"));
-    ShapeSession& next = m_window->session();
-    QVERIFY(settle(next));
-    QCOMPARE(next.selection().handles(), (std::vector<int>{0, 2}));
-    QCOMPARE(next.playback().time(), 0.4);
-    QVERIFY(QTest::qWaitFor([&] { return next.frame<2>()->pose == pose; }, 20000));
-    next.document().undoStack()->setClean();
-}
-
-void TestLanguage::nextWindowIsEmptyAsWell() {
-    m_window = std::make_unique<MainWindow>();
-    m_window->show();
-    QVERIFY(!leaveFor(QStringLiteral("Deutsch")).file.project);
-    QVERIFY(m_window->isVisible() && m_window->session().document().isEmpty());
-    QVERIFY(leaveFor(QStringLiteral("English")).geometry.size() > 0);  // and back
-    QCOMPARE(m_window->menuBar()->actions().first()->text().remove('&'), QStringLiteral("File"));
+    QCOMPARE(m_window->statusBar()->currentMessage(), QString());
+    language(QStringLiteral("Deutsch"))->trigger();
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("starts")));
+    QVERIFY(m_window->isVisible());
 }
 
 /// Of the user's own files they stay as they are.

@@ -12,7 +12,6 @@
 #include "app/view/actions/toolbox.h"
 #include "app/view/canvas/canvas.h"
 #include "app/view/files/file_workflow.h"
-#include "app/view/help/first_tips.h"
 #include "app/view/help/tutorial.h"
 #include "app/view/main_window.h"
 #include "tests/support/dialogs.h"
@@ -30,16 +29,8 @@ class TestTutorial : public QObject {
     void endsWithItsButtonAndWithAnotherFile();
     void practiceIsLeftUnasked();
     void picturesOfSamplesAreNotSavedAmongThem();
-    void tipsGoWhenTheyAreFollowed();
-    void tipsKnowADragOfWhatHasMoved();
-    void tipsAreSwitchedOff();
 
   private:
-    FirstTips& tip() { return *m_window->findChild<FirstTips*>(); }
-    bool says(const QString& text) {
-        return QTest::qWaitFor([&] { return tip().isVisible() && tip().text() == text; }, 20000);
-    }
-    QPoint pointed(const QPointF& at) { return m_canvas->mapTo(tip().parentWidget(), at).toPoint(); }
     void begin();
     bool isSeen();
     Tutorial& card() { return *m_window->findChild<Tutorial*>(); }
@@ -186,92 +177,6 @@ void TestTutorial::picturesOfSamplesAreNotSavedAmongThem() {
     const QString folder = proposedFolder(m_window->session().document());
     QVERIFY(folder != QFileInfo(Tutorial::picture()).absolutePath());
     QVERIFY(!folder.isEmpty());
-}
-
-/// Each is beside what it speaks of, and never comes again.
-void TestTutorial::tipsGoWhenTheyAreFollowed() {
-    m_window->openPath(writeCutOut(*m_folder));
-    QVERIFY(says("Click the shape to pin it"));
-    QVERIFY(settle(m_window->session()));
-    const Points<2> rest = m_window->session().frame<2>()->pose;
-    const Vec<2> low = rest.rowwise().minCoeff(), high = rest.rowwise().maxCoeff();
-    const double y = (low.y() + high.y()) / 2, left = low.x() + 0.1 * (high.x() - low.x()),
-                 right = low.x() + 0.9 * (high.x() - low.x());
-    click(left, y);
-    click(right, y);
-    QVERIFY(says("Drag the pin"));
-    QVERIFY(settle(m_window->session()));
-    for (const char* other : {"lasso", "pen"}) {  // which do not drag it
-        m_window->tools().setMode(other == QByteArray("pen") ? Mode::Animate : Mode::Pins);
-        m_window->tools().action(other)->trigger();
-        QTRY_VERIFY2(!tip().isVisible(), other);
-        m_window->tools().action("select")->trigger();
-        QVERIFY(says("Drag the pin"));
-    }
-    for (QAction* without : {m_window->actions().showRest, m_window->actions().hideOverlays}) {  // pins
-        without->setChecked(true);
-        QTRY_VERIFY(!tip().isVisible());
-        without->setChecked(false);
-        QVERIFY(says("Drag the pin"));
-    }
-    m_window->tools().setMode(Mode::Pins);
-    m_window->tools().action("pin")->trigger();
-    const auto above = [&] {
-        return tip().geometry().center().y() - pointed(m_canvas->toWidget({right, y})).y();
-    };
-    QTRY_VERIFY(std::abs(above()) <= 1);  // of whole pixels
-    const int gap = tip().geometry().left() - pointed(m_canvas->toWidget({right, y})).x();
-    QVERIFY2(gap > 0 && gap < 20, qPrintable(QString::number(gap)));
-    m_canvas->zoomBy(0.8);  // it goes along
-    QTRY_COMPARE(tip().geometry().left() - pointed(m_canvas->toWidget({right, y})).x(), gap);
-    drag(right, y, right, y + 0.3 * (high.x() - low.x()));
-    QVERIFY(says("Change what the shape keeps"));
-    QCOMPARE(tip().geometry().right(), tip().parentWidget()->rect().right() - 2);
-    auto* tiles = m_window->materialPanel().energySlider();
-    QTest::mouseClick(tiles->findChildren<QToolButton*>().last(), Qt::LeftButton);
-    QTRY_VERIFY(!tip().isVisible());
-    QVERIFY(!m_window->actions().tips->isChecked());
-    m_window->session().document().undoStack()->setClean();
-    m_window = std::make_unique<MainWindow>();  // the program again
-    m_window->show();
-    m_window->openPath(writeCutOut(*m_folder));
-    QVERIFY(settle(m_window->session()));
-    QTest::qWait(200);
-    QVERIFY(!tip().isVisible());
-    m_window->actions().tips->trigger();
-    QVERIFY(says("Click the shape to pin it"));
-}
-
-/// As in a sample, whose pins come with their motions.
-void TestTutorial::tipsKnowADragOfWhatHasMoved() {
-    m_window->openPath(writeCutOut(*m_folder));
-    QVERIFY(says("Click the shape to pin it"));
-    QVERIFY(settle(m_window->session()));
-    const Points<2> rest = m_window->session().frame<2>()->pose;
-    const Vec<2> low = rest.rowwise().minCoeff(), high = rest.rowwise().maxCoeff(), size = high - low;
-    const double y = low.y() + 0.5 * size.y(), x = low.x() + 0.9 * size.x();
-    click(low.x() + 0.1 * size.x(), y);
-    click(x, y);
-    drag(x, y, x, y + 0.3 * size.y());
-    QVERIFY(settle(m_window->session()));
-    for (int i = 0; i < 2; ++i) m_window->actions().tips->trigger();  // all of them again
-    QVERIFY(says("Drag the pin"));
-    drag(x, y + 0.3 * size.y(), x, y + 0.5 * size.y());
-    QVERIFY(says("Change what the shape keeps"));
-}
-
-void TestTutorial::tipsAreSwitchedOff() {
-    m_window->openPath(writeCutOut(*m_folder));
-    QVERIFY(says("Click the shape to pin it"));
-    // The pointer goes through it.
-    m_canvas = &m_window->canvas();
-    QCOMPARE(m_window->childAt(tip().mapTo(m_window.get(), tip().rect().center())), m_canvas);
-    m_window->actions().tips->trigger();
-    QVERIFY(!tip().isVisible());
-    m_window->actions().tips->trigger();
-    QVERIFY(says("Click the shape to pin it"));
-    begin();  // the tutorial says more
-    QVERIFY(!tip().isVisible());
 }
 
 QTEST_MAIN(TestTutorial)

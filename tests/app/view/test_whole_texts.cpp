@@ -19,7 +19,6 @@
 #include "app/view/export/picture_dialog.h"
 #include "app/view/files/file_workflow.h"
 #include "app/view/help/cheat_sheet.h"
-#include "app/view/help/first_tips.h"
 #include "app/view/help/manual_window.h"
 #include "app/view/help/tutorial.h"
 #include "app/view/notices/info_banner.h"
@@ -150,7 +149,6 @@ void TestWholeTexts::lookAsked(const QString& what, const std::function<void()>&
 
 /// With every tool: what belongs to it is shown. Then once with every section of the properties.
 void TestWholeTexts::lookAtSteps(const QString& what) {
-    if (window().actions().tips->isChecked()) window().actions().tips->trigger();  // they come when they do
     resize(kSmall);
     for (const Mode mode : kModes) {
         window().tools().setMode(mode);
