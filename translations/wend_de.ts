@@ -60,10 +60,6 @@
         <translation>H halten</translation>
     </message>
     <message>
-        <source>hides pins and maps</source>
-        <translation>blendet Pins und Karten aus</translation>
-    </message>
-    <message>
         <source>Hold \</source>
         <translation>\ halten</translation>
     </message>
@@ -158,6 +154,10 @@
     <message>
         <source>Middle button</source>
         <translation>Mittlere Taste</translation>
+    </message>
+    <message>
+        <source>hides pins and overlays</source>
+        <translation>blendet Pins und Überlagerungen aus</translation>
     </message>
 </context>
 <context>
@@ -315,16 +315,8 @@
         <translation>ist schreibgeschützt: erst beschreibbar machen oder einen anderen Namen wählen</translation>
     </message>
     <message>
-        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
-        <translation>ist %1; Bilder werden aus PNG-, JPEG-, TIFF-, EXR-, WebP-, HDR-, BMP-, TGA- und PNM-Dateien gelesen</translation>
-    </message>
-    <message>
         <source>a GIF picture</source>
         <translation>ein GIF-Bild</translation>
-    </message>
-    <message>
-        <source>a Photoshop picture (PSD)</source>
-        <translation>ein Photoshop-Bild (PSD)</translation>
     </message>
     <message>
         <source>a HEIC picture</source>
@@ -711,6 +703,14 @@
         <translation>ist kein Projekt von Wend; die sind JSON und beginnen mit {</translation>
     </message>
     <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
+        <translation>ist %1. Wend öffnet Bilder in PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA und PNM</translation>
+    </message>
+    <message>
+        <source>a Photoshop file</source>
+        <translation>eine Photoshop-Datei</translation>
+    </message>
+    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>enthält %1 Bilder (Seiten, Einzelbilder oder Teile): gelesen wird das erste</translation>
     </message>
@@ -806,20 +806,20 @@
 <context>
     <name>EaseNames</name>
     <message>
-        <source>Begins &amp;Softly</source>
-        <translation>Beginnt &amp;sanft</translation>
+        <source>Ease &amp;In</source>
+        <translation>Ease-&amp;In</translation>
     </message>
     <message>
-        <source>&amp;Ends Softly</source>
-        <translation>&amp;Endet sanft</translation>
+        <source>Ease &amp;Out</source>
+        <translation>Ease-&amp;Out</translation>
     </message>
     <message>
-        <source>&amp;Both Softly</source>
-        <translation>&amp;Beides sanft</translation>
+        <source>Ease In and O&amp;ut</source>
+        <translation>Ease-In u&amp;nd -Out</translation>
     </message>
     <message>
-        <source>&amp;Even</source>
-        <translation>&amp;Gleichmäßig</translation>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linear</translation>
     </message>
 </context>
 <context>
@@ -876,10 +876,6 @@
         <translation>Viele Pins</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>Was bleibt</translation>
-    </message>
-    <message>
         <source>Flight, with a skin</source>
         <translation>Flug mit Haut</translation>
     </message>
@@ -910,6 +906,10 @@
     <message>
         <source>Bar</source>
         <translation>Balken</translation>
+    </message>
+    <message>
+        <source>Choose what to keep</source>
+        <translation>Wählen, was bleibt</translation>
     </message>
 </context>
 <context>
@@ -1036,10 +1036,6 @@
         <translation>Einfluss des Pins</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>Was bleibt</translation>
-    </message>
-    <message>
         <source>Stretched too far here · %1</source>
         <translation>Hier zu weit gedehnt · %1</translation>
     </message>
@@ -1050,6 +1046,10 @@
     <message>
         <source>Shrunk too far here · %1</source>
         <translation>Hier zu weit geschrumpft · %1</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Erhalt</translation>
     </message>
 </context>
 <context>
@@ -1151,10 +1151,6 @@
     <message>
         <source>Drawn polygons</source>
         <translation>Gezeichnete Polygone</translation>
-    </message>
-    <message>
-        <source>Count as so&amp;lid above</source>
-        <translation>&amp;Deckend ab</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>
@@ -1287,10 +1283,6 @@
     <message>
         <source>Exact &amp;balance</source>
         <translation>&amp;Genaues Verhältnis</translation>
-    </message>
-    <message>
-        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
-        <translation>Was erhalten bleibt, als Zahl φ, wie sie in der Projektdatei steht: 0,002 erhält Fläche oder Volumen, 0,464 Länge, 1,571 ist starr, 2,678 erhält Winkel (2,498 in einem Körper).</translation>
     </message>
     <message>
         <source>Change energy</source>
@@ -1511,6 +1503,14 @@
     <message>
         <source>Change springing back</source>
         <translation>Zurückfedern ändern</translation>
+    </message>
+    <message>
+        <source>Opa&amp;que from</source>
+        <translation>&amp;Deckend ab</translation>
+    </message>
+    <message>
+        <source>Keep as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>Erhalt als Zahl φ, wie in der Projektdatei: 0,002 erhält Fläche oder Volumen, 0,464 Länge, 1,571 ist starr, 2,678 erhält Winkel (2,498 in einem Körper).</translation>
     </message>
     <message>
         <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
@@ -2162,10 +2162,6 @@
         <translation>Überstreichen, was sich biegen soll oder was nicht</translation>
     </message>
     <message>
-        <source>Outline by &amp;Colour</source>
-        <translation>Umriss nach &amp;Farbe</translation>
-    </message>
-    <message>
         <source>Click a colour that should bend, or should not</source>
         <translation>Auf eine Farbe klicken, die sich biegen soll oder nicht</translation>
     </message>
@@ -2220,6 +2216,10 @@
     <message>
         <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>Die Ansicht verschieben; in jedem Schritt tut es die Leertaste</translation>
+    </message>
+    <message>
+        <source>Magic &amp;Wand</source>
+        <translation>&amp;Zauberstab</translation>
     </message>
 </context>
 <context>
@@ -2333,20 +2333,12 @@
         <translation>Die ausgewählten Pins entfernen; was sich schon bewegt hat, bleibt</translation>
     </message>
     <message>
-        <source>Show the triangles that carry the picture</source>
-        <translation>Die Dreiecke zeigen, die das Bild tragen</translation>
-    </message>
-    <message>
         <source>M</source>
         <translation>M</translation>
     </message>
     <message>
         <source>D</source>
         <translation>D</translation>
-    </message>
-    <message>
-        <source>&amp;Hide Pins and Maps</source>
-        <translation>Pins und Karten &amp;verbergen</translation>
     </message>
     <message>
         <source>Show the bare picture; hold H to do so for a moment</source>
@@ -2593,28 +2585,8 @@
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
-        <source>Warp &amp;Map (ST)…</source>
-        <translation>&amp;Verzerrungskarte (ST)…</translation>
-    </message>
-    <message>
-        <source>&amp;Steps…</source>
-        <translation>&amp;Schritte…</translation>
-    </message>
-    <message>
-        <source>See what was done, and go back to any step</source>
-        <translation>Sehen, was getan wurde, und zu jedem Schritt zurückgehen</translation>
-    </message>
-    <message>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
-    </message>
-    <message>
-        <source>M&amp;esh</source>
-        <translation>N&amp;etz</translation>
-    </message>
-    <message>
-        <source>&amp;Map</source>
-        <translation>&amp;Karte</translation>
     </message>
     <message>
         <source>Colour the shape by what changed</source>
@@ -2731,6 +2703,34 @@
     <message>
         <source>Rela&amp;x</source>
         <translation>&amp;Entspannen</translation>
+    </message>
+    <message>
+        <source>ST &amp;Map…</source>
+        <translation>ST-&amp;Map …</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>&amp;Protokoll …</translation>
+    </message>
+    <message>
+        <source>Show the undo history, and go back to any step</source>
+        <translation>Das Protokoll der Schritte zeigen und zu jedem zurückgehen</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>Show the edges of the mesh</source>
+        <translation>Die Kanten des Netzes zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Overlay</source>
+        <translation>&amp;Farbüberlagerung</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Overlays</source>
+        <translation>Pins und Überlagerungen &amp;verbergen</translation>
     </message>
 </context>
 <context>
@@ -3101,16 +3101,16 @@
         <translation>Mit dem Weg drehe&amp;n</translation>
     </message>
     <message>
-        <source>Ease</source>
-        <translation>Verlauf</translation>
+        <source>Easing</source>
+        <translation>Easing</translation>
     </message>
     <message>
-        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
-        <translation>Wie die Bewegung zur gezeigten Zeit beginnt und endet: gleichmäßig oder sanft.</translation>
+        <source>How the motion at the shown time starts and ends.</source>
+        <translation>Wie die Bewegung zur gezeigten Zeit beginnt und endet.</translation>
     </message>
     <message>
-        <source>Change ease</source>
-        <translation>Verlauf ändern</translation>
+        <source>Change easing</source>
+        <translation>Easing ändern</translation>
     </message>
 </context>
 <context>
@@ -3343,14 +3343,6 @@
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Keep the range of the colours, to compare different shapes and energies.</source>
-        <translation>Den Bereich der Farben festhalten, um Formen und Energien zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
-        <translation>Rückt das am stärksten verzerrte Dreieck ins Bild; in der Karte ist es eingekreist.</translation>
-    </message>
-    <message>
         <source>Angle error</source>
         <translation>Winkelfehler</translation>
     </message>
@@ -3381,22 +3373,6 @@
     <message>
         <source>Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.</source>
         <translation>Summe von det F + 1/det F − 2 über die Form: null, wenn alle Volumen erhalten sind.</translation>
-    </message>
-    <message>
-        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
-        <translation>Das Tetraeder, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
-    </message>
-    <message>
-        <source>The triangle that is farthest from rest in what the map shows.</source>
-        <translation>Das Dreieck, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
-    </message>
-    <message>
-        <source>Keep these colours</source>
-        <translation>Farben behalten</translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation>Hingehen</translation>
     </message>
     <message>
         <source>Go to the worst place</source>
@@ -3431,10 +3407,6 @@
         <translation>Was über den Körper gefärbt wird: der Fehler von Längen, Volumen oder Winkeln, wie weit er von seinem Ort entfernt ist, das Material, wie schnell er sich bewegt oder wie fein sein Netz ist.</translation>
     </message>
     <message>
-        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
-        <translation>Wie stark die Karte das Bild oder die Farben des Körpers darunter deckt.</translation>
-    </message>
-    <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>Was über das Bild gefärbt wird: der Fehler von Längen, Flächen oder Winkeln, wie weit es von seinem Ort entfernt ist, das Material oder wie schnell es sich bewegt.</translation>
     </message>
@@ -3447,10 +3419,6 @@
         <translation>Glatte Farben</translation>
     </message>
     <message>
-        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
-        <translation>Lässt die Farben einer Karte gleichmäßig von Zelle zu Zelle übergehen. Aus hat jede Zelle die eine Farbe ihres Werts.</translation>
-    </message>
-    <message>
         <source>Blown up</source>
         <translation>Entartet</translation>
     </message>
@@ -3461,22 +3429,6 @@
     <message>
         <source>Crosses itself</source>
         <translation>Überkreuzt sich</translation>
-    </message>
-    <message>
-        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
-        <translation>Wie oft die Oberfläche sich durchdringt, sobald die Pose ruht: Stellen, jede aus Paaren von Dreiecken. Ein Klick zeigt die nächste; die Karte zeigt sie rot.</translation>
-    </message>
-    <message>
-        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
-        <translation>Wo der Umriss sich überkreuzt, sobald die Pose ruht: Ein Teil liegt über einem anderen. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
-    </message>
-    <message>
-        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>Tetraeder mit mehr als dem Zehnfachen ihres Volumens oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
-    </message>
-    <message>
-        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>Dreiecke mit mehr als dem Zehnfachen ihrer Fläche oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -3540,13 +3492,53 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Lock the scale</source>
+        <translation>Skala sperren</translation>
+    </message>
+    <message>
+        <source>How much the overlay covers the picture, or the colours of the solid, below it.</source>
+        <translation>Wie stark die Überlagerung das Bild oder die Farben des Körpers darunter deckt.</translation>
+    </message>
+    <message>
+        <source>Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its value.</source>
+        <translation>Lässt die Farben der Überlagerung gleichmäßig von Zelle zu Zelle übergehen. Aus hat jede Zelle die eine Farbe ihres Werts.</translation>
+    </message>
+    <message>
+        <source>Keeps the range of the colours, to compare different shapes and energies.</source>
+        <translation>Hält den Bereich der Farben fest, um Formen und Energien zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the overlay.</source>
+        <translation>Rückt das am stärksten verzerrte Dreieck ins Bild; in der Überlagerung ist es eingekreist.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest in what the overlay shows.</source>
+        <translation>Das Tetraeder, das nach dem, was die Überlagerung zeigt, am weitesten von der Ruhe entfernt ist.</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest in what the overlay shows.</source>
+        <translation>Das Dreieck, das nach dem, was die Überlagerung zeigt, am weitesten von der Ruhe entfernt ist.</translation>
+    </message>
+    <message>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>Wie oft die Oberfläche sich durchdringt, sobald die Pose ruht: Stellen, jede aus Paaren von Dreiecken. Ein Klick zeigt die nächste; die Überlagerung zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>Wo der Umriss sich überkreuzt, sobald die Pose ruht: Ein Teil liegt über einem anderen. Ein Klick zeigt die nächste Stelle; die Überlagerung zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>Tetraeder mit mehr als dem Zehnfachen ihres Volumens oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Überlagerung zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>Dreiecke mit mehr als dem Zehnfachen ihrer Fläche oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Überlagerung zeigt sie rot.</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
-    <message>
-        <source>What is kept</source>
-        <translation>Was erhalten bleibt</translation>
-    </message>
     <message>
         <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Was die Form behält, wo sie nachgeben muss: vom Volumen über Längen und starre Teile bis zum Aussehen der Einzelheiten. Zwischen zwei Namen ist es etwas von beidem.</translation>
@@ -3554,6 +3546,10 @@
     <message>
         <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Was die Form behält, wo sie nachgeben muss: von der Fläche über Längen und starre Teile bis zum Aussehen der Einzelheiten. Zwischen zwei Namen ist es etwas von beidem.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Erhalt</translation>
     </message>
 </context>
 <context>
@@ -3737,10 +3733,6 @@
         <translation>Das Netz wird geschrieben …</translation>
     </message>
     <message>
-        <source>Writing the map …</source>
-        <translation>Die Karte wird geschrieben …</translation>
-    </message>
-    <message>
         <source>Another export is still being written. Try again in a moment.</source>
         <translation>Ein anderer Export wird noch geschrieben. Bitte gleich noch einmal versuchen.</translation>
     </message>
@@ -3805,6 +3797,10 @@
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
         <translation>Bilder (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Writing the ST map …</source>
+        <translation>Die ST-Map wird geschrieben …</translation>
     </message>
 </context>
 <context>
@@ -4119,6 +4115,11 @@
         <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>Es wird ein eigenes Projekt; die Datei selbst bleibt, wie sie ist. Ohne Speichern geht das Gemachte verloren.</translation>
     </message>
+    <message>
+        <source>“%1” %2.</source>
+        <comment>a file, and what is wrong with it</comment>
+        <translation>„%1“ %2.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -4270,10 +4271,6 @@
         <translation>Es ist überall gleich: Über die Form malen, um einen Teil zu ändern.</translation>
     </message>
     <message>
-        <source>Keep here</source>
-        <translation>Hier erhalten</translation>
-    </message>
-    <message>
         <source>Each along a direction of its own.</source>
         <translation>Jede in ihrer eigenen Richtung.</translation>
     </message>
@@ -4304,10 +4301,6 @@
     <message>
         <source>Removes the chosen layer.</source>
         <translation>Entfernt die gewählte Ebene.</translation>
-    </message>
-    <message>
-        <source>Whether the layer changes what is kept, and to what.</source>
-        <translation>Ob die Ebene ändert, was erhalten bleibt, und wozu.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -4465,6 +4458,14 @@
         <source>What a file says of each cell has no name.</source>
         <translation>Was eine Datei über jede Zelle sagt, hat keinen Namen.</translation>
     </message>
+    <message>
+        <source>Keep</source>
+        <translation>Erhalt</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes Keep, and to what.</source>
+        <translation>Ob die Ebene den Erhalt ändert, und wozu.</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4553,10 +4554,6 @@
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Import What Is &amp;Kept…</source>
-        <translation>&amp;Erhalt holen …</translation>
-    </message>
-    <message>
         <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz erhält Flächen, Weiß Winkel</translation>
     </message>
@@ -4583,10 +4580,6 @@
     <message>
         <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>φ und B jeder Zelle aus einer Netzdatei, die sie enthält, etwa einer exportierten</translation>
-    </message>
-    <message>
-        <source>Export What Is K&amp;ept…</source>
-        <translation>E&amp;rhalt schreiben …</translation>
     </message>
     <message>
         <source>As a grey picture, to be edited in a paint program</source>
@@ -4632,12 +4625,20 @@
         <source>The layers were switched off: what was imported lies below them.</source>
         <translation>Die Ebenen sind ausgeschaltet: Was geholt wurde, steht unter ihnen.</translation>
     </message>
+    <message>
+        <source>Import &amp;Keep…</source>
+        <translation>&amp;Erhalt importieren …</translation>
+    </message>
+    <message>
+        <source>Export K&amp;eep…</source>
+        <translation>E&amp;rhalt exportieren …</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
     <message>
         <source>Keep</source>
-        <translation>Halten</translation>
+        <translation>Erhalt</translation>
     </message>
     <message>
         <source>Between %1 and %2.</source>
@@ -4656,8 +4657,8 @@
         <translation>Ganze Form</translation>
     </message>
     <message>
-        <source>Whole shape keeps</source>
-        <translation>Ganze Form erhält</translation>
+        <source>Keep: whole shape</source>
+        <translation>Erhalt: ganze Form</translation>
     </message>
 </context>
 <context>
@@ -5042,28 +5043,12 @@
         <translation>&amp;Höhe</translation>
     </message>
     <message>
-        <source>&amp;Legend of the map</source>
-        <translation>&amp;Legende der Karte</translation>
-    </message>
-    <message>
         <source>Pins and axes</source>
         <translation>Pins und Achsen</translation>
     </message>
     <message>
         <source>Pins, their paths and the axes, as large as in the window.</source>
         <translation>Pins, ihre Wege und die Achsen, so groß wie im Fenster.</translation>
-    </message>
-    <message>
-        <source>Legend of the map</source>
-        <translation>Legende der Karte</translation>
-    </message>
-    <message>
-        <source>The colours of the map and their values.</source>
-        <translation>Die Farben der Karte und ihre Werte.</translation>
-    </message>
-    <message>
-        <source>Show a map first: only then is there something to explain.</source>
-        <translation>Erst eine Karte zeigen: nur dann gibt es etwas zu erklären.</translation>
     </message>
     <message>
         <source>&amp;Proportions of the view</source>
@@ -5104,6 +5089,22 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the overlay</source>
+        <translation>&amp;Legende der Überlagerung</translation>
+    </message>
+    <message>
+        <source>Legend of the overlay</source>
+        <translation>Legende der Überlagerung</translation>
+    </message>
+    <message>
+        <source>The colours of the overlay and their values.</source>
+        <translation>Die Farben der Überlagerung und ihre Werte.</translation>
+    </message>
+    <message>
+        <source>Show the colour overlay first: it has the legend.</source>
+        <translation>Erst die Farbüberlagerung zeigen: Zu ihr gehört die Legende.</translation>
     </message>
 </context>
 <context>
@@ -5285,20 +5286,8 @@
         <translation>Farbe des Pins</translation>
     </message>
     <message>
-        <source>Hold for the Whole &amp;Film</source>
-        <translation>Den ganzen &amp;Film halten</translation>
-    </message>
-    <message>
-        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
-        <translation>Die gewählten Pins halten vom Anfang des Films bis zu seinem Ende, nicht erst ab dem Zeitpunkt, an dem sie gesetzt wurden</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+F</source>
         <translation>Ctrl+Shift+F</translation>
-    </message>
-    <message>
-        <source>The selected pin holds for the whole film.</source>
-        <translation>Der gewählte Pin hält den ganzen Film lang.</translation>
     </message>
     <message>
         <source>Mo&amp;ve</source>
@@ -5391,6 +5380,18 @@
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Pin for the Whole &amp;Animation</source>
+        <translation>Für die ganze &amp;Animation halten</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the animation to its end, not only from the time at which they were set</source>
+        <translation>Die gewählten Pins halten vom Anfang der Animation bis zu ihrem Ende, nicht erst ab der Zeit, zu der sie gesetzt wurden</translation>
+    </message>
+    <message>
+        <source>The selected pin already holds for the whole animation.</source>
+        <translation>Der gewählte Pin hält schon die ganze Animation lang.</translation>
     </message>
 </context>
 <context>
@@ -5504,7 +5505,7 @@
     </message>
     <message>
         <source>Keep</source>
-        <translation>Halten</translation>
+        <translation>Erhalt</translation>
     </message>
     <message>
         <source>Facts</source>
@@ -5944,10 +5945,6 @@
         <translation>Der Film behält seine Länge: was zeitlich festgelegt war, läuft jetzt schneller. Rückgängig machen oder den Film unten verlängern.</translation>
     </message>
     <message>
-        <source>Hold %1 for the whole film</source>
-        <translation>%1 den ganzen Film halten</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>Weg bearbeiten</translation>
     </message>
@@ -5979,13 +5976,13 @@
         <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
         <translation>Diese Kugel ist kleiner als das Netz: sie größer machen, oder das Netz feiner.</translation>
     </message>
+    <message>
+        <source>Pin %1 for the whole animation</source>
+        <translation>%1 die ganze Animation lang halten</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
     <message>
         <source>As it was opened</source>
         <translation>Wie es geöffnet wurde</translation>
@@ -6001,6 +5998,10 @@
     <message>
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Protokoll</translation>
     </message>
 </context>
 <context>
@@ -6792,16 +6793,16 @@
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Write pictures, sequences, maps and meshes</source>
-        <translation>Bilder, Sequenzen, Karten und Netze schreiben</translation>
-    </message>
-    <message>
         <source>Open a picture first.</source>
         <translation>Zuerst ein Bild öffnen.</translation>
     </message>
     <message>
         <source>Open a solid first.</source>
         <translation>Zuerst einen Körper öffnen.</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, ST maps and meshes</source>
+        <translation>Bilder, Sequenzen, ST-Maps und Netze schreiben</translation>
     </message>
 </context>
 <context>
@@ -6839,14 +6840,6 @@
         <translation>Dauer ändern</translation>
     </message>
     <message>
-        <source>How it begins and ends</source>
-        <translation>Wie es beginnt und endet</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Verlauf ändern</translation>
-    </message>
-    <message>
         <source>&amp;Remove Motion</source>
         <translation>Bewegung &amp;entfernen</translation>
     </message>
@@ -6881,6 +6874,14 @@
     <message>
         <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; Umschalt, Strg oder ein Rahmen um sie wählt mehrere. Ein Rechtsklick stellt ein, wie sie beginnen und enden. Die Enden der Linie sagen, wann der Pin hält</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>Easing</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>Easing ändern</translation>
     </message>
 </context>
 <context>
@@ -6922,10 +6923,6 @@
         <translation>Ihr Ziehen ist schon ein Film: &lt;b&gt;K&lt;/b&gt; spielt ihn ab. Ein Klick in den Streifen unten führt zu einer Zeit, und von dort ziehen Sie weiter.</translation>
     </message>
     <message>
-        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
-        <translation>Zuletzt führt &lt;b&gt;Strg+5&lt;/b&gt; zum Schritt &lt;i&gt;Export&lt;/i&gt;: ein Bild, eine Bildfolge, eine Karte der Verzerrung oder das Netz.</translation>
-    </message>
-    <message>
         <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
         <translation>Mehr braucht es nicht für den Anfang. &lt;b&gt;F1&lt;/b&gt; öffnet das Handbuch, &lt;b&gt;?&lt;/b&gt; nennt die Tasten. Ziehen Sie ein eigenes Bild auf das Fenster.</translation>
     </message>
@@ -6940,6 +6937,10 @@
     <message>
         <source>Skip</source>
         <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, an ST map, or the mesh.</source>
+        <translation>Zuletzt führt &lt;b&gt;Strg+5&lt;/b&gt; zum Schritt &lt;i&gt;Export&lt;/i&gt;: ein Bild, eine Bildfolge, eine ST-Map oder das Netz.</translation>
     </message>
 </context>
 <context>

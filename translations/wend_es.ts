@@ -60,10 +60,6 @@
         <translation>Mantener H</translation>
     </message>
     <message>
-        <source>hides pins and maps</source>
-        <translation>oculta alfileres y mapas</translation>
-    </message>
-    <message>
         <source>Hold \</source>
         <translation>Mantener \</translation>
     </message>
@@ -158,6 +154,10 @@
     <message>
         <source>Middle button</source>
         <translation>Botón central</translation>
+    </message>
+    <message>
+        <source>hides pins and overlays</source>
+        <translation>oculta alfileres y superposiciones</translation>
     </message>
 </context>
 <context>
@@ -315,16 +315,8 @@
         <translation>es de solo lectura: hágalo antes modificable o elija otro nombre</translation>
     </message>
     <message>
-        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
-        <translation>es %1; las imágenes se leen de archivos PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA y PNM</translation>
-    </message>
-    <message>
         <source>a GIF picture</source>
         <translation>una imagen GIF</translation>
-    </message>
-    <message>
-        <source>a Photoshop picture (PSD)</source>
-        <translation>una imagen de Photoshop (PSD)</translation>
     </message>
     <message>
         <source>a HEIC picture</source>
@@ -711,6 +703,14 @@
         <translation>no es un proyecto de Wend, que es JSON y empieza con {</translation>
     </message>
     <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
+        <translation>es %1. Wend abre imágenes PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA y PNM</translation>
+    </message>
+    <message>
+        <source>a Photoshop file</source>
+        <translation>un archivo de Photoshop</translation>
+    </message>
+    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>contiene %1 imágenes (páginas, fotogramas o partes): se lee la primera</translation>
     </message>
@@ -806,20 +806,20 @@
 <context>
     <name>EaseNames</name>
     <message>
-        <source>Begins &amp;Softly</source>
-        <translation>&amp;Comienza suave</translation>
+        <source>Ease &amp;In</source>
+        <translation>Suavizar &amp;entrada</translation>
     </message>
     <message>
-        <source>&amp;Ends Softly</source>
-        <translation>&amp;Termina suave</translation>
+        <source>Ease &amp;Out</source>
+        <translation>Suavizar &amp;salida</translation>
     </message>
     <message>
-        <source>&amp;Both Softly</source>
-        <translation>&amp;Ambos suaves</translation>
+        <source>Ease In and O&amp;ut</source>
+        <translation>Suavizar &amp;ambas</translation>
     </message>
     <message>
-        <source>&amp;Even</source>
-        <translation>&amp;Uniforme</translation>
+        <source>&amp;Linear</source>
+        <translation>&amp;Lineal</translation>
     </message>
 </context>
 <context>
@@ -876,10 +876,6 @@
         <translation>Varios alfileres</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>Qué se conserva</translation>
-    </message>
-    <message>
         <source>Flight, with a skin</source>
         <translation>Vuelo con piel</translation>
     </message>
@@ -910,6 +906,10 @@
     <message>
         <source>Bar</source>
         <translation>Barra</translation>
+    </message>
+    <message>
+        <source>Choose what to keep</source>
+        <translation>Elegir qué conservar</translation>
     </message>
 </context>
 <context>
@@ -1036,10 +1036,6 @@
         <translation>Influencia del alfiler</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>Lo que se conserva</translation>
-    </message>
-    <message>
         <source>Stretched too far here · %1</source>
         <translation>Demasiado estirado aquí · %1</translation>
     </message>
@@ -1050,6 +1046,10 @@
     <message>
         <source>Shrunk too far here · %1</source>
         <translation>Demasiado encogido aquí · %1</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
     </message>
 </context>
 <context>
@@ -1119,10 +1119,6 @@
     <message>
         <source>Drawn polygons</source>
         <translation>Polígonos trazados</translation>
-    </message>
-    <message>
-        <source>Count as so&amp;lid above</source>
-        <translation>O&amp;paco a partir de</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>
@@ -1255,10 +1251,6 @@
     <message>
         <source>Exact &amp;balance</source>
         <translation>Valor e&amp;xacto</translation>
-    </message>
-    <message>
-        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
-        <translation>Qué se conserva, como el número φ que figura en el proyecto: 0,002 conserva el área o el volumen, 0,464 la longitud, 1,571 es rígido, 2,678 conserva los ángulos (2,498 en un sólido).</translation>
     </message>
     <message>
         <source>Change energy</source>
@@ -1511,6 +1503,14 @@
     <message>
         <source>Change springing back</source>
         <translation>Cambiar la vuelta a la forma</translation>
+    </message>
+    <message>
+        <source>Opa&amp;que from</source>
+        <translation>O&amp;paco desde</translation>
+    </message>
+    <message>
+        <source>Keep as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>Conservar como número φ, igual que en el archivo del proyecto: 0,002 conserva el área o el volumen, 0,464 la longitud, 1,571 es rígido, 2,678 conserva los ángulos (2,498 en un sólido).</translation>
     </message>
     <message>
         <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
@@ -2110,10 +2110,6 @@
         <translation>Pasar el pincel sobre lo que deba deformarse, o no</translation>
     </message>
     <message>
-        <source>Outline by &amp;Colour</source>
-        <translation>Contorno por &amp;color</translation>
-    </message>
-    <message>
         <source>Click a colour that should bend, or should not</source>
         <translation>Hacer clic en un color que deba deformarse, o no</translation>
     </message>
@@ -2221,6 +2217,10 @@
         <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>Arrastrar la vista a otro lugar; en cada paso lo hace la barra espaciadora</translation>
     </message>
+    <message>
+        <source>Magic &amp;Wand</source>
+        <translation>&amp;Varita mágica</translation>
+    </message>
 </context>
 <context>
     <name>wend::Actions</name>
@@ -2271,10 +2271,6 @@
     <message>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
-    </message>
-    <message>
-        <source>Warp &amp;Map (ST)…</source>
-        <translation>&amp;Mapa de deformación (ST)…</translation>
     </message>
     <message>
         <source>Write where each pixel comes from, for compositing programs</source>
@@ -2349,14 +2345,6 @@
         <translation>Rehacer lo que se deshizo</translation>
     </message>
     <message>
-        <source>&amp;Steps…</source>
-        <translation>&amp;Historial…</translation>
-    </message>
-    <message>
-        <source>See what was done, and go back to any step</source>
-        <translation>Ver lo que se ha hecho y volver a cualquier paso</translation>
-    </message>
-    <message>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
@@ -2389,20 +2377,8 @@
         <translation>Eliminar los alfileres seleccionados; lo que ya se movió se queda</translation>
     </message>
     <message>
-        <source>M&amp;esh</source>
-        <translation>&amp;Malla</translation>
-    </message>
-    <message>
-        <source>Show the triangles that carry the picture</source>
-        <translation>Mostrar los triángulos que llevan la imagen</translation>
-    </message>
-    <message>
         <source>M</source>
         <translation>M</translation>
-    </message>
-    <message>
-        <source>&amp;Map</source>
-        <translation>Ma&amp;pa</translation>
     </message>
     <message>
         <source>Colour the shape by what changed</source>
@@ -2423,10 +2399,6 @@
     <message>
         <source>Shift+S</source>
         <translation>Shift+S</translation>
-    </message>
-    <message>
-        <source>&amp;Hide Pins and Maps</source>
-        <translation>&amp;Ocultar alfileres y mapas</translation>
     </message>
     <message>
         <source>Show the bare picture; hold H to do so for a moment</source>
@@ -2731,6 +2703,34 @@
     <message>
         <source>Rela&amp;x</source>
         <translation>Re&amp;lajar</translation>
+    </message>
+    <message>
+        <source>ST &amp;Map…</source>
+        <translation>&amp;Mapa ST…</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>&amp;Historial…</translation>
+    </message>
+    <message>
+        <source>Show the undo history, and go back to any step</source>
+        <translation>Mostrar el historial y volver a cualquier paso</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>Ar&amp;istas</translation>
+    </message>
+    <message>
+        <source>Show the edges of the mesh</source>
+        <translation>Mostrar las aristas de la malla</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Overlay</source>
+        <translation>Superposición de &amp;color</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Overlays</source>
+        <translation>&amp;Ocultar alfileres y superposiciones</translation>
     </message>
 </context>
 <context>
@@ -3101,16 +3101,16 @@
         <translation>Cambiar curva</translation>
     </message>
     <message>
-        <source>Ease</source>
-        <translation>Aceleración</translation>
+        <source>Easing</source>
+        <translation>Suavizado</translation>
     </message>
     <message>
-        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
-        <translation>Cómo empieza y acaba el movimiento del momento mostrado: uniforme o suave.</translation>
+        <source>How the motion at the shown time starts and ends.</source>
+        <translation>Cómo empieza y acaba el movimiento del momento mostrado.</translation>
     </message>
     <message>
-        <source>Change ease</source>
-        <translation>Cambiar la aceleración</translation>
+        <source>Change easing</source>
+        <translation>Cambiar el suavizado</translation>
     </message>
 </context>
 <context>
@@ -3343,24 +3343,8 @@
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Keep these colours</source>
-        <translation>Fijar los colores</translation>
-    </message>
-    <message>
-        <source>Keep the range of the colours, to compare different shapes and energies.</source>
-        <translation>Mantener el rango de colores para comparar formas y energías.</translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation>Ir allí</translation>
-    </message>
-    <message>
         <source>Go to the worst place</source>
         <translation>Ir al peor punto</translation>
-    </message>
-    <message>
-        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
-        <translation>Lleva a la vista el triángulo más deformado; el mapa lo rodea con un anillo.</translation>
     </message>
     <message>
         <source>What changed</source>
@@ -3407,14 +3391,6 @@
         <translation>Suma sobre la forma de σ₁σ₂ + 1/(σ₁σ₂) − 2: cero si se conservan todas las áreas.</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
-        <translation>El tetraedro más alejado del reposo según lo que muestra el mapa.</translation>
-    </message>
-    <message>
-        <source>The triangle that is farthest from rest in what the map shows.</source>
-        <translation>El triángulo más alejado del reposo según lo que muestra el mapa.</translation>
-    </message>
-    <message>
         <source>Colour by</source>
         <translation>Color según</translation>
     </message>
@@ -3431,10 +3407,6 @@
         <translation>Qué se colorea sobre el sólido: el error de longitudes, volúmenes o ángulos, la distancia a su lugar original, el material, la velocidad con que se mueve o lo fina que es su malla.</translation>
     </message>
     <message>
-        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
-        <translation>Cuánto cubre el mapa la imagen, o los colores del sólido, que hay debajo.</translation>
-    </message>
-    <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>Qué se colorea sobre la imagen: el error de longitudes, áreas o ángulos, la distancia a su lugar original, el material o la velocidad con que se mueve.</translation>
     </message>
@@ -3447,10 +3419,6 @@
         <translation>Colores suaves</translation>
     </message>
     <message>
-        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
-        <translation>Hace que los colores de un mapa pasen gradualmente de celda a celda. Si no, cada celda tiene el único color de su valor.</translation>
-    </message>
-    <message>
         <source>Blown up</source>
         <translation>Degenerados</translation>
     </message>
@@ -3461,22 +3429,6 @@
     <message>
         <source>Crosses itself</source>
         <translation>Se cruza</translation>
-    </message>
-    <message>
-        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
-        <translation>Cuántas veces la superficie se atraviesa cuando la pose está quieta: lugares, cada uno de pares de triángulos. Un clic muestra el siguiente; el mapa los marca en rojo.</translation>
-    </message>
-    <message>
-        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
-        <translation>Dónde el contorno se cruza cuando la pose está quieta: una parte queda sobre otra. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
-    </message>
-    <message>
-        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>Tetraedros de más de diez veces su volumen, o de menos de una décima parte. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
-    </message>
-    <message>
-        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>Triángulos de más de diez veces su área, o de menos de una décima parte. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -3540,13 +3492,53 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Lock the scale</source>
+        <translation>Bloquear la escala</translation>
+    </message>
+    <message>
+        <source>How much the overlay covers the picture, or the colours of the solid, below it.</source>
+        <translation>Cuánto cubre la superposición la imagen, o los colores del sólido, que hay debajo.</translation>
+    </message>
+    <message>
+        <source>Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its value.</source>
+        <translation>Hace que los colores de la superposición pasen gradualmente de celda a celda. Si no, cada celda tiene el único color de su valor.</translation>
+    </message>
+    <message>
+        <source>Keeps the range of the colours, to compare different shapes and energies.</source>
+        <translation>Mantiene el rango de los colores, para comparar formas y energías.</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the overlay.</source>
+        <translation>Lleva a la vista el triángulo más deformado; la superposición lo rodea con un anillo.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest in what the overlay shows.</source>
+        <translation>El tetraedro más alejado del reposo según lo que muestra la superposición.</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest in what the overlay shows.</source>
+        <translation>El triángulo más alejado del reposo según lo que muestra la superposición.</translation>
+    </message>
+    <message>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>Cuántas veces la superficie se atraviesa cuando la pose está quieta: lugares, cada uno de pares de triángulos. Un clic muestra el siguiente; la superposición los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>Dónde el contorno se cruza cuando la pose está quieta: una parte queda sobre otra. Un clic muestra el lugar siguiente; la superposición los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>Tetraedros de más de diez veces su volumen, o de menos de una décima parte. Un clic muestra el lugar siguiente; la superposición los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>Triángulos de más de diez veces su área, o de menos de una décima parte. Un clic muestra el lugar siguiente; la superposición los marca en rojo.</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
-    <message>
-        <source>What is kept</source>
-        <translation>Qué se conserva</translation>
-    </message>
     <message>
         <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Qué conserva la forma donde tiene que ceder: desde su volumen, pasando por las longitudes y las partes rígidas, hasta el aspecto de sus detalles. Entre dos nombres hay algo de ambos.</translation>
@@ -3554,6 +3546,10 @@
     <message>
         <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Qué conserva la forma donde tiene que ceder: desde su área, pasando por las longitudes y las partes rígidas, hasta el aspecto de sus detalles. Entre dos nombres hay algo de ambos.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
     </message>
 </context>
 <context>
@@ -3724,10 +3720,6 @@
         </translation>
     </message>
     <message>
-        <source>Writing the map …</source>
-        <translation>Exportando el mapa…</translation>
-    </message>
-    <message>
         <source>Writing the mesh …</source>
         <translation>Exportando la malla…</translation>
     </message>
@@ -3805,6 +3797,10 @@
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
         <translation>Imágenes (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Writing the ST map …</source>
+        <translation>Exportando el mapa ST…</translation>
     </message>
 </context>
 <context>
@@ -4119,6 +4115,11 @@
         <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>Se convierte en un proyecto propio; el archivo queda como está. Si no lo guarda, lo hecho se perderá.</translation>
     </message>
+    <message>
+        <source>“%1” %2.</source>
+        <comment>a file, and what is wrong with it</comment>
+        <translation>«%1» %2.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -4270,10 +4271,6 @@
         <translation>Es igual en todas partes: pinte sobre la forma para cambiar una parte.</translation>
     </message>
     <message>
-        <source>Keep here</source>
-        <translation>Conservar aquí</translation>
-    </message>
-    <message>
         <source>Each along a direction of its own.</source>
         <translation>Cada una en su propia dirección.</translation>
     </message>
@@ -4304,10 +4301,6 @@
     <message>
         <source>Removes the chosen layer.</source>
         <translation>Elimina la capa elegida.</translation>
-    </message>
-    <message>
-        <source>Whether the layer changes what is kept, and to what.</source>
-        <translation>Si la capa cambia lo que se conserva, y a qué.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -4395,7 +4388,7 @@
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation>Se conserva: %1</translation>
+        <translation>Conservar: %1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
@@ -4464,6 +4457,14 @@
     <message>
         <source>What a file says of each cell has no name.</source>
         <translation>Lo que un archivo dice de cada celda no tiene nombre.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes Keep, and to what.</source>
+        <translation>Si la capa cambia lo que se conserva, y a qué.</translation>
     </message>
 </context>
 <context>
@@ -4553,10 +4554,6 @@
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Import What Is &amp;Kept…</source>
-        <translation>Importar qué se &amp;conserva…</translation>
-    </message>
-    <message>
         <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>Una imagen gris sobre el conjunto, como capa: el negro conserva el área, el blanco los ángulos</translation>
     </message>
@@ -4583,10 +4580,6 @@
     <message>
         <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>φ y B de cada celda desde un archivo de malla que los contenga, por ejemplo uno exportado</translation>
-    </message>
-    <message>
-        <source>Export What Is K&amp;ept…</source>
-        <translation>Exportar qué se co&amp;nserva…</translation>
     </message>
     <message>
         <source>As a grey picture, to be edited in a paint program</source>
@@ -4632,6 +4625,14 @@
         <source>The layers were switched off: what was imported lies below them.</source>
         <translation>Las capas están desactivadas: lo importado queda debajo de ellas.</translation>
     </message>
+    <message>
+        <source>Import &amp;Keep…</source>
+        <translation>Importar &amp;Conservar…</translation>
+    </message>
+    <message>
+        <source>Export K&amp;eep…</source>
+        <translation>Exportar Conser&amp;var…</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -4656,8 +4657,8 @@
         <translation>Toda la forma</translation>
     </message>
     <message>
-        <source>Whole shape keeps</source>
-        <translation>Toda la forma conserva</translation>
+        <source>Keep: whole shape</source>
+        <translation>Conservar: toda la forma</translation>
     </message>
 </context>
 <context>
@@ -5014,10 +5015,6 @@
         <translation>Alf&amp;ileres y ejes</translation>
     </message>
     <message>
-        <source>&amp;Legend of the map</source>
-        <translation>&amp;Leyenda del mapa</translation>
-    </message>
-    <message>
         <source>Export View</source>
         <translation>Exportar vista</translation>
     </message>
@@ -5074,18 +5071,6 @@
         <translation>Alfileres, trayectorias y ejes, al mismo tamaño que en la ventana.</translation>
     </message>
     <message>
-        <source>Legend of the map</source>
-        <translation>Leyenda del mapa</translation>
-    </message>
-    <message>
-        <source>The colours of the map and their values.</source>
-        <translation>Los colores del mapa y sus valores.</translation>
-    </message>
-    <message>
-        <source>Show a map first: only then is there something to explain.</source>
-        <translation>Muestre primero un mapa: sin él no hay nada que explicar.</translation>
-    </message>
-    <message>
         <source>F&amp;ormat</source>
         <translation>F&amp;ormato</translation>
     </message>
@@ -5104,6 +5089,22 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 píxeles</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the overlay</source>
+        <translation>&amp;Leyenda de la superposición</translation>
+    </message>
+    <message>
+        <source>Legend of the overlay</source>
+        <translation>Leyenda de la superposición</translation>
+    </message>
+    <message>
+        <source>The colours of the overlay and their values.</source>
+        <translation>Los colores de la superposición y sus valores.</translation>
+    </message>
+    <message>
+        <source>Show the colour overlay first: it has the legend.</source>
+        <translation>Muestre primero la superposición de color: la leyenda es suya.</translation>
     </message>
 </context>
 <context>
@@ -5285,20 +5286,8 @@
         <translation>Color del alfiler</translation>
     </message>
     <message>
-        <source>Hold for the Whole &amp;Film</source>
-        <translation>Sujetar toda la &amp;película</translation>
-    </message>
-    <message>
-        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
-        <translation>Los alfileres seleccionados sujetan desde el principio de la película hasta el final, no solo desde el momento en que se pusieron</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+F</source>
         <translation>Ctrl+Shift+F</translation>
-    </message>
-    <message>
-        <source>The selected pin holds for the whole film.</source>
-        <translation>El alfiler seleccionado sujeta toda la película.</translation>
     </message>
     <message>
         <source>Mo&amp;ve</source>
@@ -5391,6 +5380,18 @@
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Pin for the Whole &amp;Animation</source>
+        <translation>Fijar toda la &amp;animación</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the animation to its end, not only from the time at which they were set</source>
+        <translation>Los alfileres seleccionados sujetan desde el principio de la animación hasta el final, no solo desde el momento en que se pusieron</translation>
+    </message>
+    <message>
+        <source>The selected pin already holds for the whole animation.</source>
+        <translation>El alfiler seleccionado ya sujeta toda la animación.</translation>
     </message>
 </context>
 <context>
@@ -5944,10 +5945,6 @@
         <translation>La película conserva su duración: lo que tenía su tiempo va ahora más deprisa. Deshaga, o alargue la película abajo.</translation>
     </message>
     <message>
-        <source>Hold %1 for the whole film</source>
-        <translation>Sujetar %1 toda la película</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>Editar trayectoria</translation>
     </message>
@@ -5979,13 +5976,13 @@
         <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
         <translation>Esta bola es menor que las celdas de la malla: hágala mayor o la malla más fina.</translation>
     </message>
+    <message>
+        <source>Pin %1 for the whole animation</source>
+        <translation>Fijar %1 toda la animación</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
-    <message>
-        <source>Steps</source>
-        <translation>Historial</translation>
-    </message>
     <message>
         <source>As it was opened</source>
         <translation>Tal como se abrió</translation>
@@ -6001,6 +5998,10 @@
     <message>
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Deforma imágenes y sólidos dejándolos fluir.&lt;/p&gt;&lt;p&gt;Basado en J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Software libre bajo la licencia GNU Affero General Public License, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
     </message>
 </context>
 <context>
@@ -6792,16 +6793,16 @@
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Write pictures, sequences, maps and meshes</source>
-        <translation>Exportar imágenes, secuencias, mapas y mallas</translation>
-    </message>
-    <message>
         <source>Open a picture first.</source>
         <translation>Abra primero una imagen.</translation>
     </message>
     <message>
         <source>Open a solid first.</source>
         <translation>Abra primero un sólido.</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, ST maps and meshes</source>
+        <translation>Exportar imágenes, secuencias, mapas ST y mallas</translation>
     </message>
 </context>
 <context>
@@ -6839,14 +6840,6 @@
         <translation>Cambiar la duración</translation>
     </message>
     <message>
-        <source>How it begins and ends</source>
-        <translation>Cómo empieza y termina</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Cambiar la aceleración</translation>
-    </message>
-    <message>
         <source>&amp;Remove Motion</source>
         <translation>&amp;Eliminar movimiento</translation>
     </message>
@@ -6881,6 +6874,14 @@
     <message>
         <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>Arrastre una barra o sus extremos a otro momento; Mayús, Ctrl o un marco alrededor eligen varias. Un clic derecho fija cómo empiezan y acaban. Los extremos de la línea dicen cuándo sujeta el pin</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>Suavizado</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>Cambiar el suavizado</translation>
     </message>
 </context>
 <context>
@@ -6922,10 +6923,6 @@
         <translation>Lo que ha arrastrado ya es una película: &lt;b&gt;pulse K&lt;/b&gt; para reproducirla. Haga clic en la franja de abajo para ir a un momento y siga arrastrando desde ahí.</translation>
     </message>
     <message>
-        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
-        <translation>Por último, &lt;b&gt;pulse Ctrl+5&lt;/b&gt; para el paso &lt;i&gt;Exportar&lt;/i&gt;: una imagen, una secuencia, un mapa de deformación o la malla.</translation>
-    </message>
-    <message>
         <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
         <translation>Es todo lo que necesita para empezar. &lt;b&gt;F1&lt;/b&gt; abre el manual, &lt;b&gt;?&lt;/b&gt; muestra las teclas. Suelte una imagen suya en la ventana.</translation>
     </message>
@@ -6940,6 +6937,10 @@
     <message>
         <source>Skip</source>
         <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, an ST map, or the mesh.</source>
+        <translation>Por último, &lt;b&gt;pulse Ctrl+5&lt;/b&gt; para el paso &lt;i&gt;Exportar&lt;/i&gt;: una imagen, una secuencia, un mapa ST o la malla.</translation>
     </message>
 </context>
 <context>

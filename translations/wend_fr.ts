@@ -60,10 +60,6 @@
         <translation>Maintenir H</translation>
     </message>
     <message>
-        <source>hides pins and maps</source>
-        <translation>masque épingles et cartes</translation>
-    </message>
-    <message>
         <source>Hold \</source>
         <translation>Maintenir \</translation>
     </message>
@@ -158,6 +154,10 @@
     <message>
         <source>Middle button</source>
         <translation>Bouton du milieu</translation>
+    </message>
+    <message>
+        <source>hides pins and overlays</source>
+        <translation>masque épingles et incrustations</translation>
     </message>
 </context>
 <context>
@@ -315,16 +315,8 @@
         <translation>est en lecture seule&#x202f;: rendez-le d’abord modifiable, ou choisissez un autre nom</translation>
     </message>
     <message>
-        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
-        <translation>est %1&#x202f;; les images se lisent dans les fichiers PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA et PNM</translation>
-    </message>
-    <message>
         <source>a GIF picture</source>
         <translation>une image GIF</translation>
-    </message>
-    <message>
-        <source>a Photoshop picture (PSD)</source>
-        <translation>une image Photoshop (PSD)</translation>
     </message>
     <message>
         <source>a HEIC picture</source>
@@ -711,6 +703,14 @@
         <translation>n’est pas un projet de Wend, qui est du JSON et commence par {</translation>
     </message>
     <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
+        <translation>est %1. Wend ouvre les images PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA et PNM</translation>
+    </message>
+    <message>
+        <source>a Photoshop file</source>
+        <translation>un fichier Photoshop</translation>
+    </message>
+    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>contient %1 images (pages, vues ou parties) : la première est lue</translation>
     </message>
@@ -806,20 +806,20 @@
 <context>
     <name>EaseNames</name>
     <message>
-        <source>Begins &amp;Softly</source>
-        <translation>&amp;Début en douceur</translation>
+        <source>Ease &amp;In</source>
+        <translation>Accélération (ease &amp;in)</translation>
     </message>
     <message>
-        <source>&amp;Ends Softly</source>
-        <translation>&amp;Fin en douceur</translation>
+        <source>Ease &amp;Out</source>
+        <translation>Décélération (ease &amp;out)</translation>
     </message>
     <message>
-        <source>&amp;Both Softly</source>
-        <translation>Les de&amp;ux en douceur</translation>
+        <source>Ease In and O&amp;ut</source>
+        <translation>Les de&amp;ux (ease in-out)</translation>
     </message>
     <message>
-        <source>&amp;Even</source>
-        <translation>&amp;Régulier</translation>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linéaire</translation>
     </message>
 </context>
 <context>
@@ -876,10 +876,6 @@
         <translation>Des épingles</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>Ce qui reste</translation>
-    </message>
-    <message>
         <source>Flight, with a skin</source>
         <translation>Vol avec peau</translation>
     </message>
@@ -910,6 +906,10 @@
     <message>
         <source>Bar</source>
         <translation>Barre</translation>
+    </message>
+    <message>
+        <source>Choose what to keep</source>
+        <translation>Choisir quoi conserver</translation>
     </message>
 </context>
 <context>
@@ -1036,10 +1036,6 @@
         <translation>Influence de l’épingle</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>Ce qui est gardé</translation>
-    </message>
-    <message>
         <source>Stretched too far here · %1</source>
         <translation>Trop étiré ici · %1</translation>
     </message>
@@ -1050,6 +1046,10 @@
     <message>
         <source>Shrunk too far here · %1</source>
         <translation>Trop rétréci ici · %1</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
     </message>
 </context>
 <context>
@@ -1119,10 +1119,6 @@
     <message>
         <source>Drawn polygons</source>
         <translation>Polygones tracés</translation>
-    </message>
-    <message>
-        <source>Count as so&amp;lid above</source>
-        <translation>Opa&amp;que au-delà de</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>
@@ -1255,10 +1251,6 @@
     <message>
         <source>Exact &amp;balance</source>
         <translation>Valeur e&amp;xacte</translation>
-    </message>
-    <message>
-        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
-        <translation>Ce qui est conservé, sous forme du nombre φ inscrit dans le projet&#x202f;: 0,002 conserve l’aire ou le volume, 0,464 la longueur, 1,571 est rigide, 2,678 conserve les angles (2,498 pour un solide).</translation>
     </message>
     <message>
         <source>Change energy</source>
@@ -1511,6 +1503,14 @@
     <message>
         <source>Change springing back</source>
         <translation>Modifier le retour élastique</translation>
+    </message>
+    <message>
+        <source>Opa&amp;que from</source>
+        <translation>Opa&amp;que à partir de</translation>
+    </message>
+    <message>
+        <source>Keep as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>Conserver sous forme du nombre φ, comme dans le fichier du projet : 0,002 conserve l’aire ou le volume, 0,464 la longueur, 1,571 est rigide, 2,678 conserve les angles (2,498 pour un solide).</translation>
     </message>
     <message>
         <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
@@ -2110,10 +2110,6 @@
         <translation>Passer le pinceau sur ce qui doit se déformer, ou non</translation>
     </message>
     <message>
-        <source>Outline by &amp;Colour</source>
-        <translation>Contour par co&amp;uleur</translation>
-    </message>
-    <message>
         <source>Click a colour that should bend, or should not</source>
         <translation>Cliquer sur une couleur qui doit se déformer, ou non</translation>
     </message>
@@ -2221,6 +2217,10 @@
         <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>Tirer la vue ailleurs ; à chaque étape, la barre d’espace le fait</translation>
     </message>
+    <message>
+        <source>Magic &amp;Wand</source>
+        <translation>&amp;Baguette magique</translation>
+    </message>
 </context>
 <context>
     <name>wend::Actions</name>
@@ -2271,10 +2271,6 @@
     <message>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
-    </message>
-    <message>
-        <source>Warp &amp;Map (ST)…</source>
-        <translation>&amp;Carte de déformation (ST)…</translation>
     </message>
     <message>
         <source>Write where each pixel comes from, for compositing programs</source>
@@ -2349,14 +2345,6 @@
         <translation>Rétablir ce qui a été annulé</translation>
     </message>
     <message>
-        <source>&amp;Steps…</source>
-        <translation>&amp;Historique…</translation>
-    </message>
-    <message>
-        <source>See what was done, and go back to any step</source>
-        <translation>Voir ce qui a été fait et revenir à n’importe quelle étape</translation>
-    </message>
-    <message>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
@@ -2389,20 +2377,8 @@
         <translation>Supprimer les épingles sélectionnées&#x202f;; ce qui a déjà bougé reste</translation>
     </message>
     <message>
-        <source>M&amp;esh</source>
-        <translation>&amp;Maillage</translation>
-    </message>
-    <message>
-        <source>Show the triangles that carry the picture</source>
-        <translation>Afficher les triangles qui portent l’image</translation>
-    </message>
-    <message>
         <source>M</source>
         <translation>M</translation>
-    </message>
-    <message>
-        <source>&amp;Map</source>
-        <translation>&amp;Carte</translation>
     </message>
     <message>
         <source>Colour the shape by what changed</source>
@@ -2423,10 +2399,6 @@
     <message>
         <source>Shift+S</source>
         <translation>Shift+S</translation>
-    </message>
-    <message>
-        <source>&amp;Hide Pins and Maps</source>
-        <translation>Mas&amp;quer épingles et cartes</translation>
     </message>
     <message>
         <source>Show the bare picture; hold H to do so for a moment</source>
@@ -2731,6 +2703,34 @@
     <message>
         <source>Rela&amp;x</source>
         <translation>Dé&amp;tendre</translation>
+    </message>
+    <message>
+        <source>ST &amp;Map…</source>
+        <translation>Carte S&amp;T…</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>&amp;Historique…</translation>
+    </message>
+    <message>
+        <source>Show the undo history, and go back to any step</source>
+        <translation>Afficher l’historique et revenir à n’importe quelle étape</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>A&amp;rêtes</translation>
+    </message>
+    <message>
+        <source>Show the edges of the mesh</source>
+        <translation>Afficher les arêtes du maillage</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Overlay</source>
+        <translation>Incrustation &amp;couleur</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Overlays</source>
+        <translation>Mas&amp;quer épingles et incrustations</translation>
     </message>
 </context>
 <context>
@@ -3101,16 +3101,16 @@
         <translation>Modifier la courbe</translation>
     </message>
     <message>
-        <source>Ease</source>
-        <translation>Accélération</translation>
+        <source>Easing</source>
+        <translation>Lissage</translation>
     </message>
     <message>
-        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
-        <translation>Comment le mouvement en cours à l’instant affiché commence et finit&#x202f;: de façon régulière ou en douceur.</translation>
+        <source>How the motion at the shown time starts and ends.</source>
+        <translation>Comment le mouvement à l’instant affiché commence et finit.</translation>
     </message>
     <message>
-        <source>Change ease</source>
-        <translation>Changer l’accélération</translation>
+        <source>Change easing</source>
+        <translation>Changer le lissage</translation>
     </message>
 </context>
 <context>
@@ -3343,24 +3343,8 @@
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Keep these colours</source>
-        <translation>Fixer ces couleurs</translation>
-    </message>
-    <message>
-        <source>Keep the range of the colours, to compare different shapes and energies.</source>
-        <translation>Garder la plage des couleurs, pour comparer formes et énergies.</translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation>Y aller</translation>
-    </message>
-    <message>
         <source>Go to the worst place</source>
         <translation>Aller au pire endroit</translation>
-    </message>
-    <message>
-        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
-        <translation>Amène à l’écran le triangle le plus déformé&#x202f;; la carte l’entoure d’un anneau.</translation>
     </message>
     <message>
         <source>What changed</source>
@@ -3407,14 +3391,6 @@
         <translation>Somme sur la forme de σ₁σ₂ + 1/(σ₁σ₂) − 2&#x202f;: zéro si toutes les aires sont conservées.</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
-        <translation>Le tétraèdre le plus éloigné du repos selon ce que montre la carte.</translation>
-    </message>
-    <message>
-        <source>The triangle that is farthest from rest in what the map shows.</source>
-        <translation>Le triangle le plus éloigné du repos selon ce que montre la carte.</translation>
-    </message>
-    <message>
         <source>Colour by</source>
         <translation>Colorer par</translation>
     </message>
@@ -3431,10 +3407,6 @@
         <translation>Ce qui est coloré sur le solide&#x202f;: l’erreur des longueurs, des volumes ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
     </message>
     <message>
-        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
-        <translation>Dans quelle mesure la carte couvre l’image, ou les couleurs du solide, en dessous.</translation>
-    </message>
-    <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>Ce qui est coloré sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau ou la vitesse du mouvement.</translation>
     </message>
@@ -3447,10 +3419,6 @@
         <translation>Couleurs lissées</translation>
     </message>
     <message>
-        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
-        <translation>Fait passer les couleurs d’une carte progressivement d’une cellule à l’autre. Sinon, chaque cellule a la seule couleur de sa valeur.</translation>
-    </message>
-    <message>
         <source>Blown up</source>
         <translation>Dégénérés</translation>
     </message>
@@ -3461,22 +3429,6 @@
     <message>
         <source>Crosses itself</source>
         <translation>Se croise</translation>
-    </message>
-    <message>
-        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
-        <translation>Combien de fois la surface se traverse une fois la pose au repos&#x202f;: des endroits, chacun fait de paires de triangles. Un clic montre le suivant&#x202f;; la carte les marque en rouge.</translation>
-    </message>
-    <message>
-        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
-        <translation>Où le contour se croise une fois la pose au repos&#x202f;: une partie en recouvre une autre. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
-    </message>
-    <message>
-        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>Tétraèdres de plus de dix fois leur volume, ou de moins d’un dixième. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
-    </message>
-    <message>
-        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>Triangles de plus de dix fois leur aire, ou de moins d’un dixième. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -3540,13 +3492,53 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Lock the scale</source>
+        <translation>Verrouiller l’échelle</translation>
+    </message>
+    <message>
+        <source>How much the overlay covers the picture, or the colours of the solid, below it.</source>
+        <translation>Dans quelle mesure l’incrustation couvre l’image, ou les couleurs du solide, en dessous.</translation>
+    </message>
+    <message>
+        <source>Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its value.</source>
+        <translation>Fait passer les couleurs de l’incrustation progressivement d’une cellule à l’autre. Sinon, chaque cellule a la seule couleur de sa valeur.</translation>
+    </message>
+    <message>
+        <source>Keeps the range of the colours, to compare different shapes and energies.</source>
+        <translation>Garde la plage des couleurs, pour comparer des formes et des énergies.</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the overlay.</source>
+        <translation>Amène à l’écran le triangle le plus déformé ; l’incrustation l’entoure d’un anneau.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest in what the overlay shows.</source>
+        <translation>Le tétraèdre le plus éloigné du repos selon ce que montre l’incrustation.</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest in what the overlay shows.</source>
+        <translation>Le triangle le plus éloigné du repos selon ce que montre l’incrustation.</translation>
+    </message>
+    <message>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>Combien de fois la surface se traverse une fois la pose au repos : des endroits, chacun fait de paires de triangles. Un clic montre le suivant ; l’incrustation les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>Où le contour se croise une fois la pose au repos : une partie en recouvre une autre. Un clic montre l’endroit suivant ; l’incrustation les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>Tétraèdres de plus de dix fois leur volume, ou de moins d’un dixième. Un clic montre l’endroit suivant ; l’incrustation les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>Triangles de plus de dix fois leur aire, ou de moins d’un dixième. Un clic montre l’endroit suivant ; l’incrustation les marque en rouge.</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
-    <message>
-        <source>What is kept</source>
-        <translation>Ce qui est conservé</translation>
-    </message>
     <message>
         <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Ce que la forme conserve là où elle doit céder&#x202f;: de son volume, en passant par les longueurs et les parties rigides, à l’aspect de ses détails. Entre deux noms, c’est un peu des deux.</translation>
@@ -3554,6 +3546,10 @@
     <message>
         <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>Ce que la forme conserve là où elle doit céder&#x202f;: de son aire, en passant par les longueurs et les parties rigides, à l’aspect de ses détails. Entre deux noms, c’est un peu des deux.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
     </message>
 </context>
 <context>
@@ -3724,10 +3720,6 @@
         </translation>
     </message>
     <message>
-        <source>Writing the map …</source>
-        <translation>Export de la carte…</translation>
-    </message>
-    <message>
         <source>Writing the mesh …</source>
         <translation>Export du maillage…</translation>
     </message>
@@ -3805,6 +3797,10 @@
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
         <translation>Images (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Writing the ST map …</source>
+        <translation>Export de la carte ST…</translation>
     </message>
 </context>
 <context>
@@ -4119,6 +4115,11 @@
         <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>Cela devient un projet à part ; le fichier reste tel quel. Sans enregistrement, votre travail sera perdu.</translation>
     </message>
+    <message>
+        <source>“%1” %2.</source>
+        <comment>a file, and what is wrong with it</comment>
+        <translation>« %1 » %2.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -4270,10 +4271,6 @@
         <translation>C’est partout pareil&#x202f;: passez le pinceau sur la forme pour en changer une partie.</translation>
     </message>
     <message>
-        <source>Keep here</source>
-        <translation>Conserver ici</translation>
-    </message>
-    <message>
         <source>Each along a direction of its own.</source>
         <translation>Chacune selon sa propre direction.</translation>
     </message>
@@ -4304,10 +4301,6 @@
     <message>
         <source>Removes the chosen layer.</source>
         <translation>Supprime le calque choisi.</translation>
-    </message>
-    <message>
-        <source>Whether the layer changes what is kept, and to what.</source>
-        <translation>Si le calque change ce qui est conservé, et en quoi.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -4395,7 +4388,7 @@
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation>Conservé&#x202f;: %1</translation>
+        <translation>Conserver : %1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
@@ -4464,6 +4457,14 @@
     <message>
         <source>What a file says of each cell has no name.</source>
         <translation>Ce qu’un fichier dit de chaque cellule n’a pas de nom.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes Keep, and to what.</source>
+        <translation>Si le calque change ce qui est conservé, et en quoi.</translation>
     </message>
 </context>
 <context>
@@ -4553,10 +4554,6 @@
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Import What Is &amp;Kept…</source>
-        <translation>Importer ce qui est &amp;conservé…</translation>
-    </message>
-    <message>
         <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>Une image grise sur le tout, comme calque&#x202f;: le noir conserve l’aire, le blanc les angles</translation>
     </message>
@@ -4583,10 +4580,6 @@
     <message>
         <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>φ et B de chaque cellule depuis un fichier de maillage qui les contient, par exemple un maillage exporté</translation>
-    </message>
-    <message>
-        <source>Export What Is K&amp;ept…</source>
-        <translation>Exporter ce qui est co&amp;nservé…</translation>
     </message>
     <message>
         <source>As a grey picture, to be edited in a paint program</source>
@@ -4632,6 +4625,14 @@
         <source>The layers were switched off: what was imported lies below them.</source>
         <translation>Les calques sont désactivés&#x202f;: ce qui est importé se trouve en dessous.</translation>
     </message>
+    <message>
+        <source>Import &amp;Keep…</source>
+        <translation>Importer &amp;Conserver…</translation>
+    </message>
+    <message>
+        <source>Export K&amp;eep…</source>
+        <translation>Exporter Cons&amp;erver…</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -4656,8 +4657,8 @@
         <translation>Forme entière</translation>
     </message>
     <message>
-        <source>Whole shape keeps</source>
-        <translation>La forme conserve</translation>
+        <source>Keep: whole shape</source>
+        <translation>Conserver : toute la forme</translation>
     </message>
 </context>
 <context>
@@ -5014,10 +5015,6 @@
         <translation>Ép&amp;ingles et axes</translation>
     </message>
     <message>
-        <source>&amp;Legend of the map</source>
-        <translation>&amp;Légende de la carte</translation>
-    </message>
-    <message>
         <source>Export View</source>
         <translation>Exporter la vue</translation>
     </message>
@@ -5074,18 +5071,6 @@
         <translation>Épingles, trajectoires et axes, à la même taille que dans la fenêtre.</translation>
     </message>
     <message>
-        <source>Legend of the map</source>
-        <translation>Légende de la carte</translation>
-    </message>
-    <message>
-        <source>The colours of the map and their values.</source>
-        <translation>Les couleurs de la carte et leurs valeurs.</translation>
-    </message>
-    <message>
-        <source>Show a map first: only then is there something to explain.</source>
-        <translation>Affichez d’abord une carte&#x202f;: sans elle, il n’y a rien à expliquer.</translation>
-    </message>
-    <message>
         <source>F&amp;ormat</source>
         <translation>Fo&amp;rmat</translation>
     </message>
@@ -5104,6 +5089,22 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the overlay</source>
+        <translation>&amp;Légende de l’incrustation</translation>
+    </message>
+    <message>
+        <source>Legend of the overlay</source>
+        <translation>Légende de l’incrustation</translation>
+    </message>
+    <message>
+        <source>The colours of the overlay and their values.</source>
+        <translation>Les couleurs de l’incrustation et leurs valeurs.</translation>
+    </message>
+    <message>
+        <source>Show the colour overlay first: it has the legend.</source>
+        <translation>Affichez d’abord l’incrustation couleur : la légende lui appartient.</translation>
     </message>
 </context>
 <context>
@@ -5285,20 +5286,8 @@
         <translation>Couleur de l’épingle</translation>
     </message>
     <message>
-        <source>Hold for the Whole &amp;Film</source>
-        <translation>Tenir tout le &amp;film</translation>
-    </message>
-    <message>
-        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
-        <translation>Les épingles sélectionnées tiennent du début du film à sa fin, et pas seulement à partir du moment où elles ont été posées</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+F</source>
         <translation>Ctrl+Shift+F</translation>
-    </message>
-    <message>
-        <source>The selected pin holds for the whole film.</source>
-        <translation>L’épingle sélectionnée tient tout le film.</translation>
     </message>
     <message>
         <source>Mo&amp;ve</source>
@@ -5391,6 +5380,18 @@
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Pin for the Whole &amp;Animation</source>
+        <translation>Épingler toute l’&amp;animation</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the animation to its end, not only from the time at which they were set</source>
+        <translation>Les épingles sélectionnées tiennent du début à la fin de l’animation, pas seulement à partir de l’instant où elles ont été posées</translation>
+    </message>
+    <message>
+        <source>The selected pin already holds for the whole animation.</source>
+        <translation>L’épingle sélectionnée tient déjà toute l’animation.</translation>
     </message>
 </context>
 <context>
@@ -5944,10 +5945,6 @@
         <translation>Le film garde sa durée&#x202f;: ce qui était minuté va maintenant plus vite. Annulez, ou allongez le film en bas.</translation>
     </message>
     <message>
-        <source>Hold %1 for the whole film</source>
-        <translation>Tenir %1 tout le film</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>Modifier la trajectoire</translation>
     </message>
@@ -5979,13 +5976,13 @@
         <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
         <translation>Cette boule est plus petite que les mailles&#x202f;: agrandissez-la, ou affinez le maillage.</translation>
     </message>
+    <message>
+        <source>Pin %1 for the whole animation</source>
+        <translation>Épingler %1 toute l’animation</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
-    <message>
-        <source>Steps</source>
-        <translation>Historique</translation>
-    </message>
     <message>
         <source>As it was opened</source>
         <translation>À l’ouverture</translation>
@@ -6001,6 +5998,10 @@
     <message>
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Déforme images et solides en les laissant s’écouler comme un fluide.&lt;/p&gt;&lt;p&gt;D’après J. Martinez Esturo, C. Rössl, H. Theisel&#x202f;: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence GNU Affero General Public License, version 3 ou ultérieure.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
     </message>
 </context>
 <context>
@@ -6792,16 +6793,16 @@
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Write pictures, sequences, maps and meshes</source>
-        <translation>Exporter images, séquences, cartes et maillages</translation>
-    </message>
-    <message>
         <source>Open a picture first.</source>
         <translation>Ouvrez d’abord une image.</translation>
     </message>
     <message>
         <source>Open a solid first.</source>
         <translation>Ouvrez d’abord un solide.</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, ST maps and meshes</source>
+        <translation>Exporter images, séquences, cartes ST et maillages</translation>
     </message>
 </context>
 <context>
@@ -6839,14 +6840,6 @@
         <translation>Changer la durée</translation>
     </message>
     <message>
-        <source>How it begins and ends</source>
-        <translation>Le début et la fin</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Changer l’accélération</translation>
-    </message>
-    <message>
         <source>&amp;Remove Motion</source>
         <translation>&amp;Supprimer le mouvement</translation>
     </message>
@@ -6881,6 +6874,14 @@
     <message>
         <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>Glissez une barre ou ses extrémités vers un autre instant&#x202f;; Maj, Ctrl ou un cadre autour d’elles en choisit plusieurs. Un clic droit règle leur début et leur fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>Changer le lissage</translation>
     </message>
 </context>
 <context>
@@ -6922,10 +6923,6 @@
         <translation>Votre geste est déjà un film&#x202f;: &lt;b&gt;appuyez sur K&lt;/b&gt; pour le lire. Cliquez dans la bande du bas pour aller à un instant, et continuez à tirer à partir de là.</translation>
     </message>
     <message>
-        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
-        <translation>Enfin, &lt;b&gt;appuyez sur Ctrl+5&lt;/b&gt; pour l’étape &lt;i&gt;Exporter&lt;/i&gt;&#x202f;: une image, une séquence, une carte de déformation ou le maillage.</translation>
-    </message>
-    <message>
         <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
         <translation>C’est tout ce qu’il faut pour commencer. &lt;b&gt;F1&lt;/b&gt; ouvre le manuel, &lt;b&gt;?&lt;/b&gt; liste les touches. Déposez une de vos images sur la fenêtre.</translation>
     </message>
@@ -6940,6 +6937,10 @@
     <message>
         <source>Skip</source>
         <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, an ST map, or the mesh.</source>
+        <translation>Enfin, &lt;b&gt;appuyez sur Ctrl+5&lt;/b&gt; pour l’étape &lt;i&gt;Exporter&lt;/i&gt; : une image, une séquence, une carte ST ou le maillage.</translation>
     </message>
 </context>
 <context>

@@ -60,10 +60,6 @@
         <translation>H を押している間</translation>
     </message>
     <message>
-        <source>hides pins and maps</source>
-        <translation>ピンとマップを隠す</translation>
-    </message>
-    <message>
         <source>Hold \</source>
         <translation>\ を押している間</translation>
     </message>
@@ -158,6 +154,10 @@
     <message>
         <source>Middle button</source>
         <translation>中ボタン</translation>
+    </message>
+    <message>
+        <source>hides pins and overlays</source>
+        <translation>ピンとオーバーレイを隠す</translation>
     </message>
 </context>
 <context>
@@ -315,16 +315,8 @@
         <translation>は読み取り専用です。先に書き込み可能にするか、別の名前を選んでください</translation>
     </message>
     <message>
-        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
-        <translation>は%1です。画像は PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA、PNM ファイルから読み込みます</translation>
-    </message>
-    <message>
         <source>a GIF picture</source>
         <translation>GIF 画像</translation>
-    </message>
-    <message>
-        <source>a Photoshop picture (PSD)</source>
-        <translation>Photoshop 画像 (PSD)</translation>
     </message>
     <message>
         <source>a HEIC picture</source>
@@ -711,6 +703,14 @@
         <translation>は Wend のプロジェクトではありません(JSON で、{ から始まります)</translation>
     </message>
     <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
+        <translation>は%1です。Wend で開けるのは PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA、PNM の画像です</translation>
+    </message>
+    <message>
+        <source>a Photoshop file</source>
+        <translation>Photoshop ファイル</translation>
+    </message>
+    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>%1 枚の画像（ページ、フレームまたはパート）を含みます。最初のものを読み込みます</translation>
     </message>
@@ -806,20 +806,20 @@
 <context>
     <name>EaseNames</name>
     <message>
-        <source>Begins &amp;Softly</source>
-        <translation>ゆっくり始まる(&amp;S)</translation>
+        <source>Ease &amp;In</source>
+        <translation>イーズイン(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;Ends Softly</source>
-        <translation>ゆっくり終わる(&amp;E)</translation>
+        <source>Ease &amp;Out</source>
+        <translation>イーズアウト(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Both Softly</source>
-        <translation>両方ゆっくり(&amp;B)</translation>
+        <source>Ease In and O&amp;ut</source>
+        <translation>イーズイン／アウト(&amp;U)</translation>
     </message>
     <message>
-        <source>&amp;Even</source>
-        <translation>一定(&amp;E)</translation>
+        <source>&amp;Linear</source>
+        <translation>リニア(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -876,10 +876,6 @@
         <translation>多数のピンを同時に</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>保持するもの</translation>
-    </message>
-    <message>
         <source>Flight, with a skin</source>
         <translation>スキン付きの翼</translation>
     </message>
@@ -910,6 +906,10 @@
     <message>
         <source>Bar</source>
         <translation>棒</translation>
+    </message>
+    <message>
+        <source>Choose what to keep</source>
+        <translation>保持するものを選ぶ</translation>
     </message>
 </context>
 <context>
@@ -1036,10 +1036,6 @@
         <translation>ピンの影響</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>保たれるもの</translation>
-    </message>
-    <message>
         <source>Stretched too far here · %1</source>
         <translation>ここは伸ばしすぎ · %1</translation>
     </message>
@@ -1050,6 +1046,10 @@
     <message>
         <source>Shrunk too far here · %1</source>
         <translation>ここは縮みすぎ · %1</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
     </message>
 </context>
 <context>
@@ -1119,10 +1119,6 @@
     <message>
         <source>Drawn polygons</source>
         <translation>描いた多角形</translation>
-    </message>
-    <message>
-        <source>Count as so&amp;lid above</source>
-        <translation>不透明度の下限(&amp;L)</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>
@@ -1255,10 +1251,6 @@
     <message>
         <source>Exact &amp;balance</source>
         <translation>バランス値(&amp;B)</translation>
-    </message>
-    <message>
-        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
-        <translation>保持するものを表す数値 φ。プロジェクトファイルと同じ値です。0.002 は面積または体積、0.464 は長さ、1.571 は剛体、2.678 は角度（ソリッドでは 2.498）を保ちます。</translation>
     </message>
     <message>
         <source>Change energy</source>
@@ -1511,6 +1503,14 @@
     <message>
         <source>Change springing back</source>
         <translation>元の形に戻る力を変更</translation>
+    </message>
+    <message>
+        <source>Opa&amp;que from</source>
+        <translation>不透明とみなす値(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Keep as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>「保持」を表す数値 φ。プロジェクトファイルと同じ値です。0.002 は面積または体積、0.464 は長さ、1.571 は剛体、2.678 は角度（ソリッドでは 2.498）を保ちます。</translation>
     </message>
     <message>
         <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
@@ -2109,10 +2109,6 @@
         <translation>変形させる部分、またはさせない部分をブラシでなぞります</translation>
     </message>
     <message>
-        <source>Outline by &amp;Colour</source>
-        <translation>色で輪郭を選ぶ(&amp;C)</translation>
-    </message>
-    <message>
         <source>Click a colour that should bend, or should not</source>
         <translation>変形させる色、またはさせない色をクリックします</translation>
     </message>
@@ -2220,6 +2216,10 @@
         <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>表示を別の場所へドラッグ。どの段階でもスペースキーでできます</translation>
     </message>
+    <message>
+        <source>Magic &amp;Wand</source>
+        <translation>マジックワンド(&amp;W)</translation>
+    </message>
 </context>
 <context>
     <name>wend::Actions</name>
@@ -2270,10 +2270,6 @@
     <message>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
-    </message>
-    <message>
-        <source>Warp &amp;Map (ST)…</source>
-        <translation>ワープマップ (ST)(&amp;M)…</translation>
     </message>
     <message>
         <source>Write where each pixel comes from, for compositing programs</source>
@@ -2348,14 +2344,6 @@
         <translation>取り消した操作をやり直します</translation>
     </message>
     <message>
-        <source>&amp;Steps…</source>
-        <translation>ヒストリー(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>See what was done, and go back to any step</source>
-        <translation>これまでの操作を一覧表示し、任意の時点に戻ります</translation>
-    </message>
-    <message>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
@@ -2388,20 +2376,8 @@
         <translation>選択したピンを削除します。すでに動いた部分はそのまま残ります</translation>
     </message>
     <message>
-        <source>M&amp;esh</source>
-        <translation>メッシュ(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Show the triangles that carry the picture</source>
-        <translation>画像を支える三角形を表示します</translation>
-    </message>
-    <message>
         <source>M</source>
         <translation>M</translation>
-    </message>
-    <message>
-        <source>&amp;Map</source>
-        <translation>マップ(&amp;M)</translation>
     </message>
     <message>
         <source>Colour the shape by what changed</source>
@@ -2422,10 +2398,6 @@
     <message>
         <source>Shift+S</source>
         <translation>Shift+S</translation>
-    </message>
-    <message>
-        <source>&amp;Hide Pins and Maps</source>
-        <translation>ピンとマップを隠す(&amp;H)</translation>
     </message>
     <message>
         <source>Show the bare picture; hold H to do so for a moment</source>
@@ -2730,6 +2702,34 @@
     <message>
         <source>Rela&amp;x</source>
         <translation>緩める(&amp;X)</translation>
+    </message>
+    <message>
+        <source>ST &amp;Map…</source>
+        <translation>ST マップ(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>ヒストリー(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Show the undo history, and go back to any step</source>
+        <translation>操作の履歴を表示し、任意の段階に戻ります</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>エッジ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show the edges of the mesh</source>
+        <translation>メッシュのエッジを表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Overlay</source>
+        <translation>カラーオーバーレイ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Overlays</source>
+        <translation>ピンとオーバーレイを隠す(&amp;H)</translation>
     </message>
 </context>
 <context>
@@ -3100,16 +3100,16 @@
         <translation>曲線を変更</translation>
     </message>
     <message>
-        <source>Ease</source>
-        <translation>緩急</translation>
+        <source>Easing</source>
+        <translation>イージング</translation>
     </message>
     <message>
-        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
-        <translation>表示中の時刻の動きがどう始まり終わるか：一定か、ゆっくりか。</translation>
+        <source>How the motion at the shown time starts and ends.</source>
+        <translation>表示中の時刻の動きがどう始まり、どう終わるか。</translation>
     </message>
     <message>
-        <source>Change ease</source>
-        <translation>緩急を変更</translation>
+        <source>Change easing</source>
+        <translation>イージングを変更</translation>
     </message>
 </context>
 <context>
@@ -3342,24 +3342,8 @@
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Keep these colours</source>
-        <translation>この配色を固定</translation>
-    </message>
-    <message>
-        <source>Keep the range of the colours, to compare different shapes and energies.</source>
-        <translation>色の範囲を固定し、異なる形状やエネルギーを比べられるようにします。</translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation>最大箇所へ</translation>
-    </message>
-    <message>
         <source>Go to the worst place</source>
         <translation>最大ひずみ箇所へ移動</translation>
-    </message>
-    <message>
-        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
-        <translation>最もひずんだ三角形を画面に表示します。マップでは丸で囲まれます。</translation>
     </message>
     <message>
         <source>What changed</source>
@@ -3406,14 +3390,6 @@
         <translation>形状全体での σ₁σ₂ + 1/(σ₁σ₂) − 2 の総和。すべての面積が保たれていれば 0 です。</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
-        <translation>マップの示す量で、変形前から最も離れた四面体。</translation>
-    </message>
-    <message>
-        <source>The triangle that is farthest from rest in what the map shows.</source>
-        <translation>マップの示す量で、変形前から最も離れた三角形。</translation>
-    </message>
-    <message>
         <source>Colour by</source>
         <translation>色分け</translation>
     </message>
@@ -3430,10 +3406,6 @@
         <translation>ソリッドを何で色分けするか：長さ、体積、角度の誤差、元の位置からの距離、材質、動く速さ、またはメッシュの細かさ。</translation>
     </message>
     <message>
-        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
-        <translation>マップが下の画像や立体の色をどれだけ覆うか。</translation>
-    </message>
-    <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>画像を何で色分けするか：長さ、面積、角度の誤差、元の位置からの距離、材質、または動く速さ。</translation>
     </message>
@@ -3446,10 +3418,6 @@
         <translation>滑らかな色</translation>
     </message>
     <message>
-        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
-        <translation>マップの色をセルからセルへ滑らかに変化させます。オフでは、各セルは値に応じた 1 色です。</translation>
-    </message>
-    <message>
         <source>Blown up</source>
         <translation>極端な変形</translation>
     </message>
@@ -3460,22 +3428,6 @@
     <message>
         <source>Crosses itself</source>
         <translation>自己交差</translation>
-    </message>
-    <message>
-        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
-        <translation>ポーズが静止したときに表面が自分自身を貫く箇所の数です。各箇所は三角形の組からなります。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
-    </message>
-    <message>
-        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
-        <translation>ポーズが静止したときに輪郭が自分自身と交わる箇所です。ある部分が別の部分に重なっています。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
-    </message>
-    <message>
-        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>体積が 10 倍を超えた、または 10 分の 1 未満になった四面体です。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
-    </message>
-    <message>
-        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>面積が 10 倍を超えた、または 10 分の 1 未満になった三角形です。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -3537,13 +3489,53 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Lock the scale</source>
+        <translation>スケールを固定</translation>
+    </message>
+    <message>
+        <source>How much the overlay covers the picture, or the colours of the solid, below it.</source>
+        <translation>オーバーレイが下の画像や立体の色をどれだけ覆うか。</translation>
+    </message>
+    <message>
+        <source>Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its value.</source>
+        <translation>オーバーレイの色をセルからセルへ滑らかに変化させます。オフでは、各セルは値に応じた 1 色です。</translation>
+    </message>
+    <message>
+        <source>Keeps the range of the colours, to compare different shapes and energies.</source>
+        <translation>色の範囲を固定し、形状やエネルギーを比べられるようにします。</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the overlay.</source>
+        <translation>最もひずんだ三角形を画面に表示します。オーバーレイでは丸で囲まれます。</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest in what the overlay shows.</source>
+        <translation>オーバーレイの示す量で、変形前から最も離れた四面体。</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest in what the overlay shows.</source>
+        <translation>オーバーレイの示す量で、変形前から最も離れた三角形。</translation>
+    </message>
+    <message>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>ポーズが静止したときに表面が自分自身を貫く箇所の数です。各箇所は三角形の組からなります。クリックすると次の箇所を表示し、オーバーレイでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>ポーズが静止したときに輪郭が自分自身と交わる箇所です。ある部分が別の部分に重なっています。クリックすると次の箇所を表示し、オーバーレイでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>体積が 10 倍を超えた、または 10 分の 1 未満になった四面体です。クリックすると次の箇所を表示し、オーバーレイでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>面積が 10 倍を超えた、または 10 分の 1 未満になった三角形です。クリックすると次の箇所を表示し、オーバーレイでは赤で示します。</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
-    <message>
-        <source>What is kept</source>
-        <translation>保持するもの</translation>
-    </message>
     <message>
         <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>変形するときに形状が保とうとするもの。体積から、長さ、剛体的な部分、細部の見た目まで。2 つの名前の間では両方の性質を持ちます。</translation>
@@ -3551,6 +3543,10 @@
     <message>
         <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>変形するときに形状が保とうとするもの。面積から、長さ、剛体的な部分、細部の見た目まで。2 つの名前の間では両方の性質を持ちます。</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
     </message>
 </context>
 <context>
@@ -3718,10 +3714,6 @@
         </translation>
     </message>
     <message>
-        <source>Writing the map …</source>
-        <translation>マップを書き出しています…</translation>
-    </message>
-    <message>
         <source>Writing the mesh …</source>
         <translation>メッシュを書き出しています…</translation>
     </message>
@@ -3798,6 +3790,10 @@
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
         <translation>画像 (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Writing the ST map …</source>
+        <translation>ST マップを書き出しています…</translation>
     </message>
 </context>
 <context>
@@ -4112,6 +4108,11 @@
         <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>別のプロジェクトとして保存され、元のファイルは変わりません。保存しない場合、作ったものは失われます。</translation>
     </message>
+    <message>
+        <source>“%1” %2.</source>
+        <comment>a file, and what is wrong with it</comment>
+        <translation>「%1」%2。</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -4263,10 +4264,6 @@
         <translation>全体が同じ材質です。一部を変えるには形状をブラシでなぞってください。</translation>
     </message>
     <message>
-        <source>Keep here</source>
-        <translation>ここで保持</translation>
-    </message>
-    <message>
         <source>Each along a direction of its own.</source>
         <translation>それぞれ固有の方向を持ちます。</translation>
     </message>
@@ -4297,10 +4294,6 @@
     <message>
         <source>Removes the chosen layer.</source>
         <translation>選択したレイヤーを削除します。</translation>
-    </message>
-    <message>
-        <source>Whether the layer changes what is kept, and to what.</source>
-        <translation>このレイヤーで保持するものを変えるかどうか、また何を保持するか。</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -4458,6 +4451,14 @@
         <source>What a file says of each cell has no name.</source>
         <translation>ファイルがセルごとに定めるものに名前はありません。</translation>
     </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes Keep, and to what.</source>
+        <translation>レイヤーが「保持」を変えるかどうかと、その内容。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4546,10 +4547,6 @@
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Import What Is &amp;Kept…</source>
-        <translation>保持するものを読み込む(&amp;K)…</translation>
-    </message>
-    <message>
         <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒は面積、白は角度を保ちます</translation>
     </message>
@@ -4576,10 +4573,6 @@
     <message>
         <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>書き出したメッシュなど、各セルの φ と B を含むメッシュファイルから読み込みます</translation>
-    </message>
-    <message>
-        <source>Export What Is K&amp;ept…</source>
-        <translation>保持するものを書き出す(&amp;E)…</translation>
     </message>
     <message>
         <source>As a grey picture, to be edited in a paint program</source>
@@ -4625,6 +4618,14 @@
         <source>The layers were switched off: what was imported lies below them.</source>
         <translation>レイヤーをオフにしました。読み込んだ値はレイヤーの下にあります。</translation>
     </message>
+    <message>
+        <source>Import &amp;Keep…</source>
+        <translation>「保持」を読み込む(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Export K&amp;eep…</source>
+        <translation>「保持」を書き出す(&amp;E)…</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -4649,8 +4650,8 @@
         <translation>形全体</translation>
     </message>
     <message>
-        <source>Whole shape keeps</source>
-        <translation>形全体の保持</translation>
+        <source>Keep: whole shape</source>
+        <translation>保持：形全体</translation>
     </message>
 </context>
 <context>
@@ -5006,10 +5007,6 @@
         <translation>ピンと軸(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;Legend of the map</source>
-        <translation>マップの凡例(&amp;L)</translation>
-    </message>
-    <message>
         <source>Export View</source>
         <translation>ビューを書き出し</translation>
     </message>
@@ -5066,18 +5063,6 @@
         <translation>ピン、そのパス、軸を、ウィンドウと同じ大きさで含めます。</translation>
     </message>
     <message>
-        <source>Legend of the map</source>
-        <translation>マップの凡例</translation>
-    </message>
-    <message>
-        <source>The colours of the map and their values.</source>
-        <translation>マップの色とその値。</translation>
-    </message>
-    <message>
-        <source>Show a map first: only then is there something to explain.</source>
-        <translation>先にマップを表示してください。凡例はマップがあるときだけ使えます。</translation>
-    </message>
-    <message>
         <source>F&amp;ormat</source>
         <translation>形式(&amp;O)</translation>
     </message>
@@ -5096,6 +5081,22 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 ピクセル</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the overlay</source>
+        <translation>オーバーレイの凡例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Legend of the overlay</source>
+        <translation>オーバーレイの凡例</translation>
+    </message>
+    <message>
+        <source>The colours of the overlay and their values.</source>
+        <translation>オーバーレイの色とその値。</translation>
+    </message>
+    <message>
+        <source>Show the colour overlay first: it has the legend.</source>
+        <translation>先にカラーオーバーレイを表示してください。凡例はそこにあります。</translation>
     </message>
 </context>
 <context>
@@ -5277,20 +5278,8 @@
         <translation>ピンの色</translation>
     </message>
     <message>
-        <source>Hold for the Whole &amp;Film</source>
-        <translation>フィルム全体で固定(&amp;F)</translation>
-    </message>
-    <message>
-        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
-        <translation>選択したピンは、置かれた時点からだけでなく、フィルムの最初から最後まで固定します</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+F</source>
         <translation>Ctrl+Shift+F</translation>
-    </message>
-    <message>
-        <source>The selected pin holds for the whole film.</source>
-        <translation>選択したピンはフィルム全体で固定しています。</translation>
     </message>
     <message>
         <source>Mo&amp;ve</source>
@@ -5383,6 +5372,18 @@
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Pin for the Whole &amp;Animation</source>
+        <translation>アニメーション全体で固定(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the animation to its end, not only from the time at which they were set</source>
+        <translation>選択したピンは、設定した時刻からではなく、アニメーションの最初から最後まで固定します</translation>
+    </message>
+    <message>
+        <source>The selected pin already holds for the whole animation.</source>
+        <translation>選択したピンは、すでにアニメーション全体で固定しています。</translation>
     </message>
 </context>
 <context>
@@ -5933,10 +5934,6 @@
         <translation>フィルムの長さは変わらないため、決めてあったタイミングは速くなりました。元に戻すか、下でフィルムを長くしてください。</translation>
     </message>
     <message>
-        <source>Hold %1 for the whole film</source>
-        <translation>%1 をフィルム全体で固定</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>パスを編集</translation>
     </message>
@@ -5968,13 +5965,13 @@
         <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
         <translation>球がメッシュの目より小さくなっています。球を大きくするか、メッシュを細かくしてください。</translation>
     </message>
+    <message>
+        <source>Pin %1 for the whole animation</source>
+        <translation>%1 をアニメーション全体で固定</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
-    <message>
-        <source>Steps</source>
-        <translation>ヒストリー</translation>
-    </message>
     <message>
         <source>As it was opened</source>
         <translation>開いたときの状態</translation>
@@ -5990,6 +5987,10 @@
     <message>
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;画像とソリッドを、流れるように変形させます。&lt;/p&gt;&lt;p&gt;次の論文に基づいています：J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;GNU Affero General Public License バージョン 3 またはそれ以降に基づくフリーソフトウェアです。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>ヒストリー</translation>
     </message>
 </context>
 <context>
@@ -6781,16 +6782,16 @@
         <translation>書き出し</translation>
     </message>
     <message>
-        <source>Write pictures, sequences, maps and meshes</source>
-        <translation>画像、連番、マップ、メッシュを書き出します</translation>
-    </message>
-    <message>
         <source>Open a picture first.</source>
         <translation>まず画像を開いてください。</translation>
     </message>
     <message>
         <source>Open a solid first.</source>
         <translation>まずソリッドを開いてください。</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, ST maps and meshes</source>
+        <translation>画像、連番、ST マップ、メッシュを書き出します</translation>
     </message>
 </context>
 <context>
@@ -6828,14 +6829,6 @@
         <translation>長さを変更</translation>
     </message>
     <message>
-        <source>How it begins and ends</source>
-        <translation>始まり方と終わり方</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>緩急を変更</translation>
-    </message>
-    <message>
         <source>&amp;Remove Motion</source>
         <translation>動きを削除(&amp;R)</translation>
     </message>
@@ -6870,6 +6863,14 @@
     <message>
         <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>バーまたはその端を別の時刻へドラッグ。Shift、Ctrl、または囲む枠で複数を選択。右クリックで始まり方と終わり方を設定。線の端はピンが固定する期間を示します</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>イージング</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>イージングを変更</translation>
     </message>
 </context>
 <context>
@@ -6911,10 +6912,6 @@
         <translation>ドラッグした動きは、もうムービーになっています。&lt;b&gt;K を押す&lt;/b&gt;と再生します。下の帯をクリックするとその時刻に移り、そこからドラッグを続けられます。</translation>
     </message>
     <message>
-        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
-        <translation>最後に、&lt;b&gt;Ctrl+5 を押して&lt;/b&gt;ステップ&lt;i&gt;「書き出し」&lt;/i&gt;に移ります。画像、連番、ワープマップ、メッシュを書き出せます。</translation>
-    </message>
-    <message>
         <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
         <translation>始めるのに必要なことは、これですべてです。&lt;b&gt;F1&lt;/b&gt; でマニュアル、&lt;b&gt;?&lt;/b&gt; でキーの一覧が開きます。自分の画像をウィンドウにドロップしてください。</translation>
     </message>
@@ -6929,6 +6926,10 @@
     <message>
         <source>Skip</source>
         <translation>スキップ</translation>
+    </message>
+    <message>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, an ST map, or the mesh.</source>
+        <translation>最後に、&lt;b&gt;Ctrl+5 を押して&lt;/b&gt;ステップ&lt;i&gt;「書き出し」&lt;/i&gt;に移ります。画像、連番、ST マップ、メッシュを書き出せます。</translation>
     </message>
 </context>
 <context>

@@ -60,10 +60,6 @@
         <translation>按住 H</translation>
     </message>
     <message>
-        <source>hides pins and maps</source>
-        <translation>隐藏图钉和色图</translation>
-    </message>
-    <message>
         <source>Hold \</source>
         <translation>按住 \</translation>
     </message>
@@ -158,6 +154,10 @@
     <message>
         <source>Middle button</source>
         <translation>中键</translation>
+    </message>
+    <message>
+        <source>hides pins and overlays</source>
+        <translation>隐藏图钉和叠加层</translation>
     </message>
 </context>
 <context>
@@ -315,16 +315,8 @@
         <translation>是只读的：请先使其可写，或选择其他名称</translation>
     </message>
     <message>
-        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
-        <translation>是%1；可读取的图片为 PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA 和 PNM 文件</translation>
-    </message>
-    <message>
         <source>a GIF picture</source>
         <translation>GIF 图片</translation>
-    </message>
-    <message>
-        <source>a Photoshop picture (PSD)</source>
-        <translation>Photoshop 图片 (PSD)</translation>
     </message>
     <message>
         <source>a HEIC picture</source>
@@ -711,6 +703,14 @@
         <translation>不是 Wend 的项目(项目是 JSON,以 { 开头)</translation>
     </message>
     <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
+        <translation>是%1。Wend 可打开 PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA 和 PNM 图片</translation>
+    </message>
+    <message>
+        <source>a Photoshop file</source>
+        <translation>Photoshop 文件</translation>
+    </message>
+    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>包含 %1 幅图像（页面、帧或部分）：读取第一幅</translation>
     </message>
@@ -806,20 +806,20 @@
 <context>
     <name>EaseNames</name>
     <message>
-        <source>Begins &amp;Softly</source>
-        <translation>缓入(&amp;S)</translation>
+        <source>Ease &amp;In</source>
+        <translation>缓入(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;Ends Softly</source>
-        <translation>缓出(&amp;E)</translation>
+        <source>Ease &amp;Out</source>
+        <translation>缓出(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Both Softly</source>
-        <translation>缓入缓出(&amp;B)</translation>
+        <source>Ease In and O&amp;ut</source>
+        <translation>缓入缓出(&amp;U)</translation>
     </message>
     <message>
-        <source>&amp;Even</source>
-        <translation>匀速(&amp;E)</translation>
+        <source>&amp;Linear</source>
+        <translation>线性(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -876,10 +876,6 @@
         <translation>同时使用多个图钉</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>保持内容</translation>
-    </message>
-    <message>
         <source>Flight, with a skin</source>
         <translation>飞翔，带蒙皮</translation>
     </message>
@@ -910,6 +906,10 @@
     <message>
         <source>Bar</source>
         <translation>方条</translation>
+    </message>
+    <message>
+        <source>Choose what to keep</source>
+        <translation>选择要保持的内容</translation>
     </message>
 </context>
 <context>
@@ -1036,10 +1036,6 @@
         <translation>图钉的影响</translation>
     </message>
     <message>
-        <source>What is kept</source>
-        <translation>保持的内容</translation>
-    </message>
-    <message>
         <source>Stretched too far here · %1</source>
         <translation>此处拉伸过度 · %1</translation>
     </message>
@@ -1050,6 +1046,10 @@
     <message>
         <source>Shrunk too far here · %1</source>
         <translation>此处缩小过度 · %1</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
     </message>
 </context>
 <context>
@@ -1119,10 +1119,6 @@
     <message>
         <source>Drawn polygons</source>
         <translation>手绘多边形</translation>
-    </message>
-    <message>
-        <source>Count as so&amp;lid above</source>
-        <translation>视为不透明的下限(&amp;L)</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>
@@ -1255,10 +1251,6 @@
     <message>
         <source>Exact &amp;balance</source>
         <translation>平衡值(&amp;B)</translation>
-    </message>
-    <message>
-        <source>What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
-        <translation>以数值 φ 表示保持内容，与项目文件中相同：0.002 保持面积或体积，0.464 保持长度，1.571 为刚性，2.678 保持角度（实体为 2.498）。</translation>
     </message>
     <message>
         <source>Change energy</source>
@@ -1511,6 +1503,14 @@
     <message>
         <source>Change springing back</source>
         <translation>更改回弹</translation>
+    </message>
+    <message>
+        <source>Opa&amp;que from</source>
+        <translation>不透明起点(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Keep as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>以数值 φ 表示的“保持”，与项目文件中相同：0.002 保持面积或体积，0.464 保持长度，1.571 为刚性，2.678 保持角度（实体为 2.498）。</translation>
     </message>
     <message>
         <source>What bends: only what is opaque in the picture, this with what its lines enclose, or the picture as a whole.</source>
@@ -2109,10 +2109,6 @@
         <translation>用画笔刷过要变形或不变形的部分</translation>
     </message>
     <message>
-        <source>Outline by &amp;Colour</source>
-        <translation>颜色轮廓(&amp;C)</translation>
-    </message>
-    <message>
         <source>Click a colour that should bend, or should not</source>
         <translation>单击要变形或不变形的颜色</translation>
     </message>
@@ -2220,6 +2216,10 @@
         <source>Drag the view to another place; in every step, holding the space bar does so, too</source>
         <translation>将视图拖到别处；在每个步骤中空格键也可以</translation>
     </message>
+    <message>
+        <source>Magic &amp;Wand</source>
+        <translation>魔棒(&amp;W)</translation>
+    </message>
 </context>
 <context>
     <name>wend::Actions</name>
@@ -2270,10 +2270,6 @@
     <message>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
-    </message>
-    <message>
-        <source>Warp &amp;Map (ST)…</source>
-        <translation>变形贴图 (ST)(&amp;M)…</translation>
     </message>
     <message>
         <source>Write where each pixel comes from, for compositing programs</source>
@@ -2348,14 +2344,6 @@
         <translation>重做已撤销的操作</translation>
     </message>
     <message>
-        <source>&amp;Steps…</source>
-        <translation>历史记录(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>See what was done, and go back to any step</source>
-        <translation>查看做过的操作，并可回到其中任意一步</translation>
-    </message>
-    <message>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
@@ -2388,20 +2376,8 @@
         <translation>移除所选图钉；已移动的部分保持不变</translation>
     </message>
     <message>
-        <source>M&amp;esh</source>
-        <translation>网格(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Show the triangles that carry the picture</source>
-        <translation>显示承载图片的三角形</translation>
-    </message>
-    <message>
         <source>M</source>
         <translation>M</translation>
-    </message>
-    <message>
-        <source>&amp;Map</source>
-        <translation>色图(&amp;M)</translation>
     </message>
     <message>
         <source>Colour the shape by what changed</source>
@@ -2422,10 +2398,6 @@
     <message>
         <source>Shift+S</source>
         <translation>Shift+S</translation>
-    </message>
-    <message>
-        <source>&amp;Hide Pins and Maps</source>
-        <translation>隐藏图钉和色图(&amp;H)</translation>
     </message>
     <message>
         <source>Show the bare picture; hold H to do so for a moment</source>
@@ -2730,6 +2702,34 @@
     <message>
         <source>Rela&amp;x</source>
         <translation>松弛(&amp;X)</translation>
+    </message>
+    <message>
+        <source>ST &amp;Map…</source>
+        <translation>ST 贴图(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>历史记录(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Show the undo history, and go back to any step</source>
+        <translation>显示操作历史，并可返回任意一步</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>网格边(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show the edges of the mesh</source>
+        <translation>显示网格的边</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Overlay</source>
+        <translation>颜色叠加(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Overlays</source>
+        <translation>隐藏图钉和叠加层(&amp;H)</translation>
     </message>
 </context>
 <context>
@@ -3100,15 +3100,15 @@
         <translation>更改曲线</translation>
     </message>
     <message>
-        <source>Ease</source>
+        <source>Easing</source>
         <translation>缓动</translation>
     </message>
     <message>
-        <source>How the motion at the time shown begins and ends: evenly or softly.</source>
-        <translation>所示时刻的运动如何开始和结束：匀速或缓动。</translation>
+        <source>How the motion at the shown time starts and ends.</source>
+        <translation>所示时刻的运动如何开始和结束。</translation>
     </message>
     <message>
-        <source>Change ease</source>
+        <source>Change easing</source>
         <translation>更改缓动</translation>
     </message>
 </context>
@@ -3342,24 +3342,8 @@
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Keep these colours</source>
-        <translation>固定当前配色</translation>
-    </message>
-    <message>
-        <source>Keep the range of the colours, to compare different shapes and energies.</source>
-        <translation>固定颜色的范围，便于比较不同的形状和能量。</translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation>前往</translation>
-    </message>
-    <message>
         <source>Go to the worst place</source>
         <translation>前往变形最大处</translation>
-    </message>
-    <message>
-        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
-        <translation>将畸变最大的三角形移入视图；色图中以圆圈标出。</translation>
     </message>
     <message>
         <source>What changed</source>
@@ -3406,14 +3390,6 @@
         <translation>σ₁σ₂ + 1/(σ₁σ₂) − 2 在整个形状上的总和：所有面积都保持时为零。</translation>
     </message>
     <message>
-        <source>The tetrahedron that is farthest from rest in what the map shows.</source>
-        <translation>按色图所示的量，与变形前相差最大的四面体。</translation>
-    </message>
-    <message>
-        <source>The triangle that is farthest from rest in what the map shows.</source>
-        <translation>按色图所示的量，与变形前相差最大的三角形。</translation>
-    </message>
-    <message>
         <source>Colour by</source>
         <translation>着色依据</translation>
     </message>
@@ -3430,10 +3406,6 @@
         <translation>实体上以颜色表示的内容：长度、体积或角度的误差，与原位置的距离，材料，运动的快慢，或网格的精细程度。</translation>
     </message>
     <message>
-        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
-        <translation>映射对下方图片或实体颜色的遮盖程度。</translation>
-    </message>
-    <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>图片上以颜色表示的内容：长度、面积或角度的误差，与原位置的距离，材料，或运动的快慢。</translation>
     </message>
@@ -3446,10 +3418,6 @@
         <translation>平滑颜色</translation>
     </message>
     <message>
-        <source>Blends the colours of a map from cell to cell. If off, each cell has the one colour of its value.</source>
-        <translation>使图的颜色在单元之间均匀过渡。关闭时，每个单元只有其值的一种颜色。</translation>
-    </message>
-    <message>
         <source>Blown up</source>
         <translation>极端变形</translation>
     </message>
@@ -3460,22 +3428,6 @@
     <message>
         <source>Crosses itself</source>
         <translation>自身交叉</translation>
-    </message>
-    <message>
-        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the map marks them in red.</source>
-        <translation>姿态静止后表面自身穿透的处数，每处由若干对三角形组成。单击查看下一处；在图中以红色标出。</translation>
-    </message>
-    <message>
-        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the map marks them in red.</source>
-        <translation>姿态静止后轮廓与自身相交之处：一部分盖在另一部分上。单击查看下一处；在图中以红色标出。</translation>
-    </message>
-    <message>
-        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>体积超过原来十倍或不足十分之一的四面体。单击查看下一处；在图中以红色标出。</translation>
-    </message>
-    <message>
-        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the map marks them in red.</source>
-        <translation>面积超过原来十倍或不足十分之一的三角形。单击查看下一处；在图中以红色标出。</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -3537,13 +3489,53 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Lock the scale</source>
+        <translation>锁定色标</translation>
+    </message>
+    <message>
+        <source>How much the overlay covers the picture, or the colours of the solid, below it.</source>
+        <translation>叠加层对下方图片或实体颜色的遮盖程度。</translation>
+    </message>
+    <message>
+        <source>Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its value.</source>
+        <translation>使叠加层的颜色在单元之间均匀过渡。关闭时，每个单元只有其值的一种颜色。</translation>
+    </message>
+    <message>
+        <source>Keeps the range of the colours, to compare different shapes and energies.</source>
+        <translation>保持颜色范围不变，以便比较不同的形状和能量。</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the overlay.</source>
+        <translation>将畸变最大的三角形移入视图；叠加层中以圆圈标出。</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest in what the overlay shows.</source>
+        <translation>按叠加层所示的量，与变形前相差最大的四面体。</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest in what the overlay shows.</source>
+        <translation>按叠加层所示的量，与变形前相差最大的三角形。</translation>
+    </message>
+    <message>
+        <source>In how many places the surface passes through itself once the pose is at rest, each with its pairs of triangles. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>姿态静止后表面自身穿透的处数，每处由若干对三角形组成。单击查看下一处；叠加层中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose is at rest: one part lies over another. A click goes to the next one; the overlay marks them in red.</source>
+        <translation>姿态静止后轮廓与自身相交之处：一部分盖在另一部分上。单击查看下一处；叠加层中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Tetrahedra with more than ten times their volume, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>体积超过原来十倍或不足十分之一的四面体。单击查看下一处；叠加层中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
+        <translation>面积超过原来十倍或不足十分之一的三角形。单击查看下一处；叠加层中以红色标出。</translation>
+    </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
-    <message>
-        <source>What is kept</source>
-        <translation>保持内容</translation>
-    </message>
     <message>
         <source>What the shape keeps where it has to give way: from its volume, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>形状在变形时尽量保持的内容：从体积，经长度和刚性部分，到细节的外观。位于两个名称之间时兼具两者。</translation>
@@ -3551,6 +3543,10 @@
     <message>
         <source>What the shape keeps where it has to give way: from its area, through lengths and rigid parts, to the look of its details. Between two names it is a mixture of both.</source>
         <translation>形状在变形时尽量保持的内容：从面积，经长度和刚性部分，到细节的外观。位于两个名称之间时兼具两者。</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
     </message>
 </context>
 <context>
@@ -3718,10 +3714,6 @@
         </translation>
     </message>
     <message>
-        <source>Writing the map …</source>
-        <translation>正在导出贴图…</translation>
-    </message>
-    <message>
         <source>Writing the mesh …</source>
         <translation>正在导出网格…</translation>
     </message>
@@ -3798,6 +3790,10 @@
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
         <translation>图片 (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Writing the ST map …</source>
+        <translation>正在导出 ST 贴图…</translation>
     </message>
 </context>
 <context>
@@ -4112,6 +4108,11 @@
         <source>It becomes a project of its own; the file stays as it is. If you do not save, what you made will be lost.</source>
         <translation>它会成为单独的项目，原文件保持不变。如果不保存，所做的内容将丢失。</translation>
     </message>
+    <message>
+        <source>“%1” %2.</source>
+        <comment>a file, and what is wrong with it</comment>
+        <translation>“%1”%2。</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -4263,10 +4264,6 @@
         <translation>各处相同：用画笔刷过形状可更改局部。</translation>
     </message>
     <message>
-        <source>Keep here</source>
-        <translation>此处保持</translation>
-    </message>
-    <message>
         <source>Each along a direction of its own.</source>
         <translation>各有自己的方向。</translation>
     </message>
@@ -4297,10 +4294,6 @@
     <message>
         <source>Removes the chosen layer.</source>
         <translation>移除所选图层。</translation>
-    </message>
-    <message>
-        <source>Whether the layer changes what is kept, and to what.</source>
-        <translation>此图层是否更改保持内容，以及改为什么。</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -4458,6 +4451,14 @@
         <source>What a file says of each cell has no name.</source>
         <translation>文件对每个单元的设定没有名称。</translation>
     </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes Keep, and to what.</source>
+        <translation>图层是否更改“保持”，以及更改为什么。</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -4546,10 +4547,6 @@
 <context>
     <name>wend::MaterialActions</name>
     <message>
-        <source>Import What Is &amp;Kept…</source>
-        <translation>导入保持内容(&amp;K)…</translation>
-    </message>
-    <message>
         <source>A grey picture over the whole, as a layer: black keeps area, white keeps angles</source>
         <translation>覆盖整体的灰度图片，作为图层：黑色保持面积，白色保持角度</translation>
     </message>
@@ -4576,10 +4573,6 @@
     <message>
         <source>φ and B of every cell from a mesh file that contains them, such as an exported one</source>
         <translation>从含有 φ 和 B 的网格文件（例如导出的文件）读取每个单元的 φ 和 B</translation>
-    </message>
-    <message>
-        <source>Export What Is K&amp;ept…</source>
-        <translation>导出保持内容(&amp;E)…</translation>
     </message>
     <message>
         <source>As a grey picture, to be edited in a paint program</source>
@@ -4625,6 +4618,14 @@
         <source>The layers were switched off: what was imported lies below them.</source>
         <translation>图层已关闭：导入的内容位于图层之下。</translation>
     </message>
+    <message>
+        <source>Import &amp;Keep…</source>
+        <translation>导入“保持”(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Export K&amp;eep…</source>
+        <translation>导出“保持”(&amp;E)…</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -4649,8 +4650,8 @@
         <translation>整个形状</translation>
     </message>
     <message>
-        <source>Whole shape keeps</source>
-        <translation>整个形状保持</translation>
+        <source>Keep: whole shape</source>
+        <translation>保持：整个形状</translation>
     </message>
 </context>
 <context>
@@ -5006,10 +5007,6 @@
         <translation>图钉和轴(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;Legend of the map</source>
-        <translation>色图的图例(&amp;L)</translation>
-    </message>
-    <message>
         <source>Export View</source>
         <translation>导出视图</translation>
     </message>
@@ -5066,18 +5063,6 @@
         <translation>图钉、其路径和轴，与窗口中一样大。</translation>
     </message>
     <message>
-        <source>Legend of the map</source>
-        <translation>色图的图例</translation>
-    </message>
-    <message>
-        <source>The colours of the map and their values.</source>
-        <translation>色图的颜色及其数值。</translation>
-    </message>
-    <message>
-        <source>Show a map first: only then is there something to explain.</source>
-        <translation>请先显示色图：只有这样才有图例。</translation>
-    </message>
-    <message>
         <source>F&amp;ormat</source>
         <translation>格式(&amp;O)</translation>
     </message>
@@ -5096,6 +5081,22 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the overlay</source>
+        <translation>叠加层图例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Legend of the overlay</source>
+        <translation>叠加层图例</translation>
+    </message>
+    <message>
+        <source>The colours of the overlay and their values.</source>
+        <translation>叠加层的颜色及其数值。</translation>
+    </message>
+    <message>
+        <source>Show the colour overlay first: it has the legend.</source>
+        <translation>请先显示颜色叠加：图例属于它。</translation>
     </message>
 </context>
 <context>
@@ -5277,20 +5278,8 @@
         <translation>图钉颜色</translation>
     </message>
     <message>
-        <source>Hold for the Whole &amp;Film</source>
-        <translation>在整个影片中固定(&amp;F)</translation>
-    </message>
-    <message>
-        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
-        <translation>所选图钉从影片开头一直固定到结尾，而不只是从放置的时刻起</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+F</source>
         <translation>Ctrl+Shift+F</translation>
-    </message>
-    <message>
-        <source>The selected pin holds for the whole film.</source>
-        <translation>所选图钉已在整个影片中固定。</translation>
     </message>
     <message>
         <source>Mo&amp;ve</source>
@@ -5383,6 +5372,18 @@
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Pin for the Whole &amp;Animation</source>
+        <translation>固定整个动画(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the animation to its end, not only from the time at which they were set</source>
+        <translation>所选图钉从动画开始到结束一直固定，而不只是从设置时起</translation>
+    </message>
+    <message>
+        <source>The selected pin already holds for the whole animation.</source>
+        <translation>所选图钉已在整个动画中固定。</translation>
     </message>
 </context>
 <context>
@@ -5933,10 +5934,6 @@
         <translation>影片长度不变：您设定的节奏现在变快了。请撤销，或在下方延长影片。</translation>
     </message>
     <message>
-        <source>Hold %1 for the whole film</source>
-        <translation>在整个影片中固定 %1</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>编辑路径</translation>
     </message>
@@ -5968,13 +5965,13 @@
         <source>This ball is smaller than the mesh: make it larger, or the mesh finer.</source>
         <translation>此球比网格的格子还小：请把它调大，或把网格调细。</translation>
     </message>
+    <message>
+        <source>Pin %1 for the whole animation</source>
+        <translation>在整个动画中固定 %1</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
-    <message>
-        <source>Steps</source>
-        <translation>历史记录</translation>
-    </message>
     <message>
         <source>As it was opened</source>
         <translation>打开时的状态</translation>
@@ -5990,6 +5987,10 @@
     <message>
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;让图片和实体如流动般变形。&lt;/p&gt;&lt;p&gt;基于以下论文：J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;自由软件，依据 GNU Affero General Public License 第 3 版或更新版本发布。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史记录</translation>
     </message>
 </context>
 <context>
@@ -6781,16 +6782,16 @@
         <translation>导出</translation>
     </message>
     <message>
-        <source>Write pictures, sequences, maps and meshes</source>
-        <translation>导出图片、序列、贴图和网格</translation>
-    </message>
-    <message>
         <source>Open a picture first.</source>
         <translation>请先打开图片。</translation>
     </message>
     <message>
         <source>Open a solid first.</source>
         <translation>请先打开实体。</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, ST maps and meshes</source>
+        <translation>导出图片、序列、ST 贴图和网格</translation>
     </message>
 </context>
 <context>
@@ -6828,14 +6829,6 @@
         <translation>更改时长</translation>
     </message>
     <message>
-        <source>How it begins and ends</source>
-        <translation>如何开始和结束</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>更改缓动</translation>
-    </message>
-    <message>
         <source>&amp;Remove Motion</source>
         <translation>移除运动(&amp;R)</translation>
     </message>
@@ -6870,6 +6863,14 @@
     <message>
         <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
         <translation>将条或其两端拖到别的时间；Shift、Ctrl 或框选可选多个。右键设定其开始和结束方式。线的两端表示图钉何时固定</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>缓动</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>更改缓动</translation>
     </message>
 </context>
 <context>
@@ -6911,10 +6912,6 @@
         <translation>您的拖动已经成为一段影片：&lt;b&gt;按 K&lt;/b&gt; 播放。单击下方的时间条可跳到某一时间，并从那里继续拖动。</translation>
     </message>
     <message>
-        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
-        <translation>最后，&lt;b&gt;按 Ctrl+5&lt;/b&gt; 进入&lt;i&gt;“导出”&lt;/i&gt;步骤：图片、序列、变形贴图或网格。</translation>
-    </message>
-    <message>
         <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
         <translation>入门所需就是这些。&lt;b&gt;F1&lt;/b&gt; 打开手册，&lt;b&gt;?&lt;/b&gt; 列出按键。将您自己的图片拖放到窗口中吧。</translation>
     </message>
@@ -6929,6 +6926,10 @@
     <message>
         <source>Skip</source>
         <translation>跳过</translation>
+    </message>
+    <message>
+        <source>Finally, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, an ST map, or the mesh.</source>
+        <translation>最后，&lt;b&gt;按 Ctrl+5&lt;/b&gt; 进入&lt;i&gt;“导出”&lt;/i&gt;步骤：图片、序列、ST 贴图或网格。</translation>
     </message>
 </context>
 <context>

@@ -45,7 +45,7 @@ constexpr std::array kRead{
 /// The more exact ones first.
 constexpr std::array kNotRead{
     Mark<const char*>{0, "GIF8"sv, "a GIF picture"},
-    Mark<const char*>{0, "8BPS"sv, "a Photoshop picture (PSD)"},
+    Mark<const char*>{0, "8BPS"sv, "a Photoshop file"},
     Mark<const char*>{4, "ftyphei"sv, "a HEIC picture"},
     Mark<const char*>{4, "ftyphev"sv, "a HEIC picture"},
     Mark<const char*>{4, "ftypmif1"sv, "a HEIC picture"},
@@ -119,8 +119,8 @@ PictureFormat pictureFormat(const InputFile& file) {
         return known->what;
     if (isTga(head, static_cast<double>(file.size()))) return PictureFormat::Tga;
     throw InputError(file.path(), "is " + kindOfOther(head) +
-                                      "; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA "
-                                      "and PNM files");
+                                      ". Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM "
+                                      "pictures");
 }
 
 const std::vector<std::string>& pictureFileExtensions() {

@@ -69,11 +69,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "the folder %1 does not exist"),
     QT_TRANSLATE_NOOP("Core", "the folder %1 is not writable"),
     QT_TRANSLATE_NOOP("Core", "is read-only: make it writable first, or choose another name"),
-    QT_TRANSLATE_NOOP("Core",
-                      "is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM "
-                      "files"),
+    QT_TRANSLATE_NOOP("Core", "is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures"),
     QT_TRANSLATE_NOOP("Core", "a GIF picture"),
-    QT_TRANSLATE_NOOP("Core", "a Photoshop picture (PSD)"),
+    QT_TRANSLATE_NOOP("Core", "a Photoshop file"),
     QT_TRANSLATE_NOOP("Core", "a HEIC picture"),
     QT_TRANSLATE_NOOP("Core", "an AVIF picture"),
     QT_TRANSLATE_NOOP("Core", "a JPEG 2000 picture"),

@@ -55,7 +55,7 @@ void CurvePanel::makeControls() {
     for (const Ease ease : kEases) m_ease->addItem(withoutKey(easeName(ease)));
     m_ease->setObjectName(QStringLiteral("ease"));
     fitToEntries(m_ease);
-    describe(m_ease, tr("Ease"), tr("How the motion at the time shown begins and ends: evenly or softly."));
+    describe(m_ease, tr("Easing"), tr("How the motion at the shown time starts and ends."));
     m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
     m_frame->setObjectName(QStringLiteral("curveFrame"));
     fitToEntries(m_frame);
@@ -75,7 +75,7 @@ void CurvePanel::makeControls() {
 
 void CurvePanel::arrange() {
     auto* layout = bareColumn(this, 10);
-    layout->addWidget(panelRowIn(tr("Ease"), m_ease, this));
+    layout->addWidget(panelRowIn(tr("Easing"), m_ease, this));
     layout->addWidget(m_make);
     layout->addWidget(m_curve);
     auto* curve = bareColumn(m_curve, 10);
@@ -118,8 +118,8 @@ void CurvePanel::changeEase() {
     if (single() < 0 || !m_session.mayChange(single())) return showCurve();
     const int motion = dimension() == 2 ? shownMotion<2>() : shownMotion<3>();
     m_session.document().changeDesign(
-        tr("Change ease"), withMotionEase(m_session.document().design(), {{single(), motion}},
-                                          kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
+        tr("Change easing"), withMotionEase(m_session.document().design(), {{single(), motion}},
+                                            kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
 }
 
 void CurvePanel::change() {

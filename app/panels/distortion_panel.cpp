@@ -29,7 +29,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_measure(new QComboBox(this)),
       m_legend(new Legend(this)),
       m_opacity(new JumpSlider(this)),
-      m_keep(new QAction(tr("Keep these colours"), this)),
+      m_keep(new QAction(tr("Lock the scale"), this)),
       m_lock(new QToolButton(this)),
       m_details(new QWidget(this)),
       m_smooth(new QCheckBox(tr("Smooth colo&urs"), m_details)),
@@ -84,22 +84,23 @@ void DistortionPanel::makeControls() {
     m_opacity->setPageStep(10);
     m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());
     describe(m_opacity, tr("Opacity"),
-             tr("How much the map covers the picture, or the colours of the solid, below it."));
+             tr("How much the overlay covers the picture, or the colours of the solid, below it."));
     m_smooth->setObjectName(QStringLiteral("mapSmooth"));
     m_smooth->setChecked(QSettings().value("mapSmooth", false).toBool());
-    describe(m_smooth, tr("Smooth colours"),
-             tr("Blends the colours of a map from cell to cell. If off, each cell has the one colour of its "
-                "value."));
+    describe(
+        m_smooth, tr("Smooth colours"),
+        tr("Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its "
+           "value."));
     m_keep->setCheckable(true);
-    m_keep->setStatusTip(tr("Keep the range of the colours, to compare different shapes and energies."));
+    m_keep->setStatusTip(tr("Keeps the range of the colours, to compare different shapes and energies."));
     m_lock->setDefaultAction(m_keep);
     m_lock->setToolButtonStyle(Qt::ToolButtonTextOnly);
     describe(m_lock, m_keep->text(), m_keep->statusTip());
     m_keep->setToolTip(m_lock->toolTip());
-    m_find->setText(tr("Go there"));
+    m_find->setText(tr("Go to the worst place"));
     for (QToolButton* button : {m_lock, m_find, m_crossings, m_blown}) button->setProperty("role", "chip");
     describe(m_find, tr("Go to the worst place"),
-             tr("Brings the most distorted triangle into view; it is ringed in the map."));
+             tr("Brings the most distorted triangle into view; it is ringed in the overlay."));
 }
 
 void DistortionPanel::arrange() {
@@ -160,8 +161,8 @@ void DistortionPanel::setDimension(int dimension) {
                              ? tr("Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.")
                              : tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.");
     for (QLabel* label : {m_areaName, m_area}) label->setToolTip(help);
-    m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest in what the map shows.")
-                              : tr("The triangle that is farthest from rest in what the map shows."));
+    m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest in what the overlay shows.")
+                              : tr("The triangle that is farthest from rest in what the overlay shows."));
     describeFaults();
     describe(m_measure, tr("Colour by"),
              solid
@@ -174,17 +175,18 @@ void DistortionPanel::setDimension(int dimension) {
 void DistortionPanel::describeFaults() {
     const bool solid = m_dimension == 3;
     m_crossingsName->setText(solid ? tr("Passes through itself") : tr("Crosses itself"));
-    describe(m_crossings, m_crossingsName->text(),
-             solid
-                 ? tr("In how many places the surface passes through itself once the pose is at rest, each "
-                      "with its pairs of triangles. A click goes to the next one; the map marks them in red.")
-                 : tr("Where the outline crosses itself once the pose is at rest: one part lies over "
-                      "another. A click goes to the next one; the map marks them in red."));
+    describe(
+        m_crossings, m_crossingsName->text(),
+        solid
+            ? tr("In how many places the surface passes through itself once the pose is at rest, each "
+                 "with its pairs of triangles. A click goes to the next one; the overlay marks them in red.")
+            : tr("Where the outline crosses itself once the pose is at rest: one part lies over "
+                 "another. A click goes to the next one; the overlay marks them in red."));
     describe(m_blown, tr("Blown up"),
              solid ? tr("Tetrahedra with more than ten times their volume, or less than a tenth of it. A "
-                        "click goes to the next place; the map marks them in red.")
+                        "click goes to the next place; the overlay marks them in red.")
                    : tr("Triangles with more than ten times their area, or less than a tenth of it. A click "
-                        "goes to the next place; the map marks them in red."));
+                        "goes to the next place; the overlay marks them in red."));
 }
 
 /// While a pose moves, nothing is known of it.

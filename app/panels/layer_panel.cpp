@@ -46,7 +46,7 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
       m_pictures(new QWidget(m_values)),
       m_files(secondLabel({}, m_pictures)),
       m_readAgain(new QToolButton(m_pictures)),
-      m_hasPhi(new QCheckBox(tr("Keep here"), m_paint)),
+      m_hasPhi(new QCheckBox(tr("Keep"), m_paint)),
       m_phi(new EnergySlider(m_paint)),
       m_ratio(stiffnessField(
           tr("How many times stiffer the layer is along its direction; ×1 is the same as everywhere."),
@@ -93,7 +93,7 @@ void LayerPanel::makeList() {
 }
 
 void LayerPanel::makeControls() {
-    describe(m_hasPhi, tr("Keep here"), tr("Whether the layer changes what is kept, and to what."));
+    describe(m_hasPhi, tr("Keep"), tr("Whether the layer changes Keep, and to what."));
     m_ratio->setObjectName(QStringLiteral("layerRatio"));
     m_axis = directionFields(tr("Stiff direction"), {}, m_paint);
     for (ExactBox* box : m_axis) {

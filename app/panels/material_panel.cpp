@@ -82,7 +82,7 @@ void MaterialPanel::showGrowth() {
     const FramePtr& frame = m_session.frame();
     const bool much = frame && frame->growth > kMuch && calmerStop() >= 0;
     m_grown->setVisible(much);
-    m_title->setText(!m_besideBrush ? tr("Keep") : much ? tr("Whole shape") : tr("Whole shape keeps"));
+    m_title->setText(!m_besideBrush ? tr("Keep") : much ? tr("Whole shape") : tr("Keep: whole shape"));
     if (!much) return;
     const QString factor = QLocale().toString(frame->growth, 'f', frame->growth < 10 ? 1 : 0);
     m_grown->setText(tr("Grown ×%1 – try %2").arg(factor, m_slider->scale().stops().at(calmerStop()).name));

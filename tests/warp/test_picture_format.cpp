@@ -109,7 +109,7 @@ void TestPictureFormat::notRead_data() {
     const auto row = [](const QByteArray& bytes, const char* what) { QTest::newRow(what) << bytes << what; };
     const QByteArray zeros(64, '\0');
     row("GIF89a" + zeros, "a GIF picture");
-    row("8BPS" + QByteArray("\0\1", 2) + zeros, "a Photoshop picture (PSD)");
+    row("8BPS" + QByteArray("\0\1", 2) + zeros, "a Photoshop file");
     row(QByteArray("\0\0\0\x18", 4) + "ftypheic" + zeros, "a HEIC picture");
     row(QByteArray("\0\0\0\x20", 4) + "ftypavif" + zeros, "an AVIF picture");
     row(QByteArray("\0\0\0\x20", 4) + "ftypisom" + zeros, "a film");
@@ -141,7 +141,7 @@ void TestPictureFormat::notRead() {
             QFAIL("was read");
         } catch (const InputError& error) {
             const QString reason = QString::fromStdString(error.reason());
-            QVERIFY2(reason.startsWith("is " + what + "; pictures are read from PNG"), qPrintable(reason));
+            QVERIFY2(reason.startsWith("is " + what + ". Wend opens PNG"), qPrintable(reason));
         }
 }
 

@@ -42,7 +42,7 @@ constexpr std::array kOptions{
     Option{"domain.outline.threshold", "--threshold", Number, "", kOpenUnit, "alpha", "", "mesh",
            "alpha from which the picture counts as opaque",
            Field{AT(domain.alpha.threshold), &kCutOut, Makes::Outline, Always},
-           Row{.label = Options::tr("Count as so&lid above"),
+           Row{.label = Options::tr("Opa&que from"),
                .help = Options::tr("Pixels that are more opaque than this belong to the shape."),
                .undo = Options::tr("Change what counts as solid"),
                .unit = Options::tr(" %"),
@@ -159,7 +159,7 @@ constexpr std::array kOptions{
            Field{IN_MATERIAL(phi), nullptr, Makes::Material, Always},
            Row{.label = Options::tr("Exact &balance"),
                .help = Options::tr(
-                   "What is kept, as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 "
+                   "Keep as a number φ, as in the project file: 0.002 keeps area or volume, 0.464 "
                    "length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid)."),
                .undo = Options::tr("Change energy"),
                .unit = Options::tr(" rad"),

@@ -8,15 +8,15 @@ QString easeName(Ease ease) {
     const auto named = [](const char* name) { return QCoreApplication::translate("EaseNames", name); };
     switch (ease) {
         case Ease::In:
-            return named(QT_TRANSLATE_NOOP("EaseNames", "Begins &Softly"));
+            return named(QT_TRANSLATE_NOOP("EaseNames", "Ease &In"));
         case Ease::Out:
-            return named(QT_TRANSLATE_NOOP("EaseNames", "&Ends Softly"));
+            return named(QT_TRANSLATE_NOOP("EaseNames", "Ease &Out"));
         case Ease::InOut:
-            return named(QT_TRANSLATE_NOOP("EaseNames", "&Both Softly"));
+            return named(QT_TRANSLATE_NOOP("EaseNames", "Ease In and O&ut"));
         case Ease::Linear:
             break;
     }
-    return named(QT_TRANSLATE_NOOP("EaseNames", "&Even"));
+    return named(QT_TRANSLATE_NOOP("EaseNames", "&Linear"));
 }
 
 }  // namespace wend

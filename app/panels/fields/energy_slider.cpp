@@ -58,7 +58,7 @@ bool isLong(const QString& text) {
 EnergySlider::EnergySlider(QWidget* parent, Stops stops)
     : QWidget(parent),
       m_stops(stops),
-      m_name(tr("What is kept")),
+      m_name(tr("Keep")),
       m_slider(new QSlider(Qt::Horizontal, this)),
       m_phi(0) {
     m_slider->setObjectName(QStringLiteral("energySlider"));

@@ -29,7 +29,7 @@ class EnergySlider : public QWidget {
 
     double phi() const { return m_phi; }
     void setPhi(double phi);
-    /// What it is called, in place of "What is kept".
+    /// What it is called, in place of "Keep".
     void setName(const QString& name);
     const EnergyScale& scale() const { return m_scale; }
     /// The names and the range of φ depend on it.

@@ -90,7 +90,7 @@ const MeasureRow kMeasures[] = {
     MeasureRow{Measure::Way, true, Scale::Even, kNothing, "", "", nullptr, wayAt<2>, wayAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Distance from rest")},
     MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
-               QT_TRANSLATE_NOOP("Measure", "What is kept")},
+               QT_TRANSLATE_NOOP("Measure", "Keep")},
     MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Stiffness")},
     MeasureRow{Measure::Speed, true, Scale::Even, kNothing, "", "", nullptr, speedAt<2>, speedAt<3>,

@@ -57,8 +57,8 @@ void holdThroughout(ShapeSession& session, const std::vector<int>& pins) {
     AnyDesign next = session.document().design();
     for (const int pin : pins)
         if (!traitsOf(next, pin).locked) next = withHold(next, pin, {0, end}, end);
-    session.document().changeDesign(ShapeSession::tr("Hold %1 for the whole film").arg(session.nameOf(pins)),
-                                    std::move(next));
+    session.document().changeDesign(
+        ShapeSession::tr("Pin %1 for the whole animation").arg(session.nameOf(pins)), std::move(next));
 }
 
 bool canHoldLonger(const Document& document, const std::vector<int>& pins) {

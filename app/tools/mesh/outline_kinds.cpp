@@ -28,7 +28,7 @@ ToolKind outlineBrushTool() {
 }
 
 ToolKind outlineWandTool() {
-    return toolKind("wand", "outline-wand", QT_TRANSLATE_NOOP("Tools", "Outline by &Colour"),
+    return toolKind("wand", "outline-wand", QT_TRANSLATE_NOOP("Tools", "Magic &Wand"),
                     QT_TRANSLATE_NOOP("Tools", "Click a colour that should bend, or should not"), "W",
                     Mode::Mesh, picturesOnly<OutlineTool>(OutlineTool::Shape::Wand, &Workbench::pen),
                     {ToolOption::AddsOrTakes, ToolOption::Tolerance});

@@ -44,7 +44,7 @@ void Actions::makeFile() {
     exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
                        QKeySequence(tr("Ctrl+Shift+E")), "frames");
     exportStMap =
-        add({tr("Warp &Map (ST)…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+        add({tr("ST &Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
     exportMesh = add({tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
     exportView = add({tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
     exports->setTitle(tr("&Export"));
@@ -65,8 +65,8 @@ void Actions::makeEdit(QUndoStack& stack) {
     redo->setProperty("iconName", "redo");
     undo->setStatusTip(tr("Undo the last step"));
     redo->setStatusTip(tr("Redo what was undone"));
-    history =
-        add({tr("&Steps…"), tr("See what was done, and go back to any step")}, QKeySequence(tr("Ctrl+H")));
+    history = add({tr("&History…"), tr("Show the undo history, and go back to any step")},
+                  QKeySequence(tr("Ctrl+H")));
     selectAll = add({tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
     selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
     remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
@@ -74,17 +74,16 @@ void Actions::makeEdit(QUndoStack& stack) {
 }
 
 void Actions::makeView() {
-    showMesh = addToggle({tr("M&esh"), tr("Show the triangles that carry the picture")},
-                         QKeySequence(tr("M")), "mesh");
-    showMap =
-        addToggle({tr("&Map"), tr("Colour the shape by what changed")}, QKeySequence(tr("D")), "distortion");
+    showMesh = addToggle({tr("&Edges"), tr("Show the edges of the mesh")}, QKeySequence(tr("M")), "mesh");
+    showMap = addToggle({tr("&Colour Overlay"), tr("Colour the shape by what changed")},
+                        QKeySequence(tr("D")), "distortion");
     showMarks =
         addToggle({tr("&Stiffness Marks"), tr("Show where the shape is stiff, and along which direction")},
                   QKeySequence(tr("Shift+S")), "marks");
     showArrows = addToggle({tr("&Velocity Arrows"), tr("Show where the shape moves at this time")},
                            QKeySequence(tr("Shift+V")));
     hideOverlays =
-        addToggle({tr("&Hide Pins and Maps"), tr("Show the bare picture; hold H to do so for a moment")},
+        addToggle({tr("&Hide Pins and Overlays"), tr("Show the bare picture; hold H to do so for a moment")},
                   QKeySequence(tr("Shift+H")), "hide");
     showRest = addToggle(
         {tr("&Before"), tr("Show the shape as it was before it was bent; hold \\ to do so for a moment")}, {},

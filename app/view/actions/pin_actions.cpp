@@ -111,10 +111,11 @@ void PinActions::makeActions() {
                  QKeySequence(tr("Ctrl+M")));
     mirrorMotion = add({tr("Mirror M&otion"), tr("The selected pins move to the other side instead")},
                        QKeySequence(tr("Ctrl+Shift+M")));
-    holdThroughout = add({tr("Hold for the Whole &Film"),
-                          tr("The selected pins hold from the start of the film to its end, not only from "
-                             "the time at which they were set")},
-                         QKeySequence(tr("Ctrl+Shift+F")));
+    holdThroughout =
+        add({tr("Pin for the Whole &Animation"),
+             tr("The selected pins hold from the start of the animation to its end, not only from "
+                "the time at which they were set")},
+            QKeySequence(tr("Ctrl+Shift+F")));
 }
 
 /// In the order of pinColours().
@@ -192,7 +193,7 @@ void PinActions::refresh() {
     enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
     enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
     enable(holdThroughout, has && canHoldLonger(m_session.document(), selected()),
-           has ? tr("The selected pin holds for the whole film.") : none);
+           has ? tr("The selected pin already holds for the whole animation.") : none);
     bool anyHidden = false;
     for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)
         anyHidden = anyHidden || traits(h).hidden;

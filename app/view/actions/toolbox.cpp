@@ -26,7 +26,7 @@ void Toolbox::makeModes() {
         {Mode::Pins, {tr("Pins"), tr("Hold parts and drag them")}},
         {Mode::Paint, {tr("Paint"), tr("What it is made of: soft, stiff, and what is kept where")}},
         {Mode::Animate, {tr("Animate"), tr("How it moves in time")}},
-        {Mode::Export, {tr("Export"), tr("Write pictures, sequences, maps and meshes")}},
+        {Mode::Export, {tr("Export"), tr("Write pictures, sequences, ST maps and meshes")}},
     };
     auto* group = new QActionGroup(this);
     for (const Mode mode : kModes) {

@@ -14,7 +14,7 @@ using Formats = QList<ExportFormat>;
 
 const Formats kPictures{
     {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
-const Formats kFilms{{"WebP film", ".webp", true}};
+const Formats kFilms{{"Animated WebP", ".webp", true}};
 const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
 /// Surfaces first in the plane, in space what holds the solid itself.
 Formats meshFormats(bool solid, bool film) {

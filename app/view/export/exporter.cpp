@@ -59,7 +59,7 @@ QString workOf(ExportKind kind, int count) {
         case ExportKind::Frames:
             return Exporter::tr("Writing %n frames …", nullptr, count);
         case ExportKind::StMap:
-            return Exporter::tr("Writing the map …");
+            return Exporter::tr("Writing the ST map …");
         case ExportKind::Mesh:
             break;
     }

@@ -19,7 +19,7 @@ MaterialActions::MaterialActions(ShapeSession& session, Exporter& exporter, QObj
     : ActionMaker(parent), m_session(session), m_menu(new QMenu) {
     using enum MaterialPart;
     bringIn[Keep] =
-        add({tr("Import What Is &Kept…"),
+        add({tr("Import &Keep…"),
              tr("A grey picture over the whole, as a layer: black keeps area, white keeps angles")},
             {});
     bringIn[Stiffness] =
@@ -33,8 +33,7 @@ MaterialActions::MaterialActions(ShapeSession& session, Exporter& exporter, QObj
     cells = add({tr("Import Values of &Cells…"),
                  tr("φ and B of every cell from a mesh file that contains them, such as an exported one")},
                 {});
-    write[Keep] =
-        add({tr("Export What Is K&ept…"), tr("As a grey picture, to be edited in a paint program")}, {});
+    write[Keep] = add({tr("Export K&eep…"), tr("As a grey picture, to be edited in a paint program")}, {});
     write[Stiffness] =
         add({tr("Export S&tiffness…"), tr("As a grey picture, to be edited in a paint program")}, {});
     write[Direction] =

@@ -54,7 +54,7 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
       m_draw(std::move(draw)),
       m_transparent(new QCheckBox(tr("&Transparent background"), this)),
       m_marks(new QCheckBox(tr("P&ins and axes"), this)),
-      m_legend(new QCheckBox(tr("&Legend of the map"), this)) {
+      m_legend(new QCheckBox(tr("&Legend of the overlay"), this)) {
     setWindowTitle(tr("Export View"));
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(1, kTyped);
@@ -80,7 +80,7 @@ void PictureDialog::addFormats() {
                                           {"WebP", ".webp"}})
         m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
     if (m_seconds <= 0) return;
-    m_format->addItem(QStringLiteral("WebP film"), QStringLiteral(".webp"));
+    m_format->addItem(QStringLiteral("Animated WebP"), QStringLiteral(".webp"));
     m_format->setItemData(m_format->count() - 1, true, kFilmRole);
 }
 
@@ -93,9 +93,9 @@ void PictureDialog::describeControls() {
              tr("Height of the picture in pixels; it decides how large the solid is."));
     describe(m_transparent, tr("Transparent background"), tr("Only the solid, without a background."));
     describe(m_marks, tr("Pins and axes"), tr("Pins, their paths and the axes, as large as in the window."));
-    describe(m_legend, tr("Legend of the map"),
-             m_legend->isEnabled() ? tr("The colours of the map and their values.")
-                                   : tr("Show a map first: only then is there something to explain."));
+    describe(m_legend, tr("Legend of the overlay"),
+             m_legend->isEnabled() ? tr("The colours of the overlay and their values.")
+                                   : tr("Show the colour overlay first: it has the legend."));
 }
 
 void PictureDialog::connectControls() {

@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 
 #include "app/document/in_background.h"
@@ -19,6 +20,7 @@
 #include "app/view/files/project_watch.h"
 #include "app/view/files/sample_names.h"
 #include "core/mesh/error.h"
+#include "core/mesh/printable.h"
 
 namespace wend {
 
@@ -46,6 +48,19 @@ struct Reading {
 
 namespace {
 
+/// Returns a sentence about the file if the error is a predicate of it, such as "is empty"; else that it
+/// cannot be opened, with the error.
+QString openingError(const QString& path, const std::exception& error) {
+    const QString text = QString::fromStdString(messageOf(error)),
+                  subject = QFileInfo(path).absoluteFilePath() + QStringLiteral(": ");
+    const QString reason = text.startsWith(subject) ? text.mid(subject.size()) : QString();
+    static const QRegularExpression verb(QStringLiteral("^(is|does|has|holds|cannot) "));
+    if (!verb.match(reason).hasMatch())
+        return FileWorkflow::tr("This file cannot be opened. %1").arg(words(error));
+    return FileWorkflow::tr("“%1” %2.", "a file, and what is wrong with it")
+        .arg(QFileInfo(path).fileName(), said(reason.toStdString()));
+}
+
 Reading tryToRead(const QString& path, const QMap<QString, QString>& found,
                   const std::function<OpenedFile()>& reader) {
     Reading reading{path, {}, stampOf(path), {}, {}, false};
@@ -58,7 +73,7 @@ Reading tryToRead(const QString& path, const QMap<QString, QString>& found,
         reading.isBlank = true;
         reading.error = words(error);
     } catch (const std::exception& error) {
-        reading.error = words(error);
+        reading.error = openingError(path, error);
     }
     return reading;
 }
@@ -118,8 +133,7 @@ void FileWorkflow::tellOf(const Reading& reading) {
                    {{tr("Find It…"), [this, path, missing] { openFound(path, missing); }}});
     }
     const InfoBanner::Remedy another{tr("Open Another…"), [this] { askOpen(); }};
-    if (!reading.isBlank)
-        return say(Topic::Opening, tr("This file cannot be opened. %1").arg(reading.error), {another});
+    if (!reading.isBlank) return say(Topic::Opening, reading.error, {another});
     const auto whole = [this, path] {
         if (mayLeave()) read(path, [path] { return openFile(path, true); });
     };

@@ -203,11 +203,11 @@ void TrackView::contextMenuEvent(QContextMenuEvent* event) {
 void TrackView::showMenu(const Bar& bar, const QPoint& global) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addSection(tr("How it begins and ends"));
+    menu->addSection(tr("Easing"));
     for (const Ease ease : kEases) {
         QAction* action = menu->addAction(easeName(ease), this, [this, ease] {
             if (const auto motions = changeable(); !motions.empty())
-                change(tr("Ease"), withMotionEase(m_session.document().design(), motions, ease));
+                change(tr("Change easing"), withMotionEase(m_session.document().design(), motions, ease));
         });
         action->setCheckable(true);
         action->setChecked(bar.ease == ease);

@@ -73,7 +73,8 @@ Group pointer(int dimension) {
         QT_TRANSLATE_NOOP("CheatSheet", "move a cross, Enter clicks there"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Tap the space bar"),
         QT_TRANSLATE_NOOP("CheatSheet", "plays or pauses; held, it moves the view"));
-    add(QT_TRANSLATE_NOOP("CheatSheet", "Hold H"), QT_TRANSLATE_NOOP("CheatSheet", "hides pins and maps"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Hold H"),
+        QT_TRANSLATE_NOOP("CheatSheet", "hides pins and overlays"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Hold \\"),
         QT_TRANSLATE_NOOP("CheatSheet", "shows the shape before it was bent"));
     if (dimension == 3) {

@@ -39,10 +39,10 @@ void SideWindows::showHistory() {
     if (!history) {
         history = new QDialog(&m_window, Qt::Tool);
         history->setObjectName(QStringLiteral("history"));
-        history->setWindowTitle(tr("Steps"));
+        history->setWindowTitle(tr("History"));
         auto* steps = new QUndoView(m_session.document().undoStack(), history);
         steps->setEmptyLabel(tr("As it was opened"));
-        steps->setAccessibleName(tr("Steps"));
+        steps->setAccessibleName(tr("History"));
         steps->setAccessibleDescription(tr("What was done; a click goes back or forward to that step."));
         steps->setFrameShape(QFrame::NoFrame);
         auto* column = new QVBoxLayout(history);

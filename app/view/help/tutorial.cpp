@@ -96,8 +96,8 @@ void Tutorial::makePages() {
             "time, and "
             "drag on from there."),
          [this] { return m_session.playback().isPlaying(); }},
-        {tr("Finally, <b>press Ctrl+5</b> for the step <i>Export</i>: a picture, a sequence, a map of the "
-            "warp, or the mesh."),
+        {tr("Finally, <b>press Ctrl+5</b> for the step <i>Export</i>: a picture, a sequence, an ST "
+            "map, or the mesh."),
          [this] { return m_tools.mode() == Mode::Export; }},
         {tr("That is all you need to begin. <b>F1</b> opens the manual, <b>?</b> lists the keys. Drop a "
             "picture of your "

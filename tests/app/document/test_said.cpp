@@ -142,11 +142,10 @@ void TestSaid::sentencesAreTakenApart_data() {
                                   << "/home/me: here/a b.png: ist abgeschnitten oder beschädigt";
     QTest::newRow("after a pin") << "handle \"x\": its region holds no vertex"
                                  << "Pin „x“: in seinem Bereich liegt kein Eckpunkt";
-    QTest::newRow("a kind")
-        << "a.xcf: is a GIMP picture (XCF); pictures are read from PNG, JPEG, TIFF, EXR, WebP, "
-           "HDR, BMP, TGA and PNM files"
-        << "a.xcf: ist ein GIMP-Bild (XCF); Bilder werden aus PNG-, JPEG-, TIFF-, EXR-, WebP-, "
-           "HDR-, BMP-, TGA- und PNM-Dateien gelesen";
+    QTest::newRow("a kind") << "a.xcf: is a GIMP picture (XCF). Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, "
+                               "BMP, TGA and PNM pictures"
+                            << "a.xcf: ist ein GIMP-Bild (XCF). Wend öffnet Bilder in PNG, JPEG, TIFF, EXR, "
+                               "WebP, HDR, BMP, TGA und PNM";
     QTest::newRow("a list in a reason")
         << "the surface is embedded in a cage of 1900 vertices, since it cannot be meshed as it is: the "
            "surface bounds no "

@@ -216,7 +216,7 @@ void TestPanelFields::numbersCanBeTyped() {
     check("Smoothing length", "0", "none");
     check("Smoothing length", "0.04", "0.0400");
     check("Vertices", "450", "450");
-    if (!solid) check("Count as solid above", "25", "25 %");
+    if (!solid) check("Opaque from", "25", "25 %");
     if (!solid) check("Margin", "0.5", "0.5 px");
     if (solid) check("Radius–edge ratio", "2.25", "2.25");
     QVERIFY(settle(m_f->session()));

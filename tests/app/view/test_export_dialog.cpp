@@ -358,7 +358,7 @@ void TestExportDialog::filmIsOneFile() {
     auto* format = asked->findChild<QComboBox*>(QStringLiteral("format"));
     choose(*asked, ".webp");  // a sequence
     QVERIFY(!asked->form().isFilm() && asked->form().field("--depth")->isVisible());
-    format->setCurrentIndex(format->findText(QStringLiteral("WebP film")));
+    format->setCurrentIndex(format->findText(QStringLiteral("Animated WebP")));
     const ExportForm& form = asked->form();
     QVERIFY(form.isFilm());
     for (const char* flag : {"--count", "--fps", "--webp", "--canvas", "--outside", "--filter"})

@@ -351,7 +351,7 @@ void TestSolidExport::filmIsCancelled() {
 }
 
 void TestSolidExport::filmIsAtChoiceWhereThereIsMotion() {
-    const QString name = QStringLiteral("WebP film");
+    const QString name = QStringLiteral("Animated WebP");
     PictureDialog still({320, 200}, false, nullptr);
     QCOMPARE(still.findChild<QComboBox*>()->findText(name), -1);
     PictureDialog dialog({320, 200}, false, nullptr, {}, 2);

@@ -232,7 +232,7 @@ void TestWindow::brushAndWholeShapeReadDifferently() {
     QVERIFY(titles().contains("Keep") && !titles().contains("The brush paints"));
     m_window->tools().setMode(Mode::Paint);
     QVERIFY(!titles().contains("Keep"));
-    QVERIFY(titles().contains("Whole shape keeps") && titles().contains("The brush paints"));
+    QVERIFY(titles().contains("Keep: whole shape") && titles().contains("The brush paints"));
     auto* brush = m_window->properties().findChild<PaintPanel*>()->findChild<EnergySlider*>();
     QVERIFY(brush->slider()->accessibleName().contains("brush"));
     brush->setPhi(brush->scale().phiAt(1.5));  // the handle stands beside all of them
