@@ -3,14 +3,17 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <algorithm>
 
 #include "app/panels/fields/panel_parts.h"
+#include "app/panels/look/theme.h"
 #include "app/session/program_files.h"
 
 namespace wend {
@@ -20,7 +23,9 @@ namespace {
 const char* kFirstPage = "qrc:/wend/docs/manual.md";
 const char* kFolder = ":/wend/docs";
 
-constexpr int kWidest = 800;  // of a picture: what the window shows without being moved to the side
+constexpr int kWidest = 800, kTallest = 520;  // pixels: a picture that fits without scrolling
+constexpr int kBeside = 340, kSpace = 16;     // pixels: width of a picture beside text, and its distance
+constexpr int kMargin = 20;                   // pixels around a page
 
 /// What a page says; empty if there is none.
 void readPage(const QUrl& page, QTextDocument& into) {
@@ -28,25 +33,97 @@ void readPage(const QUrl& page, QTextDocument& into) {
     if (file.open(QIODevice::ReadOnly)) into.setMarkdown(QString::fromUtf8(file.readAll()));
 }
 
-/// The pages are within the program, their pictures beside it.
+QString picturePath(const QString& name) {
+    const QString own = manualFolder() + QStringLiteral("/pictures/") + name;
+    return QFile::exists(own) ? own : sampleFolder() + '/' + name;
+}
+
+/// Returns whether text flows beside a picture: if it is small and neither a strip nor a column.
+bool isBeside(const QSize& picture) {
+    constexpr int kSmall = 1000;  // pixels
+    constexpr double kStrip = 0.55, kColumn = 1.2;
+    const double ratio = picture.height() / std::max(1.0, double(picture.width()));
+    return picture.width() < kSmall && ratio > kStrip && ratio < kColumn;
+}
+
+/// Returns resources/manual.css in the colours of the palette.
+QString manualStyle(const QPalette& palette) {
+    QFile file(QStringLiteral(":/wend/manual.css"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QString sheet = QString::fromUtf8(file.readAll());
+    const Theme theme = Theme::of(palette);
+    for (const auto& [name, colour] : {std::pair{"@line", theme.line},
+                                       {"@second", theme.secondText},
+                                       {"@accent", theme.accentText},
+                                       {"@raised", palette.color(QPalette::AlternateBase)}})
+        sheet.replace(QLatin1String(name), colour.name());
+    return sheet;
+}
+
+/// Replaces the inline styles of Qt's HTML by elements and classes that manual.css describes.
+QString withClasses(QString html) {
+    const auto replace = [&html](const char* pattern, const char* text) {
+        html.replace(
+            QRegularExpression(QLatin1String(pattern), QRegularExpression::DotMatchesEverythingOption),
+            QLatin1String(text));
+    };
+    replace("(<(?:h[1-6]|p|ul|ol|li|pre|body)\\b[^>]*?) style=\"[^\"]*\"", "\\1");
+    replace("(<h[1-6][^>]*>(?:<a name=\"[^\"]*\"></a>)?)<span[^>]*>([^<]*)</span>", "\\1\\2");
+    replace("<span style=\" font-family:'monospace';\">([^<]*)</span>", "<code>\\1</code>");
+    replace("(<a href[^>]*>)<span style=\"[^\"]*color:#0000ff;\">([^<]*)</span>", "\\1\\2");
+    replace("</pre>\\s*<pre[^>]*>", "<br/>");
+    replace("<td>\\s*<p>(.*?)</p></td>", "<td>\\1</td>");
+    replace("<table[^>]*>\\s*<tr>", "<table width=\"100%\" cellspacing=\"0\"><tr class=\"head\">");
+    return html;
+}
+
+/// Gives paragraphs of a picture their class, and lets text flow beside the small ones.
+QString withPictures(const QString& html) {
+    static const QRegularExpression picture(QStringLiteral("<p>(<img)( src=\"([^\"]*)\")"));
+    QString result;
+    qsizetype done = 0;
+    for (auto found = picture.globalMatch(html); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        const QString path = picturePath(QUrl(match.captured(3)).fileName());
+        const bool beside = isBeside(QImageReader(path).size());
+        result += html.mid(done, match.capturedStart() - done) + QStringLiteral("<p class=\"picture\"><img") +
+                  (beside ? QStringLiteral(" align=\"right\"") : QString()) + match.captured(2);
+        done = match.capturedEnd();
+    }
+    return result + html.mid(done);
+}
+
+/// The pages of the manual. They are compiled in; their pictures are files beside the program.
 class ManualPages : public QTextBrowser {
   public:
-    using QTextBrowser::QTextBrowser;
+    explicit ManualPages(QWidget* parent) : QTextBrowser(parent) { document()->setDocumentMargin(kMargin); }
 
   protected:
-    /// As HTML: where it is seen while it is read, Markdown is laid out anew for every cell of its tables.
+    /// Converts Markdown to HTML first, because Markdown tables are laid out again for every cell.
     void doSetSource(const QUrl& name, QTextDocument::ResourceType) override {
+        document()->setDefaultStyleSheet(manualStyle(palette()));
         QTextBrowser::doSetSource(name, QTextDocument::HtmlResource);
     }
 
     QVariant loadResource(int type, const QUrl& name) override {
         if (type != QTextDocument::ImageResource) return html(name);
-        QImage image(manualFolder() + QStringLiteral("/pictures/") + name.fileName());
-        if (image.isNull()) image.load(sampleFolder() + '/' + name.fileName());
-        const int width = qRound(std::min(kWidest, viewport()->width()) * devicePixelRatioF());
-        if (image.width() > width) image = image.scaledToWidth(width, Qt::SmoothTransformation);
+        QImage image(picturePath(name.fileName()));
+        const bool beside = isBeside(image.size());
+        const int widest = beside ? kBeside : std::min(kWidest, viewport()->width() - 2 * kMargin);
+        const QSize room = QSize(widest, kTallest) * devicePixelRatioF();
+        if (image.width() > room.width() || image.height() > room.height())
+            image = image.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        const int space = qRound(kSpace * devicePixelRatioF());
+        if (beside)
+            image = image.convertToFormat(QImage::Format_ARGB32)
+                        .copy(-space, 0, image.width() + space, image.height());
         image.setDevicePixelRatio(devicePixelRatioF());
         return image;
+    }
+
+    void changeEvent(QEvent* event) override {
+        QTextBrowser::changeEvent(event);
+        if (event->type() == QEvent::PaletteChange && !source().isEmpty()) reload();
     }
 
   private:
@@ -54,7 +131,7 @@ class ManualPages : public QTextBrowser {
         QTextDocument page;
         page.setDefaultFont(font());
         readPage(name, page);
-        return page.toHtml();
+        return withPictures(withClasses(page.toHtml()));
     }
 };
 

@@ -9,6 +9,7 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QTextTable>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -59,6 +60,7 @@ class TestModes : public QObject {
     void cheatSheetHasEveryKey();
     void manualIsWithinTheProgram();
     void manualShowsItsPictures();
+    void manualHasAStyle();
     void manualIsSearchedOnAllPages();
     void backslashShowsTheShapeBefore_data();
     void backslashShowsTheShapeBefore();
@@ -411,6 +413,34 @@ void TestModes::manualShowsItsPictures() {
     QVERIFY2(pictures > 30, qPrintable(QString::number(pictures)));
 }
 
+/// Headings are larger than text, tables span the page, and a small picture has text beside it.
+void TestModes::manualHasAStyle() {
+    QTest::keyClick(&m_f->window(), Qt::Key_F1);
+    QTextBrowser& pages = *m_f->window().findChild<ManualWindow*>()->pages();
+    pages.setSource(QUrl(QStringLiteral("qrc:/wend/docs/meshing.md")));
+    const QTextDocument& page = *pages.document();
+    const auto size = [](const QTextBlock& block) {
+        return block.begin().fragment().charFormat().intProperty(QTextFormat::FontPixelSize);
+    };
+    QCOMPARE(size(page.begin()), 26);
+    QCOMPARE(size(page.begin().next()), 14);
+    int tables = 0, beside = 0;
+    for (const QTextFrame* frame : page.rootFrame()->childFrames())
+        if (const auto* table = qobject_cast<const QTextTable*>(frame)) {
+            QCOMPARE(table->format().width().type(), QTextLength::PercentageLength);
+            QVERIFY(table->cellAt(0, 0).format().toTableCellFormat().bottomBorder() > 1);
+            QCOMPARE(table->cellAt(1, 0).format().toTableCellFormat().bottomBorder(), 1.0);
+            ++tables;
+        }
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next())
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+            const auto* object = page.objectForFormat(piece.fragment().charFormat());
+            beside += object && object->format().toFrameFormat().position() == QTextFrameFormat::FloatRight;
+        }
+    QVERIFY(tables > 0);
+    QCOMPARE(beside, 1);
+}
+
 /// Words that stand on one page are found from any other, by Enter in the field; what stands on none is told.
 void TestModes::manualIsSearchedOnAllPages() {
     QTest::keyClick(&m_f->window(), Qt::Key_F1);
@@ -426,7 +456,7 @@ void TestModes::manualIsSearchedOnAllPages() {
         QTest::keyClick(field, Qt::Key_Return);
     };
     for (const auto& [words, page] : {std::pair{"resilience", ""},
-                                      {"Import What Is Kept", "painting.md"},
+                                      {"Import Keep", "painting.md"},
                                       {"towel on a table", "pins-and-handles.md"},
                                       {"Going on at the first", ""}}) {
         const QUrl before = pages.source();
