@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// A part of a picture's rest shape that lies in front of the rest (order > 0) or behind it (< 0) where the
-/// shape covers itself.
+/// A part of a picture's rest shape that is in front of the rest (order > 0) or behind it (< 0) where the
+/// shape overlaps itself.
 struct DepthRegion {
     std::string name;  // regions of one name belong together; may be empty
     Region<2> shape;

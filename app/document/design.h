@@ -16,12 +16,12 @@ struct Stiffness {
     double ratio = 1;  // s ≥ 1: B₀ = I + (s − 1) a aᵀ
 };
 
-/// Pictures that say what a region of the plane keeps, how stiff it is and along which direction: see
-/// material_picture.h. Without one it stays as it is there.
+/// Pictures of a 2D region's φ, stiffness and direction: see material_picture.h. An empty name keeps the
+/// existing values.
 struct MaterialPictures {
     std::string phi, stiffness, direction;
-    bool up = false;   // their first row lies where y is largest
-    int readings = 0;  // other than before: they were written anew; not in the file
+    bool up = false;   // the first row has the largest y
+    int readings = 0;  // increases when the files were rewritten; not stored
 
     bool any() const { return !(phi + stiffness + direction).empty(); }
     bool operator==(const MaterialPictures&) const = default;
@@ -36,7 +36,7 @@ struct MaterialRegion {
     std::optional<Stiffness<Dim>> stiffness;
     MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
     bool hidden = false;             // changes nothing, as if it were not there
-    double leaves = 1;  // less: an eraser, which leaves so much of what its layer has painted there
+    double leaves = 1;               // less than 1: an eraser, which leaves this part of its layer's paint
     Extras extras = {};
 
     bool erases() const { return leaves < 1; }

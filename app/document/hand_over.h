@@ -7,9 +7,9 @@
 
 namespace wend {
 
-/// Calls from any thread, made in the thread of this object, one for each turn of its event loop and in their
-/// order. What they carry goes over under a lock of our own: Qt's the thread sanitizer does not see. Who
-/// calls must be done before this object goes.
+/// Runs calls from any thread in the thread of this object, in order, one per turn of its event loop. They
+/// are passed under a lock of our own, because the thread sanitizer does not see Qt's. Callers must finish
+/// before this object is destroyed.
 class HandOver : public QObject {
   public:
     using QObject::QObject;

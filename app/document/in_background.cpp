@@ -11,8 +11,7 @@ namespace wend {
 
 namespace {
 
-/// The pool hands a runnable to its threads under locks of Qt's, which the thread sanitizer does not see. It
-/// sees this one: what was written before it is held is there for who holds it next.
+/// Establishes the happens-before edge that TSan cannot see in Qt's locks.
 std::mutex& poolMutex() {
     static std::mutex mutex;
     return mutex;
@@ -26,10 +25,10 @@ struct BackgroundWork::State {
     std::mutex mutex;
     std::condition_variable done;
     bool isDone = false;
-    BackgroundReceiver* receiver = nullptr;  // null once it is gone
+    BackgroundReceiver* receiver = nullptr;  // null after its destruction
 };
 
-/// Lives with the context, and goes with it.
+/// A child of the context, destroyed with it.
 class BackgroundReceiver : public HandOver {
   public:
     BackgroundReceiver(QObject* context, std::shared_ptr<BackgroundWork::State> state,
@@ -44,7 +43,7 @@ class BackgroundReceiver : public HandOver {
 
     void take() {
         deleteLater();
-        const auto take = std::move(m_take);  // what is taken may be the end of the context
+        const auto take = std::move(m_take);  // the call may destroy the context
         take();
     }
 
@@ -66,7 +65,7 @@ class BackgroundRunnable : public QRunnable {
             m_work();
         } catch (...) {  // nothing is taken then
         }
-        m_work = {};  // what it holds goes before anybody who waits goes on
+        m_work = {};  // releases its captures before waiting threads continue
         const std::lock_guard lock(m_state->mutex);
         m_state->isDone = true;
         m_state->done.notify_all();

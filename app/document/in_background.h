@@ -10,11 +10,11 @@ class QObject;
 
 namespace wend {
 
-/// Work in a thread of the pool, or none; copies stand for the same work.
+/// A handle of work in the pool, or of none; copies refer to the same work.
 class BackgroundWork {
   public:
-    /// Puts `work` into the pool; `take` is called in the thread of `context` afterwards, unless that is gone
-    /// by then. What the work throws is lost. Call it in that thread.
+    /// Runs `work` in the pool, then `take` in the thread of `context` unless that is destroyed by then.
+    /// Exceptions of the work are dropped. Call this in the thread of `context`.
     static BackgroundWork start(QObject* context, std::function<void()> work, std::function<void()> take);
 
     bool isRunning() const;

@@ -21,7 +21,7 @@ struct MaterialSpec;
 using AnyDesign = std::variant<Design<2>, Design<3>>;
 using DepthRegions = std::vector<DepthRegion>;
 
-// The parts of a project: who needs one of them includes its header alone.
+// The parts of a project. Include only the header of the part that you use.
 int dimensionOf(const Project& project);
 const Domain& domainOf(const Project& project);
 Domain& domainOf(Project& project);
@@ -36,7 +36,7 @@ DepthRegions& depthOf(Project& project);
 double endOf(const Project& project);
 double& endOf(Project& project);
 const std::vector<SettleWindow>& settlingOf(const Project& project);
-/// How the project is integrated, with its end: for every deformer of it.
+/// Returns the integration options of every deformer of the project, including the end time.
 IntegrationOptions integrationOf(const Project& project);
 
 /// A project to be changed: an empty one, or one as `project` is.

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kContext = "Core";
 
 constexpr const char* kSentences[] = {
-    // Why something does not go on.
+    // Reasons for a stop.
     QT_TRANSLATE_NOOP("Core", "at time %1 %2 cannot go on: %3"),
     QT_TRANSLATE_NOOP("Core",
                       "at time %1 the shape is too stiff to settle further near %2: the steps would be "
@@ -109,7 +109,7 @@ constexpr const char* kSentences[] = {
                       "read"),
     QT_TRANSLATE_NOOP("Core", "holds tetrahedra, but the project is in the plane"),
     QT_TRANSLATE_NOOP("Core", "holds no tetrahedra, but the project is in space"),
-    // Surfaces and what is made of them.
+    // Surfaces and volume meshes.
     QT_TRANSLATE_NOOP("Core", "the surface has no triangle"),
     QT_TRANSLATE_NOOP("Core", "the surface has no extent"),
     QT_TRANSLATE_NOOP("Core", "the surface encloses no volume"),
@@ -225,7 +225,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "the edge %1"),
 };
 
-/// A sentence and what finds it; the more of its own letters it has, the sooner it is tried.
+/// A sentence and its pattern; longer sentences are tried first.
 struct Pattern {
     const char* sentence;
     QRegularExpression expression;
@@ -237,7 +237,7 @@ Pattern patternOf(const char* sentence) {
     const QString text = QString::fromUtf8(sentence);
     QString own = text;
     own.remove(place);
-    // Of few letters, such as "%1 cells": around a number or a name alone.
+    // Arguments of short sentences, such as "%1 cells", are a single word: a number or a name.
     const QString argument = own.size() < 8 ? QStringLiteral("(\\S+)") : QStringLiteral("(.+?)");
     QString expression = QRegularExpression::escape(text);
     expression.replace(QRegularExpression(QStringLiteral("\\\\%[1-9]")), argument);
@@ -261,7 +261,7 @@ QString translatedOrNot(const QString& text) {
     return translated(text).value_or(text);
 }
 
-/// The sentence with what was found in the places of %1, %2 …
+/// Replaces %1, %2 … in the sentence by what was found.
 QString filled(const QString& sentence, const QRegularExpressionMatch& match) {
     QString result;
     for (qsizetype i = 0; i < sentence.size(); ++i) {
@@ -297,7 +297,7 @@ std::optional<QString> asList(const QString& text) {
     return parts.join(QStringLiteral(", "));
 }
 
-/// What it is about, such as a file, stands in front of a sentence that is known.
+/// Translates a known sentence after its subject, such as a file.
 std::optional<QString> afterItsSubject(const QString& text) {
     static const QString colon = QStringLiteral(": ");
     for (qsizetype at = text.indexOf(colon); at >= 0; at = text.indexOf(colon, at + 1))

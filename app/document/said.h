@@ -5,10 +5,9 @@
 
 namespace wend {
 
-/// What the core, the pictures and the files say, in the window's language. They know no other than English
-/// and put numbers, names and reasons into their sentences; here a sentence is known by its pattern, and what
-/// was put in is looked at again. What nobody has translated, such as the technical faults of files, stays as
-/// it is. From any thread.
+/// Translates messages of core, pictures and files, which are English and contain numbers, names and reasons.
+/// A sentence is recognized by its pattern, and its arguments are translated recursively. Untranslated
+/// messages, such as technical faults of files, stay English. Thread-safe.
 QString said(const std::string& message);
 QString said(const std::exception& error);
 

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// What the whole shape keeps and how far a pull reaches, in numbers.
+/// Exact numbers for the energy of the whole shape and the smoothing length.
 class BalancePanel : public QWidget {
     Q_OBJECT
 

@@ -84,7 +84,7 @@ void CurvePanel::arrange() {
     curve->addLayout(panelRow(tr("S&cale"), m_scale, m_curve));
 }
 
-/// True if the handle has more than a point: only then something can be seen to rotate or grow.
+/// Returns whether the handle is more than a point, so that a rotation or scaling is visible.
 bool CurvePanel::holdsPart() const {
     const auto many = [this](const auto& views) {
         return std::any_of(views.begin(), views.end(), [this](const auto& view) {
@@ -95,7 +95,7 @@ bool CurvePanel::holdsPart() const {
            many(m_session.ghosts<3>());
 }
 
-/// What is switched off says why first.
+/// A disabled field explains why, first in its tooltip.
 void CurvePanel::allowTurning(bool allow) {
     const QString why = dimension() == 2 ? tr("A point cannot rotate or grow – Alt-drag the pin to widen it.")
                                          : tr("A point cannot rotate or grow: hold more vertices.");
@@ -131,7 +131,7 @@ void CurvePanel::changeOf() {
     Design<Dim> next = m_session.document().design<Dim>();
     CurveMotion<Dim>* curve = lastCurve(next, single());
     if (!curve) return;
-    // What was not touched keeps its bits.
+    // Unchanged fields keep their exact value.
     const double twist = m_twist->exact();
     if (Dim == 3 && twist != curve->twist * kDegrees) curve->twist = twist / kDegrees;
     curve->scale = m_scale->exact();

@@ -11,9 +11,9 @@ namespace wend {
 
 class ExactBox;
 
-/// The way of the one selected handle: how its motion of the time that is shown begins and ends; of the curve
-/// that it follows last the frame that turns along it, its twist (in space) and its scale, or the button that
-/// makes a curve of the last way. Only there when there is one of them.
+/// The path of the single selected handle: easing of its motion at the shown time; of its last curve the
+/// rotating frame, the twist (in space) and the scale, or a button that converts the last path to a curve.
+/// Hidden without a single handle.
 class CurvePanel : public QWidget {
     Q_OBJECT
 

@@ -8,7 +8,7 @@ namespace wend {
 
 class ShapeSession;
 
-/// How the outline of a cut-out is made, in numbers that few need.
+/// Numbers of a cut-out's outline that are rarely needed.
 class CutOutPanel : public QWidget {
     Q_OBJECT
 

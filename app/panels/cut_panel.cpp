@@ -115,7 +115,7 @@ void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Ve
     m_numbers->setVisible(kind != 0);
     for (int k = 0; k < 3; ++k) m_normal[k]->put(plane.normal[k]);
     const double diagonal = (high - low).norm(), height = plane.normal.dot(plane.point);
-    if (!m_place->hasFocus())  // what is being typed would be lost
+    if (!m_place->hasFocus())  // would overwrite what is being typed
         m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
     m_place->put(height);
     const QSignalBlocker quiet(m_slider);

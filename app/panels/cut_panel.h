@@ -19,9 +19,9 @@ class CutPanel : public QWidget {
   public:
     explicit CutPanel(QWidget* parent = nullptr);
 
-    /// 0: none, 1: whole cells, 2: exact; the box that the solid lies in gives the range.
+    /// `kind` 0: none, 1: whole cells, 2: exact; the solid's bounding box gives the range.
     void show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high);
-    /// There is no solid yet.
+    /// Shows that there is no solid yet.
     void showNothing();
 
   signals:

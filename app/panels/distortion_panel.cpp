@@ -145,7 +145,7 @@ QLayout* DistortionPanel::totals() {
     return totals;
 }
 
-/// A solid has its speed and the size of its cells beside.
+/// Solids have further maps: the speed and the cell size.
 void DistortionPanel::setDimension(int dimension) {
     if (dimension == m_dimension) return;
     m_dimension = dimension;
@@ -189,7 +189,7 @@ void DistortionPanel::describeFaults() {
                         "goes to the next place; the overlay marks them in red."));
 }
 
-/// While a pose moves, nothing is known of it.
+/// The counts are unknown while a pose moves.
 void DistortionPanel::showFaults() {
     m_crossed.clear();
     m_grown.clear();
@@ -238,13 +238,13 @@ Measure DistortionPanel::measure() const {
     return static_cast<Measure>(m_measure->currentData().toInt());
 }
 
-/// One that this dimension does not have changes nothing.
+/// A measure that this dimension lacks is ignored.
 void DistortionPanel::setMeasure(Measure measure) {
     const int index = m_measure->findData(static_cast<int>(measure));
     if (index >= 0) m_measure->setCurrentIndex(index);
 }
 
-/// What a map may cover: of a solid, the materials of its surface.
+/// Returns whether a map covers something: a picture, or the materials of a solid's surface.
 bool DistortionPanel::hasPicture(const ShapeFrame& frame) {
     if (frame.dimension == 2) return true;
     const auto& skin = static_cast<const PosedFrame<3>&>(frame).built->skin;

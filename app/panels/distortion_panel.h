@@ -14,8 +14,8 @@ class QToolButton;
 
 namespace wend {
 
-/// What the deformation costs: the map that is shown, its legend, the three totals, the worst place, and
-/// where the pose passes through itself or has blown up.
+/// The distortion of the shape: the map with its legend, three totals, the worst place, self-crossings and
+/// blown-up cells.
 class DistortionPanel : public QWidget {
     Q_OBJECT
 
@@ -25,22 +25,22 @@ class DistortionPanel : public QWidget {
     Measure measure() const;
     void setMeasure(Measure measure);
     const MeasureRange& range() const { return m_range; }
-    /// While it is checked, the range stays as it is.
+    /// Returns the switch that freezes the range.
     QAction& keepRange() const { return *m_keep; }
-    /// Of the map over a picture; remembered for other documents and other days.
+    /// Opacity of maps over a picture, stored in the settings.
     double opacity() const;
-    /// Whether maps are drawn without the borders of their cells; remembered likewise.
+    /// Whether maps blend colours between cells, stored in the settings.
     bool isSmooth() const;
-    /// How maps are drawn, the sums over the shape and the worst place in numbers, to be shown elsewhere.
+    /// Returns the widget with the map's options and the totals, which is placed under *Advanced*.
     QWidget* details() const { return m_details; }
-    /// What is wrong with the pose that is shown.
+    /// Returns the faults of the shown pose.
     const PoseWatch& watch() const { return m_watch; }
 
   signals:
     /// The measure or its range changed.
     void mapChanged();
     void showWorst();
-    /// A place is to be seen; of a picture z is 0.
+    /// Requests a view of a place; z is 0 in pictures.
     void placeWanted(const wend::Vec<3>& at);
     void faultsChanged();
     void opacityChanged(double opacity);
@@ -79,10 +79,10 @@ class DistortionPanel : public QWidget {
     QToolButton* m_find;
     QLabel* m_areaName = nullptr;
     PoseWatch m_watch;
-    QToolButton *m_crossings, *m_blown;  // how many; each click goes to the next
+    QToolButton *m_crossings, *m_blown;  // counts; each click goes to the next place
     QLabel* m_crossingsName = nullptr;
     std::vector<Vec<3>> m_crossed, m_grown;          // their places …
-    std::size_t m_nextCrossed = 0, m_nextGrown = 0;  // … and which comes next
+    std::size_t m_nextCrossed = 0, m_nextGrown = 0;  // … and the index of the next one
     MeasureRange m_range;
     int m_dimension = 0;
 };

@@ -141,7 +141,7 @@ void FactsPanel::refresh() {
     showCage(shape);
 }
 
-/// Once for every file that is opened.
+/// Reads each opened file once.
 void FactsPanel::lookAtFile() {
     const Document& document = m_session.document();
     const QString path =
@@ -154,7 +154,7 @@ void FactsPanel::lookAtFile() {
         try {
             return factsOfFile(path.toStdString());
         } catch (const std::exception&) {
-            return {};  // told elsewhere
+            return {};  // reported elsewhere
         }
     };
     inBackground(this, look, [this, path](const QString& lines) {

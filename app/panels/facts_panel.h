@@ -10,9 +10,9 @@ class QPushButton;
 
 namespace wend {
 
-/// What an engineer asks of a solid: size, area, volume and edges of the surface as its file has it, how good
-/// the cells are, and which gaps a cage closes; with ways to the worst cell, from gap to gap, and to a cage
-/// that opens them. The file is looked at while the panel is seen, in a thread of its own.
+/// Facts about a solid: size, area, volume and edges of the file's surface, the cell quality, and the gaps
+/// that a cage closes; with buttons for the worst cell, the next gap, and a cage that opens the gaps. The
+/// file is read in a background thread while the panel is visible.
 class FactsPanel : public QWidget {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ class FactsPanel : public QWidget {
     explicit FactsPanel(ShapeSession& session, QWidget* parent = nullptr);
 
   signals:
-    /// A tetrahedron is to be seen.
+    /// Requests a view of a tetrahedron.
     void cellWanted(int cell);
 
   protected:

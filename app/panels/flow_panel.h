@@ -10,7 +10,7 @@ namespace wend {
 
 class MemorySlider;
 
-/// How the shape follows its pins in time: whether it remembers its rest, and the step that lets it settle.
+/// How the shape follows its pins over time: the memory of the rest shape, and relaxation.
 class FlowPanel : public QWidget {
     Q_OBJECT
 

@@ -7,7 +7,7 @@ class QVBoxLayout;
 
 namespace wend {
 
-/// A part of the properties under a title that opens and closes it; it is as it was left.
+/// A part of the side panel with a title that folds it; its state is stored.
 class FoldingSection : public QWidget {
     Q_OBJECT
 

@@ -86,7 +86,7 @@ void HandlePanel::arrange() {
     body->addWidget(new CurvePanel(m_session, this));
 }
 
-/// Of what is selected and holds now; in the plane without its z.
+/// Returns the centre of the selected handles that act now; in the plane without z.
 template <int Dim>
 std::optional<Vec<3>> HandlePanel::middle() const {
     std::vector<Vec<Dim>> centres;
@@ -96,7 +96,7 @@ std::optional<Vec<3>> HandlePanel::middle() const {
     return amountOf<Dim>(meanOf<Dim>(centres));
 }
 
-/// Those of the plane are beside the kind of the step; in space there are too many.
+/// In the plane the numbers are beside the kind of step; in space they need a row of their own.
 void HandlePanel::placeNumbers() {
     const int kind = m_kind->currentIndex();
     m_axis->setVisible(kind == 1 && isSolid());

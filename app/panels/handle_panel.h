@@ -15,7 +15,7 @@ namespace wend {
 
 class ExactBox;
 
-/// What is selected in numbers: its place, exact steps, and the way of a single handle.
+/// Numbers of the selection: its place, exact steps, and the path of a single handle.
 class HandlePanel : public QWidget {
     Q_OBJECT
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSwatch = 12;
 
-/// With a white rim where it lies on the accent.
+/// Adds a white rim for selected rows.
 QIcon rimmed(const QPixmap& swatch) {
     QIcon icon(swatch);
     QPixmap selected = swatch;

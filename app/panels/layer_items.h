@@ -7,10 +7,10 @@
 
 namespace wend {
 
-/// A square in the colour of what a layer keeps; of stiffness for one that is only stiff.
+/// Returns a square in the colour of the layer's energy, or of stiffness if it only changes that.
 template <int Dim>
 QIcon layerSwatch(const MaterialPaint<Dim>& paint);
-/// From black to white: its values come from a picture, or differ from cell to cell.
+/// Returns a square from black to white, for values that come from a picture or differ per cell.
 QIcon graySwatch();
 
 /// Draws an eye, open or closed, in the place of the box that is ticked.

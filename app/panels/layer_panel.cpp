@@ -18,7 +18,7 @@ namespace wend {
 namespace {
 
 constexpr int kGroup = Qt::UserRole;      // the name of an item's regions
-constexpr int kCells = Qt::UserRole + 1;  // it stands for what is given cell by cell
+constexpr int kCells = Qt::UserRole + 1;  // marks the values per cell
 
 template <int Dim>
 bool hasCells(const MaterialSpec<Dim>& material) {
@@ -62,7 +62,7 @@ LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* pare
 
 void LayerPanel::makeList() {
     m_list->setObjectName(QStringLiteral("layers"));
-    m_list->setFixedHeight(76);  // four rows: with the buttons below it is seen on a small screen
+    m_list->setFixedHeight(76);  // four rows, so that the buttons below fit on a small screen
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
@@ -148,7 +148,7 @@ void LayerPanel::connectControls() {
     });
     connect(m_list, &QListWidget::currentRowChanged, this, &LayerPanel::choose);
     connect(m_list, &QListWidget::itemClicked, this,
-            &LayerPanel::choose);  // also of what a stroke has chosen
+            &LayerPanel::choose);  // also after a stroke
     connect(m_list, &QListWidget::itemChanged, this, &LayerPanel::takeItem);
     // The list is in the middle of the drop.
     connect(
@@ -193,7 +193,7 @@ void LayerPanel::setPictureMenu(QMenu* menu) {
     m_pictureMenu->setMenu(menu);
 }
 
-/// Its name or its eye.
+/// Applies a changed name or visibility.
 void LayerPanel::takeItem(QListWidgetItem* item) {
     const AnyDesign& design = m_session.document().design();
     const std::string before = item->data(kGroup).toString().toStdString();
@@ -256,7 +256,7 @@ void LayerPanel::showValues() {
     tellChosen();
 }
 
-/// Of the layer in the list.
+/// Enables the commands for the chosen layer.
 void LayerPanel::allowOrder(bool has) {
     allow(m_takeAway, has, chooseFirst());
     allow(m_rename, has && m_list->currentItem()->flags() & Qt::ItemIsEditable,
@@ -319,7 +319,7 @@ void LayerPanel::fill() {
     while (m_list->count() > row) delete m_list->takeItem(row);
 }
 
-/// One that is there stays: the list may be in the middle of a change of it.
+/// Reuses existing items: the list may be in the middle of a change.
 QListWidgetItem* LayerPanel::itemAt(int row) {
     if (row == m_list->count()) m_list->addItem(new QListWidgetItem);
     return m_list->item(row);
@@ -336,12 +336,12 @@ void LayerPanel::showLayers() {
     select(nameless, cells);
 }
 
-/// What has no name, which are also the values of cells, is chosen only here.
+/// Unnamed layers and values per cell can be chosen only here.
 bool LayerPanel::isNameless() const {
     return m_list->currentItem() && selected().empty();
 }
 
-/// What has been chosen elsewhere, or what has no name; what is gone is chosen no more.
+/// Selects the layer that was chosen elsewhere, or the unnamed one; nothing if it is gone.
 void LayerPanel::select(bool nameless, bool cells) {
     const std::string name = m_chosen.now().name;
     int row = -1;
@@ -358,7 +358,7 @@ void LayerPanel::select(bool nameless, bool cells) {
     showValues();
 }
 
-/// By hand: its borders are shown, which would be in the way of a stroke.
+/// Outline the layer only if the user clicked it, not after a stroke.
 void LayerPanel::choose() {
     m_pointed = m_list->currentItem() ? std::optional(selected()) : std::nullopt;
     const bool nameless = isNameless(), cells = isCells();

@@ -20,20 +20,19 @@ class EnergySlider;
 class ExactBox;
 class MagnitudeBox;
 
-/// The regions of the material, of pictures and of solids, as layers: the topmost wins. A click on one shows
-/// its values, which then can be changed; its name by a double click, its place by dragging or the arrows,
-/// whether it counts by its eye. What is given cell by cell lies below them all.
+/// The regions of the material as layers, topmost first. A click selects a layer and shows its values; double
+/// click renames, dragging or arrows reorder, the eye hides. Values per cell are at the bottom.
 class LayerPanel : public QWidget {
     Q_OBJECT
 
   public:
     LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
-    /// What brings pictures in and out.
+    /// Sets the menu that imports and exports pictures.
     void setPictureMenu(QMenu* menu);
 
   signals:
-    /// Another layer was chosen by hand, by its name; null if there is none, or nobody sees the panel.
+    /// Emitted when the user chooses a layer, with its name; null for none, or while the panel is hidden.
     void chosen(QString name);
 
   protected:
@@ -72,7 +71,7 @@ class LayerPanel : public QWidget {
 
     ShapeSession& m_session;
     LayerChoice& m_chosen;
-    std::optional<std::string> m_pointed;  // the layer that was chosen by hand: its borders are shown
+    std::optional<std::string> m_pointed;  // the clicked layer, whose border is shown
     QListWidget* m_list;
     QToolButton *m_up, *m_down, *m_remove, *m_pictureMenu;
     QAction *m_rename, *m_merge, *m_takeAway;

@@ -1,4 +1,4 @@
-// What the chosen layer has, and changes of it.
+// Values of the chosen layer and their changes.
 
 #include <QCheckBox>
 #include <QFileInfo>
@@ -17,7 +17,7 @@
 
 namespace wend {
 
-/// A layer that would be nothing stays as it is.
+/// A change that would empty the layer is ignored.
 template <int Dim>
 void LayerPanel::changePaint() {
     MaterialPaint<Dim> paint;
@@ -25,7 +25,7 @@ void LayerPanel::changePaint() {
     Vec<Dim> axis;
     for (int k = 0; k < Dim; ++k) axis[k] = m_axis[k]->exact();
     if (axis.isZero(0)) axis = Vec<Dim>::UnitX();
-    if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // what has that already keeps its bits
+    if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // unit vectors keep their bits
     if (m_ratio->exact() != 1) paint.stiffness = Stiffness<Dim>{axis, m_ratio->exact()};
     if (!paint.phi && !paint.stiffness) return showValues();
     m_phi->setEnabled(paint.phi.has_value());
@@ -63,7 +63,7 @@ void LayerPanel::allowDirection(bool isStiff) {
     }
 }
 
-/// That of a picture, or what the file of a mesh tells.
+/// Shows the unit of a picture, or of a mesh file.
 void LayerPanel::showUnit() {
     const Document& document = m_session.document();
     if (document.isEmpty()) return;

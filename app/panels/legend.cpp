@@ -25,7 +25,7 @@ QRect cardIn(const QSize& view) {
     return {QPoint(view.width() - kCard.width() - kEdge, view.height() - kCard.height() - kEdge), kCard};
 }
 
-/// The four names below their colours; where they would touch, they give way to the ends' names.
+/// Draws the four names below their colours; only the first and the last if they would overlap.
 void paintStops(QPainter& painter, const QRect& where, int dimension) {
     const EnergyScale scale(dimension);
     constexpr int kLast = EnergyScale::kStops - 1, kGap = 7;
@@ -42,7 +42,7 @@ void paintStops(QPainter& painter, const QRect& where, int dimension) {
                          scale.stops()[i].name);
 }
 
-/// By the square root: what is rare is seen as well.
+/// Draws bars by square root, so that rare values are visible.
 void paintHistogram(QPainter& painter, const QRect& where, const std::vector<int>& counts,
                     const QColor& colour) {
     const int most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());

@@ -66,7 +66,7 @@ void MaterialPanel::showProject() {
     showGrowth();
 }
 
-/// The stop that lets it grow less: length, or area below that; −1 where there is none.
+/// Returns the stop with less growth: length, or area below that; −1 if there is none.
 int MaterialPanel::calmerStop() const {
     const double at = m_slider->scale().positionOf(m_slider->phi());
     return at > 1 ? 1 : at > 0 ? 0 : -1;

@@ -10,15 +10,14 @@ class QPushButton;
 
 namespace wend {
 
-/// What the whole shape keeps when it has to give way: the slider with its named stops, and a way out where
-/// it has grown out of all measure.
+/// What the whole shape keeps: the slider with its stops, and a suggestion if the shape grew too much.
 class MaterialPanel : public QWidget {
     Q_OBJECT
 
   public:
     explicit MaterialPanel(ShapeSession& session, QWidget* parent = nullptr);
     EnergySlider* energySlider() const { return m_slider; }
-    /// While a brush has stops of its own, the title says that these are not the brush's.
+    /// While a brush has its own stops, the title states that these belong to the whole shape.
     void setBesideBrush(bool beside);
 
   private:

@@ -30,7 +30,7 @@ QString place(const Vec<3>& p, double diagonal) {
     return QStringLiteral("%1, %2, %3").arg(one(p.x()), one(p.y()), one(p.z()));
 }
 
-/// How well one cell is shaped.
+/// Returns the quality of one cell.
 QualitySummary shapeOf(const Points<3>& points, const Cell<3>& cell) {
     SimplicialMesh<3> one;
     one.points.resize(3, 4);
@@ -43,7 +43,7 @@ QString degrees(double radians) {
     return QLocale().toString(radians * 180 / std::numbers::pi, 'f', 1) + QStringLiteral("°");
 }
 
-/// What rounding leaves of a shape at rest is none.
+/// Values at rest that are only rounding become zero.
 double valueOf(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int cell) {
     const double value = cellValue<3>(frame, velocity, measure, cell);
     return isDistortion(measure) && std::abs(value) < kRounding ? 0 : value;

@@ -8,7 +8,7 @@ class QLabel;
 
 namespace wend {
 
-/// How large a solid and the part of it that is selected are, and all values at the place that is pointed at.
+/// Sizes of a solid and of its selected part, and all values at the place under the pointer.
 class MeasurePanel : public QWidget {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ class MeasurePanel : public QWidget {
     explicit MeasurePanel(ShapeSession& session, QWidget* parent = nullptr);
 
   public slots:
-    /// What is under the pointer: a cell, its nearest corner, and the point; cell −1 if nothing is.
+    /// Sets the cell under the pointer with its nearest corner and the point; cell −1 for none.
     void setPointed(int cell, int vertex, const wend::Vec<3>& point);
 
   protected:

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kFewest = 200, kMost = 100000;
 
-// The density slider covers what is usual and is logarithmic: equal ways double the mesh equally.
+// The density slider is logarithmic over the usual range.
 int sliderOf(int vertices) {
     return static_cast<int>(
         std::lround(1000 * std::log(vertices / double(kFewest)) / std::log(kMost / double(kFewest))));
@@ -150,7 +150,7 @@ void MeshPanel::showProject() {
     m_detail->showDomain(domain);
 }
 
-/// What stays is not hidden in between, since its field would lose the keyboard.
+/// Rows that stay are not hidden in between, because their fields would lose the focus.
 void MeshPanel::showRows() {
     const Document& document = m_session.document();
     const bool solid = document.dimension() == 3;

@@ -14,7 +14,7 @@ namespace wend {
 
 class DetailRow;
 
-/// Where the shape's outline comes from and how fine the mesh is.
+/// The source of the outline and the fineness of the mesh.
 class MeshPanel : public QWidget {
     Q_OBJECT
 

@@ -14,8 +14,8 @@ namespace wend {
 class EnergySlider;
 class ExactBox;
 
-/// What the brush paints on a picture or a solid. What that changes, and the brush's tip, stand beside its
-/// name: see BrushActions.
+/// The brush's paint on a picture or a solid. Its target and tip are beside the tool's name: see
+/// BrushActions.
 class PaintPanel : public QWidget {
     Q_OBJECT
 

@@ -128,7 +128,7 @@ void PinList::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() != QEvent::PaletteChange) return;
     makeIcons();
-    m_groups.assign(1, -2);  // so that all rows are made anew
+    m_groups.assign(1, -2);  // forces all rows to be rebuilt
     showPins();
 }
 
@@ -147,7 +147,7 @@ std::vector<int> PinList::handlesOf(const QTreeWidgetItem& item) const {
     return handlesOfGroup(m_session.document().design(), item.data(Name, kGroup).toString().toStdString());
 }
 
-/// While a drag goes on nothing of it changes.
+/// The list does not change during a drag.
 void PinList::showPins() {
     if (m_showing || m_session.isDragging()) return;
     m_showing = true;
@@ -171,7 +171,7 @@ void PinList::showPins() {
     m_showing = false;
 }
 
-/// Makes all rows anew; what has the keyboard keeps it.
+/// Rebuilds all rows and keeps the focus.
 void PinList::arrangeRows(const std::vector<int>& groups, std::size_t groupCount) {
     const QTreeWidgetItem* current = m_list->currentItem();
     const int before = current && !isHeading(*current) ? current->data(Name, kHandle).toInt() : -1;
@@ -258,7 +258,7 @@ void PinList::showSigns(QTreeWidgetItem& item, bool linked, bool hidden, bool lo
          locked ? tr("Locked: a click unlocks it") : tr("A click locks it"));
 }
 
-/// A heading stands for all that is below it.
+/// Selecting a heading selects its group.
 void PinList::takeSelection() {
     if (m_showing || m_session.document().isEmpty()) return;
     std::vector<int> handles;
@@ -270,7 +270,7 @@ void PinList::takeSelection() {
     showPins();  // also where nothing has changed but the list itself
 }
 
-/// A group's name is taken later: the rows may stand otherwise then, and this one is still being edited.
+/// Renames a group later: its row is still being edited, and rows may move.
 void PinList::rename(QTreeWidgetItem* item, int column) {
     if (m_showing || column != Name) return;
     const QString name = item->text(Name).trimmed();
@@ -285,8 +285,7 @@ void PinList::rename(QTreeWidgetItem* item, int column) {
     }
 }
 
-/// The list is in the middle of the change, and its editor still open: when it is done, and the list shows
-/// what became of it.
+/// Runs a change after the editor has closed and the list has been updated.
 void PinList::later(const std::function<void()>& change) {
     QMetaObject::invokeMethod(
         this,
@@ -331,7 +330,7 @@ bool PinList::takeKey(QKeyEvent& key, bool overrides) {
 
 bool PinList::eventFilter(QObject* watched, QEvent* event) {
     const bool pressed = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    // What the field of a name lets through is not meant for the list.
+    // Keys that a name editor ignores must not reach the list.
     const bool typing = m_list->viewport()->isAncestorOf(QApplication::focusWidget());
     if (watched == m_list && pressed && !typing)
         return takeKey(static_cast<QKeyEvent&>(*event), event->type() == QEvent::ShortcutOverride);

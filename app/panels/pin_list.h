@@ -12,18 +12,17 @@ class QTreeWidgetItem;
 
 namespace wend {
 
-/// All pins by name, under the headings of their groups: to select them, to rename and remove them, to lock
-/// and to hide them, without the pointer too. Enter goes on to the view, where the arrow keys move what is
-/// selected.
+/// All pins by name under the headings of their groups, to select, rename, remove, lock and hide them, also
+/// by keyboard. Enter moves the focus to the view, where arrow keys move the selection.
 class PinList : public QWidget {
     Q_OBJECT
 
   public:
     explicit PinList(ShapeSession& session, QWidget* parent = nullptr);
     QTreeWidget* list() const { return m_list; }
-    /// As high as the place it is in, rather than of a few rows.
+    /// Fills the available height instead of a few rows.
     void setFills(bool fills);
-    /// The row of a pin, and the heading of a group; null if there is none.
+    /// Returns the row of a pin, or the heading of a group; null if there is none.
     QTreeWidgetItem* rowOf(int handle) const;
     QTreeWidgetItem* headingOf(const QString& group) const;
 
@@ -32,7 +31,7 @@ class PinList : public QWidget {
   signals:
     /// The keyboard is for the view now.
     void done();
-    /// The menu of what is selected is asked for.
+    /// Requests the menu of the selection.
     void menuWanted(QPoint global);
 
   protected:
@@ -60,8 +59,8 @@ class PinList : public QWidget {
     QTreeWidget* m_list;
     QLabel* m_empty;                                   // in place of rows
     std::vector<QTreeWidgetItem*> m_rows, m_headings;  // of the handles, of the groups
-    std::vector<int> m_groups;  // of the handles as the rows stand: the number of the heading, or −1
-    QSet<QString> m_folded;     // groups that show their heading alone
+    std::vector<int> m_groups;                         // per handle the number of its heading, or −1
+    QSet<QString> m_folded;                            // groups that show their heading alone
     QIcon m_link, m_seen, m_hidden, m_locked, m_unlocked;
     bool m_showing = false;
 };

@@ -140,8 +140,7 @@ QString RegionList::valueText(double value) const {
                       : locale.toString(value, 'g', 3);
 }
 
-/// What is new is chosen, so that its number can be changed at once; else what was chosen stays so as long as
-/// it has its place.
+/// Selects a new region, so that its number can be edited at once; otherwise the selection keeps its index.
 void RegionList::showRegions() {
     const auto all = groups();
     {

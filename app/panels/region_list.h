@@ -14,11 +14,11 @@ namespace wend {
 
 class ExactBox;
 
-/// The regions of a picture that are listed: where its mesh is finer or coarser, and what lies in front.
+/// The kinds of listed regions of a picture: cell size and depth.
 enum class RegionsOf { Detail, Depth };
 
-/// The regions of a picture of one kind, the topmost first, as the layers of its material are: a click shows
-/// where one lies and its number, which can be changed; a double click changes its name.
+/// The regions of one kind in a picture, topmost first like layers: a click shows a region's place and its
+/// number, which can be edited; a double click renames it.
 class RegionList : public QWidget {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ class RegionList : public QWidget {
     QListWidget* list() const { return m_list; }
 
   signals:
-    /// Where the chosen ones lie; none if nothing is chosen, or nobody sees the list.
+    /// Emits the shapes of the chosen regions; empty if none is chosen or the list is hidden.
     void chosen(const std::vector<wend::MaterialRegion<2>>& regions);
 
   protected:

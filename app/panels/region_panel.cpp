@@ -57,7 +57,7 @@ bool RegionPanel::isPoint() const {
     return (vertices && vertices->size() == 1) || (points && points->size() == 1);
 }
 
-/// That of a circle or a ball; of a point 0.
+/// Returns the radius of a disc or a ball; 0 for a point.
 template <int Dim>
 std::optional<double> RegionPanel::radius() const {
     const Region<Dim>* now = region<Dim>();
@@ -66,7 +66,7 @@ std::optional<double> RegionPanel::radius() const {
     return isPoint<Dim>() ? std::optional(0.0) : std::nullopt;
 }
 
-/// One undo step for numbers that follow each other. What holds nothing is not taken.
+/// Consecutive numbers merge into one undo step. A region without vertices is rejected.
 void RegionPanel::apply(const Region<3>& next) {
     const auto frame = m_session.frame<3>();
     const Region<3>* now = region<3>();
@@ -81,7 +81,7 @@ void RegionPanel::apply(const Region<3>& next) {
                                       QStringLiteral("handle region %1").arg(handle));
 }
 
-/// What is too small to hold a part is told, and not taken.
+/// Emits a notice and rejects a radius that is too small to contain a vertex.
 template <int Dim>
 void RegionPanel::widen() {
     const int handle = m_session.singleHandle();
@@ -118,7 +118,7 @@ void RegionPanel::showHandle() {
     if (isSolid) showCount<3>();
 }
 
-/// As fine as the shape is large; pixels of a picture are fine enough.
+/// Decimals depend on the size of the shape; whole pixels in a picture.
 void RegionPanel::showRadius(double radius, double diagonal) {
     m_radius->showDigits(place<2>() ? 2 : digitsFor(diagonal));
     m_radius->put(radius);

@@ -11,9 +11,9 @@ namespace wend {
 class ExactBox;
 class RegionNumbers;
 
-/// The region that the one selected handle holds, in numbers of the rest shape, and how many vertices that
-/// are; of a picture only how large a circle is. A point has a radius of 0: another number makes a circle or
-/// a ball of it, and 0 a point of those. Only there for such a handle.
+/// The region of the single selected handle in numbers of the rest shape, with the number of its vertices; in
+/// a picture only the radius of a disc. A point has radius 0: another number makes it a disc or a ball, and
+/// back. Hidden for other handles.
 class RegionPanel : public QWidget {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ class RegionPanel : public QWidget {
     QWidget* m_radiusRow = nullptr;
     ExactBox* m_radius;
     QLabel* m_count;
-    std::shared_ptr<const void> m_mesh;  // whose vertices were counted
+    std::shared_ptr<const void> m_mesh;  // mesh of the counted vertices
 };
 
 }  // namespace wend

@@ -149,7 +149,7 @@ void SizePanel::changeFactor(double factor) {
                           QStringLiteral("size factor %1").arg(group()));
 }
 
-/// One undo step for numbers that follow each other.
+/// Consecutive numbers merge into one undo step.
 void SizePanel::changeShape(const Region<3>& shape, double feather) {
     if (group() < 0) return;
     Document& document = m_session.document();

@@ -15,8 +15,8 @@ class MagnitudeBox;
 class RegionNumbers;
 struct SizeGroup;
 
-/// Where the tetrahedra of a solid are finer or coarser: what the next stroke of the brush does, and the
-/// strokes and regions that are there, whose numbers can be changed.
+/// Cell sizes of a solid: the factor of the next stroke, and the existing strokes and regions with editable
+/// numbers.
 class SizePanel : public QWidget {
     Q_OBJECT
 

@@ -180,13 +180,13 @@ void SurfacePanel::showFix(const QString& text, bool mayFix) {
     offer(m_fix, mayFix);
 }
 
-/// Who has just pressed one that goes does not stand on the one that takes the cage away.
+/// Moves focus off a button that gets disabled, so that a second Enter cannot remove the cage.
 void SurfacePanel::offer(QPushButton* button, bool offered) {
     if (!offered && button->hasFocus()) m_next->setFocus();
     button->setEnabled(offered);
 }
 
-/// What it would do comes with its help: it may come late, and moves nothing.
+/// The effect is part of the help text: it may arrive late and must not move anything.
 void SurfacePanel::showFixOfAll(const QString& text, bool mayFix) {
     const QString help =
         tr("Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no "

@@ -11,8 +11,7 @@ namespace wend {
 
 class OptionField;
 
-/// Why a surface bounds no solid: what is wrong, place by place, and what can be done about it. Hidden while
-/// nothing is.
+/// Why a surface bounds no volume: its faults one by one, and possible repairs. Hidden without faults.
 class SurfacePanel : public QWidget {
     Q_OBJECT
 
@@ -23,43 +22,43 @@ class SurfacePanel : public QWidget {
     };
     struct Contents {
         std::vector<Kind> kinds;
-        QStringList more;      // what has no place
+        QStringList more;      // faults without a place
         bool isCaged = false;  // the surface is embedded in a cage nonetheless
         int largestHole = 30;
         int kind = 0, number = 0;  // the place to begin with
     };
     explicit SurfacePanel(QWidget* parent = nullptr);
     void showProblems(const Contents& contents);
-    /// Whether the repair of all leaves a surface that bounds a solid, and what it would do.
+    /// Reports whether the full repair produces a closed surface, and what it would do.
     void tellOfRepair(bool helps, const QString& repair);
     int largestHole() const;
     /// Looks at the place where it is.
     void showPlace() { step(0); }
-    /// What could be done about this place alone; while that is not known it is not offered.
+    /// Shows the fix of the current fault; disabled while it is unknown.
     void showFix(const QString& text, bool mayFix);
-    /// And about all of its kind.
+    /// Shows the fix of all faults of its kind.
     void showFixOfAll(const QString& text, bool mayFix);
-    /// The solid is seen again in place of the surface. False if it was seen already.
+    /// Returns to the solid. Returns false if it was shown already.
     bool leave();
 
   signals:
-    /// What is wrong is told: with a cage around it all the rest can go on.
+    /// Emitted when faults are shown; with a cage, work can continue.
     void told(bool isCaged);
-    /// One of the cases of a kind is to be seen.
+    /// Requests a view of one fault of a kind.
     void caseChosen(int kind, int number);
-    /// The solid again, in place of the surface and what is wrong with it.
+    /// Requests the solid in place of the surface and its faults.
     void solidWanted();
     void saveRequested();
-    /// Only what is looked at is to be fixed.
+    /// Requests a fix of the current fault only.
     void fixRequested();
-    /// All of the kind that is looked at are.
+    /// Requests a fix of all faults of the current kind.
     void fixAllRequested();
-    /// What that would change is to be seen, as long as the pointer or the keys are on its button.
+    /// Requests a preview of that fix while its button is hovered or focused.
     void fixOfAllShown(bool shown);
     void repairRequested(int largestHole);
     /// Holes of so many edges are to be filled by it.
     void limitChanged(int largestHole);
-    /// The surface as the repair would leave it is to be seen, or as it is.
+    /// Requests a preview of the repaired surface, or of the original.
     void repairShown(bool shown);
     /// A cage around it, or else the exact surface.
     void fitRequested(bool cage);

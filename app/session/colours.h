@@ -6,18 +6,18 @@
 
 namespace wend {
 
-/// The colours that mean the same wherever they are seen, in tools and in panels.
+/// Colours with one meaning in all tools and panels.
 
-/// Of what is selected or being drawn around, and of a light window's highlights.
+/// Selected objects, selection outlines and highlights of the light window.
 inline constexpr QRgb kAccent = 0xff4a5bd4;
-/// Of what is stiff.
+/// Stiff places.
 inline constexpr QRgb kStiffColour = 0xffc8641e;
-/// Around a shape whose map may be as dark as the ground, and how many pixels wide: half of it lies behind
-/// the shape.
+/// Outline of a shape whose map may be as dark as the background, and its width in pixels; half of it is
+/// covered by the shape.
 inline constexpr QRgb kRim = 0x59ffffff;
 inline constexpr double kRimWidth = 3;
-/// Of an energy at its place between the stops. Its lightness falls all along (L* 83, 69, 48, 26), so that
-/// the order survives colour blindness.
+/// Returns the colour of an energy at its position between the stops. Lightness falls monotonically (L* 83,
+/// 69, 48, 26), so the order survives colour blindness.
 QRgb energyColour(double stop);
 
 }  // namespace wend

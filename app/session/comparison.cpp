@@ -68,7 +68,7 @@ void Comparison::take() {
     takeSelection();
 }
 
-/// Whose influence a map shows.
+/// Copies the selection, which decides whose influence a map shows.
 void Comparison::takeSelection() {
     if (m_on) m_other.selection().set(m_session.selection().handles());
 }

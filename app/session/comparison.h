@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// The same document with another energy, or with nothing painted: a second session that goes along with the
-/// first, with every change, drag and time. It computes in a thread of its own.
+/// A second session of the same document with another energy, or without paint. It follows every change, drag
+/// and time of the first and computes in its own thread.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -17,11 +17,11 @@ class Comparison : public QObject {
     ShapeSession& other() { return m_other; }
     bool isOn() const { return m_on; }
     std::optional<double> phi() const { return m_phi; }
-    /// From now on with that energy; with none, as the document without what is painted.
+    /// Starts the comparison with that energy, or without paint if none is given.
     void begin(std::optional<double> phi);
-    /// It rests, with what it has, until it is wanted again.
+    /// Pauses the comparison but keeps its results.
     void end();
-    /// What it shows now is of the same project and time as the first session's; null before.
+    /// Returns the frame for the project and time of the first session; null until it is computed.
     FramePtr frame() const;
 
   signals:

@@ -2,8 +2,8 @@
 
 namespace wend {
 
-/// How large the marks over a shape are against their usual size, for the eye and for the hand: pins, rings,
-/// curves, arrows, labels, the lines of tools, and what is taken hold of. The user's choice, for all views.
+/// Scale of all marks over a shape (pins, rings, curves, arrows, labels, tool lines) and of their hit areas.
+/// Chosen by the user for all views.
 double markSize();
 void setMarkSize(double factor);
 

@@ -164,7 +164,7 @@ QStringList missingFiles(const QString& project) {
             if (!file.isEmpty() && !QFileInfo::exists(file)) missing << file;
         }
     } catch (const InputError&) {
-        return {};  // reading it says what is wrong
+        return {};  // reading reports the error
     }
     return missing;
 }

@@ -14,9 +14,9 @@ class NothingToSee : public InputError {
     using InputError::InputError;
 };
 
-/// Reads a project, a picture or a mesh, told apart by the file's extension, and makes a project of it; a
-/// mesh in space becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
-/// in any thread. Throws InputError with what to do about it, NothingToSee unless `evenIfBlank`.
+/// Reads a project, a picture or a mesh, told apart by the extension, and makes a project of it. A spatial
+/// mesh becomes a solid: tetrahedra are its mesh, a surface its boundary. Thread-safe. Throws InputError with
+/// advice, and NothingToSee for a blank picture unless `evenIfBlank`.
 OpenedFile openFile(const QString& path, bool evenIfBlank = false);
 
 /// The files that a project needs and that are not there, by their absolute paths.
@@ -27,21 +27,20 @@ OpenedFile openMoved(const QString& project, const QMap<QString, QString>& found
 /// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
 OpenedFile openLost(const LostWork& work);
 
-/// Where new files of a document are proposed: beside its own, but not among the samples.
+/// Returns the folder that is proposed for new files: the document's own, but never that of the samples.
 QString proposedFolder(const Document& document);
 
-/// Whether that is a file of a kind that openFile() reads: by its extension, or as a picture by its first
-/// bytes.
+/// Returns whether openFile() reads this kind of file, by its extension or, for pictures, by its first bytes.
 bool mayBeOpened(const QString& path);
 
 /// Patterns of a file dialog, "*.png *.tif …".
 QString pictureExtensions();
 QString meshExtensions();
 
-/// Sample projects: installed beside the program, or those of the source tree; pictures first.
+/// Returns the sample projects, installed beside the program or in the source tree; pictures come first.
 QStringList samplePaths();
-/// What there is to see of a project that is not open: the picture that it shows, or of a solid one of the
-/// same name beside it, empty if it has none. Nothing of one that cannot be read.
+/// The preview of an unopened project: its picture, or for a solid the picture of the same name beside it.
+/// Empty if there is none or if the project cannot be read.
 struct ProjectLook {
     QString picture;
     bool isSolid = false;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPathSamples = 60;  // per motion
 
-/// Every vertex as a location: the corner of the first cell that has it.
+/// Returns every vertex as a location: a corner of the first cell that has it.
 template <int Dim>
 std::vector<Location<Dim>> vertexLocations(const SimplicialMesh<Dim>& rest) {
     std::vector<Location<Dim>> all(rest.vertexCount());

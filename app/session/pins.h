@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// Where a handle takes hold of the rest mesh.
+/// The place of a handle in the rest mesh.
 template <int Dim>
 struct PinPlace {
     std::vector<Location<Dim>> points;  // for vertices and points
@@ -18,7 +18,7 @@ struct PinPlace {
     bool isEmpty() const { return points.empty(); }
 };
 
-/// Where a handle is in a pose.
+/// The place of a handle in a pose.
 template <int Dim>
 struct PinView {
     int handle = -1;
@@ -29,7 +29,7 @@ struct PinView {
     Vec<Dim> centre = Vec<Dim>::Zero();
 };
 
-/// The places of all handles in a rest mesh; empty for one that lies outside.
+/// Returns the places of all handles in a rest mesh; empty for handles outside it.
 template <int Dim>
 std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, const SimplicialMesh<Dim>& rest,
                                      const PointLocator<Dim>& locator);

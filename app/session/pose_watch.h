@@ -8,14 +8,14 @@
 
 namespace wend {
 
-/// Looks for what is wrong with the pose that is shown once it rests, in a thread of its own.
+/// Checks the shown pose for faults in a background thread, once it is at rest.
 class PoseWatch : public QObject {
     Q_OBJECT
 
   public:
     explicit PoseWatch(ShapeSession& session, QObject* parent = nullptr);
 
-    /// Null as long as it is not known, or if the shape has the other dimension.
+    /// Returns null while the result is unknown, or if the dimension differs.
     template <int Dim>
     std::shared_ptr<const PoseFaults<Dim>> faults() const {
         if constexpr (Dim == 2)

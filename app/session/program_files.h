@@ -4,10 +4,10 @@
 
 namespace wend {
 
-/// Where what is installed with the program lies: beside it, whatever the prefix and wherever it has been
-/// moved; of a program that is not installed, in the sources that it was built from. Empty if it is gone.
+/// Folders of installed data, relative to the program so that it can be moved; in the source tree if it is
+/// not installed. Empty if missing.
 QString sampleFolder();
-/// The manual's pages and, in `pictures`, what they show.
+/// Returns the folder of the manual's pages, with its pictures in `pictures`.
 QString manualFolder();
 
 }  // namespace wend

@@ -17,7 +17,7 @@ class Selection : public QObject {
     bool contains(int handle) const;
     void set(std::vector<int> handles);
     void toggle(int handle);
-    /// What happens to the others when some are picked at once.
+    /// Effect of picking items on the existing selection.
     enum class Pick { Only, Add, Remove };
     void pick(const std::vector<int>& handles, Pick how);
     void clear() { set({}); }

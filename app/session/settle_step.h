@@ -4,9 +4,9 @@
 
 namespace wend {
 
-/// Whether there is a shape that has moved and may settle.
+/// Returns whether there is a moved shape that can relax.
 bool canSettle(const Document& document);
-/// One undo step: a window of settling after all that moves, and the time goes to its end.
+/// Appends a relaxation to the motion in one undo step and moves the time to its end.
 void settleAtEnd(ShapeSession& session);
 
 }  // namespace wend

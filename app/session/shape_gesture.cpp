@@ -15,13 +15,13 @@ namespace wend {
 namespace {
 
 constexpr int kTick = 20;        // milliseconds
-constexpr int kCurveSteps = 24;  // of a piece of a curve, to tell how long it is
-// A sample that comes sooner after the last one waits for the next: more frames than a screen shows take time
-// from those that it does. Not where a shape takes long to compute: then it is to begin with the newest.
+constexpr int kCurveSteps = 24;  // samples per curve piece for its length
+// Milliseconds between samples: an earlier one waits for the next, because frames beyond the screen's rate
+// waste time. Shapes that take long to compute get every sample, so that they start with the newest.
 constexpr double kPace = 12, kQuick = 25;  // milliseconds
 constexpr int kLongestWait = 20;           // of a sample that none follows
 
-/// The way along a chain, from its first point, in steps that tell how long it is.
+/// Returns the path along a chain from its first point, sampled to measure its length.
 template <int Dim>
 std::vector<Amount> alongCurve(const std::vector<Vec<Dim>>& points) {
     std::vector<Amount> way = {Amount::Zero()};
@@ -77,7 +77,7 @@ std::vector<int> ShapeGesture::unlocked(std::vector<int> handles) {
     return handles;
 }
 
-/// The selected handles that hold the shape at the time that is shown, with those that go along.
+/// Returns the selected handles that act at the shown time, and those linked with them.
 std::vector<int> ShapeGesture::movableHandles() {
     if (m_selection.isEmpty() || m_drag || !m_motion.frame()) return {};
     m_playback.setPlaying(false);
@@ -148,13 +148,13 @@ void ShapeGesture::lead() {
                     m_drag->records() ? std::optional(recordedTime()) : std::nullopt);
 }
 
-/// Of the film: when the recording is, by the last sample and the clock since then.
+/// Returns the time of the recording in the film: that of the last sample plus the clock since then.
 double ShapeGesture::recordedTime() const {
     const double seconds = m_drag->seconds() + 1e-3 * static_cast<double>(m_sinceSample.elapsed());
     return m_from + seconds * m_playback.speed() / Playback::kSecondsPerUnit;
 }
 
-/// The hand rests, the others go on.
+/// While recording, advances the other handles even if the pointer is still.
 void ShapeGesture::goOn() {
     if (!m_drag) return;
     m_playback.setTime(recordedTime());
@@ -169,7 +169,7 @@ void ShapeGesture::follow(const FramePtr& frame) {
     m_isQuick = frame->milliseconds < kQuick;
     m_drag->follow(*frame);
     m_motion.showLive(frame);
-    if (m_drag && frame->stopped && !wasStopped)  // who sees the frame may have ended the drag
+    if (m_drag && frame->stopped && !wasStopped)  // a slot of frameChanged() may have ended the drag
         emit notice(ShapeSession::tr("%1 cannot go further: %2")
                         .arg(m_pins.nameOf(m_drag->handles()), said(frame->message)));
 }
@@ -190,7 +190,7 @@ void ShapeGesture::end(const TimedPath& path) {
     if (path.points.size() < 2) return cancel();
     const DragGesture drag = *m_drag;
     letGo();
-    if (!path.seconds.empty()) m_motion.dropPreview();  // what is shown next is its beginning
+    if (!path.seconds.empty()) m_motion.dropPreview();  // the start of the motion is shown next
     if (m_document.dimension() == 2)
         push<2>(drag, path, m_from);
     else
@@ -229,7 +229,8 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
     const DragGesture drag(handles, {});
     const double time = m_motion.gestureTime();
     const bool atTheEnd = takesTheEnd(*m_document.project(), time);
-    const QString earlier = QStringLiteral("earlier ") + key;  // the playhead goes to the end with the first
+    // the first of several paths moves the playhead to the end
+    const QString earlier = QStringLiteral("earlier ") + key;
     for (const QString& last : {key, earlier})
         if (atTheEnd && m_document.merges(last))
             return m_document.change(
@@ -248,7 +249,7 @@ void ShapeGesture::moveAtOnce(const Grip& grip, const Amount& amount) {
     push<Dim>(DragGesture(handles, grip), {{Amount::Zero(), amount}, {}}, m_motion.gestureTime());
 }
 
-/// By a clock of its own unless it begins where the motion is over: other paths go on beside it.
+/// Keeps its own timing unless it is appended at the end, so that parallel motions continue.
 template <int Dim>
 void ShapeGesture::followCurve(const std::vector<Vec<Dim>>& points) {
     const auto handles = movableHandles();
@@ -266,7 +267,7 @@ void ShapeGesture::followCurve(const std::vector<Vec<Dim>>& points) {
     push<Dim>(DragGesture(handles, {}), path, from, {}, curve);
 }
 
-/// How far from the middle of a gesture what it turns or grows lies, in the mean.
+/// Returns the mean distance of the handles from the gesture's centre: the lever arm of rotation and scaling.
 template <int Dim>
 double ShapeGesture::armOf(const DragGesture& drag) const {
     double sum = 0;
@@ -294,7 +295,7 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (drag.handles()[i] == view.handle) starts[i] = view.centre;
     const Project& project = *m_document.project();
-    // Where the motion ended early, what could not be reached would stop this, too.
+    // An unreachable target that ended the motion early would stop this motion, too.
     const bool endsAll = !records && !m_motion.isBusy() && !m_motion.track().isEmpty() &&
                          m_motion.track().lastTime() <= from && !takesTheEnd(project, from);
     const Gesture gesture{drag.handles(),   drag.grip(),  path.points, from,
@@ -303,7 +304,7 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
     const bool quickens = !records && takesTheEnd(project, from) && hasOwnTiming(project);
     m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture<Dim>(project, gesture, starts),
                       key);
-    // What was recorded is seen by playing it, and others may be recorded to it.
+    // Recordings are shown by playing them, and others may be recorded at the same time.
     m_playback.setTime(records ? from : m_playback.end());
     const QString next = !records        ? QString()
                          : curve.empty() ? ShapeSession::tr(
@@ -319,7 +320,7 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                              "make the film longer below."));
 }
 
-/// A gesture replaces what its own handles did, or (of none) what all did.
+/// A gesture replaces the later motion of its own handles or, if they have none, of all.
 template <int Dim>
 void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& own,
                                 double from, const QString& otherwise) {

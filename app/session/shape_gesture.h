@@ -16,9 +16,9 @@ class Selection;
 class ShapeMotion;
 class ShownPins;
 
-/// What the selected handles, and those that are linked with them, are made to do: the drag that goes on, and
-/// steps that are made at once. The document changes when a gesture ends, by one step. Lives in the thread of
-/// the window. What tools call is described in ShapeSession, which passes it on.
+/// Moves the selected handles and those linked with them: by a drag, or at once by numbers. A gesture changes
+/// the document once, at its end. Lives in the window's thread. ShapeSession, which forwards to it, documents
+/// the functions that tools call.
 class ShapeGesture : public QObject {
     Q_OBJECT
 
@@ -26,14 +26,14 @@ class ShapeGesture : public QObject {
     ShapeGesture(Document& document, const Selection& selection, Playback& playback, ShapeMotion& motion,
                  const ShownPins& pins);
 
-    /// The drag that goes on, or null.
+    /// Returns the current drag, or null.
     const DragGesture* drag() const { return m_drag ? &*m_drag : nullptr; }
-    /// When handles are where they are seen: when the drag began, or the time that is shown.
+    /// Returns the time at which handles are shown: that of the drag's start, or the shown time.
     double time() const;
-    /// The dragged ones among them are where the pointer has them: they follow at once, the shape catches up.
+    /// Returns the pins with dragged ones at the pointer: they follow at once, the shape later.
     template <int Dim>
     std::vector<PinView<Dim>> carriedAlong(std::vector<PinView<Dim>> views) const;
-    /// Those that may be changed; which are locked is told.
+    /// Returns the handles that are not locked, and emits a notice about locked ones.
     std::vector<int> unlocked(std::vector<int> handles);
 
     void setRecording(bool records) { m_records = records; }
@@ -43,7 +43,7 @@ class ShapeGesture : public QObject {
     void endStraight();
     void cancel();
     void letGo();
-    /// For another file: forgets the drag, and tells nobody.
+    /// Forgets the drag without signals, for another file.
     void drop();
 
     template <int Dim>
@@ -89,9 +89,9 @@ class ShapeGesture : public QObject {
     /// The handles of the gesture, as they were at its start.
     std::tuple<std::vector<PinView<2>>, std::vector<PinView<3>>> m_grabbed;
     bool m_records = false;                    // every drag
-    QTimer m_goOn;                             // while a drag records: others go on though the hand rests
-    QElapsedTimer m_sinceSample, m_sinceLead;  // a sample was taken; the shape was led
-    QTimer m_waits;                            // the newest sample, to be led to
+    QTimer m_goOn;                             // advances the other handles while recording
+    QElapsedTimer m_sinceSample, m_sinceLead;  // since the last sample was added; since the last request
+    QTimer m_waits;                            // delays the newest sample
     bool m_isQuick = false;                    // the shape, in following
 };
 

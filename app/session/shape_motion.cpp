@@ -43,7 +43,7 @@ void ShapeMotion::drop() {
     if (m_dragging) m_compute->post(EndDrag{});
     if (m_document.isEmpty()) m_compute->post(CancelWork{});
     m_dragging = false;
-    ++m_gesture;                // frames of a drag that are under way are void,
+    ++m_gesture;                // invalidates pending frames of a drag
     m_voidUpTo = ++m_revision;  // and so is a shape
     m_complete.reset();
     dropShape();
@@ -121,7 +121,7 @@ void ShapeMotion::takeFinished(double time, const QString& problem) {
 }
 
 void ShapeMotion::takeFailure(int revision, const QString& reason, bool shapeless) {
-    if (revision != m_revision) return;  // of what is not wanted any more
+    if (revision != m_revision) return;  // result of an outdated request
     m_failed = true;
     emit failing();
     m_preview.reset();
@@ -140,7 +140,7 @@ void ShapeMotion::cancelWork() {
         return;
     }
     const bool meshing = isMeshing();
-    if (meshing) m_voidUpTo = ++m_revision;  // a shape that is just ready comes too late
+    if (meshing) m_voidUpTo = ++m_revision;  // invalidates a shape that is about to arrive
     m_compute->post(CancelWork{});
     m_preview.reset();
     setBusy(false);
@@ -153,7 +153,7 @@ void ShapeMotion::cancelWork() {
         emit notice(ShapeSession::tr("The motion was cancelled. Any change computes it again."));
 }
 
-/// By undo steps if they lead there (and redo forth), otherwise by a change of its own: steps may have
+/// Goes back by undo or redo steps if they reach the project, otherwise by a new change: steps may have
 /// merged.
 void ShapeMotion::goBack() {
     const auto target = m_complete;
@@ -162,7 +162,7 @@ void ShapeMotion::goBack() {
     if (m_document.project() != target) m_document.changeBack(ShapeSession::tr("Cancel"), target);
 }
 
-/// Of a motion that has ended early, its end.
+/// Returns the end of the motion if it ended early.
 double ShapeMotion::gestureTime() const {
     if (m_document.isEmpty()) return 0;
     const double end = motionEnd(*m_document.project());
@@ -191,7 +191,7 @@ void ShapeMotion::showLive(const FramePtr& frame) {
     show(frame, false);
 }
 
-/// Its last frames may be yet to come.
+/// The last frames may still arrive.
 void ShapeMotion::endDrag() {
     m_dragging = false;
     m_compute->post(EndDrag{});
@@ -201,7 +201,7 @@ void ShapeMotion::endDrag() {
 void ShapeMotion::cancelDrag() {
     m_dragging = false;
     m_preview = m_previewBefore;
-    ++m_gesture;  // frames of it that are under way are void
+    ++m_gesture;  // invalidates its pending frames
     m_compute->post(EndDrag{});
     showTime();
 }
@@ -223,7 +223,7 @@ void ShapeMotion::showTime() {
     else if (frame)
         show(frame, !m_trackIsCurrent && !m_sameShape);
     else if (m_trackIsCurrent && !m_track.isEmpty() && (!m_frame || isIn(m_track, m_frame)))
-        show(m_track.last(), true);  // as far as it has come
+        show(m_track.last(), true);  // as far as it was computed
     else
         show(m_frame, m_frame && !m_sameShape);
 }
@@ -244,14 +244,14 @@ void ShapeMotion::setFieldWanted(FieldKind wanted) {
     askField();
 }
 
-/// Its influence is another one, or none.
+/// Requests the influence of the new selection.
 void ShapeMotion::takeSelection() {
     if (m_fieldWanted != FieldKind::Influence) return;
     askField();
     emit frameChanged();
 }
 
-/// What is wanted of what is shown.
+/// Returns the field request for the shown frame.
 ShapeMotion::Question ShapeMotion::question() const {
     if (m_fieldWanted != FieldKind::Influence) return {m_frame, m_fieldWanted};
     return {m_frame, m_selection.isEmpty() ? FieldKind::None : m_fieldWanted, m_selection.handles()};

@@ -13,11 +13,11 @@ class ComputeThread;
 class Playback;
 class Selection;
 
-/// The motion of the document's shape as far as it is computed, and which frame of it is shown. It lives in
-/// the thread of the window and owns the compute thread: requests go there, and frames come back as queued
-/// signals. Every request for a shape has a number, its revision, and so has every drag. The track follows
-/// every shape of the file, also those that are not wanted any more, for what the thread keeps of its frames
-/// is said from one to the next. What views ask is described in ShapeSession, which passes it on.
+/// Computes the motion of the document's shape and chooses the shown frame. Lives in the window's thread and
+/// owns the compute thread: requests are posted to it, frames return as queued signals. Every request for a
+/// shape has a number, its revision, and every drag has one, too. The track follows every shape of the file,
+/// including outdated ones, because the thread reports the validity of frames from one shape to the next.
+/// ShapeSession, which forwards to it, documents the functions that views call.
 class ShapeMotion : public QObject {
     Q_OBJECT
 
@@ -34,26 +34,26 @@ class ShapeMotion : public QObject {
     bool isBusy() const { return m_busy; }
     bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
     double pixel() const;
-    /// When gestures begin, and new pins: at the time of what is shown; 0 before anything moves.
+    /// Returns the start time of gestures and new pins: the shown time, or 0 before anything moves.
     double gestureTime() const;
 
-    /// Asks for the motion of the project as it is now.
+    /// Requests the motion of the current project.
     void compute();
-    /// While a change is made that moves nothing: what is shown does not become stale.
+    /// Keeps the shown frame from becoming stale during a change that moves nothing.
     void setChangeMovesNothing(bool nothing) { m_changeMovesNothing = nothing; }
     void cancelWork();
-    /// For another file: forgets everything, and tells it only with tellDropped().
+    /// Forgets everything for another file; signals are emitted by tellDropped() only.
     void drop();
     void tellDropped();
 
-    /// A drag begins with the frame that is shown, at a time of the motion. Until it ends, its live frames
-    /// come with liveReady(), and only those that are given to showLive() are shown.
+    /// Begins a drag from the shown frame at a time of the motion. Its live frames arrive with liveReady();
+    /// those passed to showLive() are shown.
     void beginDrag(const std::vector<int>& handles, const Grip& grip, double from);
     void dragTo(const Amount& amount, int sample, std::optional<double> time);
     void showLive(const FramePtr& frame);
-    /// What it has reached is a preview of the end of the motion until that is there.
+    /// Shows the reached pose until the end of the motion is computed.
     void endDrag();
-    /// What was shown before it comes back.
+    /// Restores the frame from before the drag.
     void cancelDrag();
     void dropPreview() { m_preview.reset(); }
 
@@ -69,7 +69,7 @@ class ShapeMotion : public QObject {
   signals:
     void frameChanged();
     void liveReady(const wend::FramePtr& frame);
-    /// The project cannot be computed: a drag that goes on must end.
+    /// Emitted when the project cannot be computed, which must end a drag.
     void failing();
     void busyChanged(bool busy);
     void progress(double time, double end);
@@ -104,24 +104,25 @@ class ShapeMotion : public QObject {
     Playback& m_playback;
     FrameTrack m_track;
     bool m_trackIsCurrent = false;        // it is of the newest request
-    std::shared_ptr<const void> m_shape;  // the newest rest mesh
+    std::shared_ptr<const void> m_shape;  // of the newest revision
     int m_revision = 0;                   // of the newest request for a shape
     int m_voidUpTo = 0;                   // shapes up to this revision are of another file, or cancelled
     int m_gesture = 0;                    // number of the newest drag
     bool m_dragging = false;
     FramePtr m_frame;          // shown
     FramePtr m_preview;        // the last frame of a drag, until the exact motion is there
-    FramePtr m_previewBefore;  // the drag that goes on
+    FramePtr m_previewBefore;  // of the current drag
     bool m_stale = false, m_busy = false, m_failed = false;
     bool m_changeMovesNothing = false;
-    bool m_sameShape = false;                   // what is shown stays as it is, though something is computed
-    std::shared_ptr<const Project> m_complete;  // the last whose motion was computed to its end
+    bool m_sameShape = false;                   // the current request does not make the shown frame stale
+    std::shared_ptr<const Project> m_complete;  // whose motion was computed to its end
     int m_completeAt = 0;                       // its place among the undo steps
     FieldKind m_fieldWanted = FieldKind::None;
     Question m_asked, m_answered;
     int m_question = 0;  // number of the newest
     VelocityPtr m_field;
-    std::unique_ptr<ComputeThread> m_compute;  // the last member: it stops before the others go
+    // last, so that the thread stops before the other members are destroyed
+    std::unique_ptr<ComputeThread> m_compute;
 };
 
 }  // namespace wend

@@ -24,8 +24,8 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_gesture, &ShapeGesture::notice, this, &ShapeSession::notice);
 }
 
-/// For another file: what went on with the last one ends. First everything of it goes, only then others hear
-/// of it: nobody sees the last file's shape, selection or drag beside the new one's project.
+/// Resets all state of the last file before any signal is emitted, so that no observer sees the old shape,
+/// selection or drag with the new project.
 void ShapeSession::reset() {
     m_gesture.drop();
     m_motion.drop();
@@ -39,7 +39,7 @@ void ShapeSession::reset() {
 
 void ShapeSession::takeProject() {
     if (m_document.isEmpty()) return;
-    cancelDrag();  // undo in the middle of it: its handles may be gone
+    cancelDrag();  // undo during the drag: its handles may be gone
     std::vector<int> kept = m_selection.handles();
     std::erase_if(kept, [count = handleCount()](int h) { return h >= count; });
     m_selection.set(std::move(kept));
@@ -87,7 +87,7 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     m_motion.setChangeMovesNothing(false);
     const int handle = handleCount() - 1;
     m_selection.set({handle});
-    emit notice({});  // what was wrong with the place before
+    emit notice({});  // clears the error about the previous place
     return handle;
 }
 

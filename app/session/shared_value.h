@@ -32,7 +32,7 @@ class SharedValue : public Changing {
         m_now = next;
         emit changed();
     }
-    /// One member of it, by its pointer.
+    /// Changes one member, given by its pointer.
     template <class Member, class Part>
     void change(Member member, const Part& part) {
         Value next = m_now;

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// Null if the document has another dimension.
+/// Returns null if the document has another dimension.
 template <int Dim>
 PosedPtr<Dim> ShownPins::shape() const {
     return m_document.dimension() == Dim ? posed<Dim>(m_motion.frame()) : PosedPtr<Dim>();

@@ -9,8 +9,8 @@ namespace wend {
 
 class ShapeMotion;
 
-/// The document's handles in the frame that is shown. Where they take hold of its rest mesh is found once for
-/// each project and mesh. Lives in the thread of the window.
+/// The document's handles in the shown frame. Their places in the rest mesh are cached per project and mesh.
+/// Lives in the window's thread.
 class ShownPins {
   public:
     ShownPins(const Document& document, const ShapeMotion& motion) : m_document(document), m_motion(motion) {}
@@ -18,14 +18,14 @@ class ShownPins {
     int count() const;
     /// The name of one, or how many they are.
     QString nameOf(const std::vector<int>& handles) const;
-    /// Those that hold the shape at a time, or those that do not; hidden ones are among them only if `all`.
+    /// Returns the pins that act at a time, or those that do not; hidden ones only if `all`.
     template <int Dim>
     std::vector<PinView<Dim>> at(double time, bool holding, bool all) const;
     template <int Dim>
     std::vector<Vec<Dim>> pathStarts(int handle) const;
     std::vector<int> verticesOf(int handle) const;
     Placement<3> placementOf(const std::vector<int>& vertices) const;
-    /// For another file.
+    /// Resets the cache for another file.
     void drop() { m_holds = {}; }
 
   private:

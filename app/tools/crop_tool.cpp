@@ -18,7 +18,7 @@ constexpr double kReach = 8;      // of a side, in pixels of the screen
 constexpr double kHandle = 7;     // the size of a corner's square
 constexpr double kLargest = 1e5;  // pixels of the picture
 
-/// From one corner to the other, at least a pixel large, on whole pixels.
+/// Returns the rectangle between two corners, on whole pixels and at least one pixel large.
 PixelRect between(const Vec<2>& a, const Vec<2>& b) {
     const Vec<2> low = a.cwiseMin(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
     const Vec<2> high = a.cwiseMax(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
@@ -57,7 +57,7 @@ std::shared_ptr<const Image> CropTool::picture() const {
     return frame ? frame->built->picture : nullptr;
 }
 
-/// A mesh in the plane may lie in its picture in any way.
+/// A 2D mesh may have any placement in its picture.
 Vec<2> CropTool::toPixels(const QPointF& widget) const {
     const auto frame = surface().shownFrame();
     const Vec<2> at = surface().toShape(widget);
@@ -130,7 +130,7 @@ void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
     m_crop.set(between(a, b));
 }
 
-/// A click beside the rectangle leaves it as it is.
+/// A click outside the rectangle leaves it unchanged.
 void CropTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_active) return;
     m_active = false;
@@ -180,7 +180,7 @@ void CropTool::cancel() {
     surface().redraw();
 }
 
-/// What is not kept is dimmed; thirds help to compose.
+/// Dims the discarded area and draws thirds.
 void CropTool::paint(QPainter& painter) const {
     const auto& part = m_crop.now();
     if (!part) return;

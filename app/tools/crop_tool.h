@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Draws what exports keep of the picture: a rectangle of its pixels, moved by its inside and resized by its
-/// sides and corners. With Shift it has the picture's proportions.
+/// Draws the crop of exports: a rectangle of pixels that is moved by its inside and resized by its sides and
+/// corners. Shift keeps the picture's proportions.
 class CropTool : public ShapeTool<2> {
   public:
     CropTool(ToolSurface& surface, Crop& crop) : ShapeTool<2>(surface), m_crop(crop) {}
@@ -26,13 +26,13 @@ class CropTool : public ShapeTool<2> {
     void paint(QPainter& painter) const override;
 
   private:
-    /// What follows the pointer: a side of each axis (−1 low, 1 high, 0 none), or all.
+    /// The part that follows the pointer: a side per axis (−1 low, 1 high, 0 none), or all.
     struct Grip {
         int x = 0, y = 0;
         bool all = false;
         bool any() const { return x != 0 || y != 0 || all; }
     };
-    /// The document's, or that of a file's mesh; null where there is none to crop.
+    /// Returns the picture of the document or of a file's mesh; null if there is nothing to crop.
     std::shared_ptr<const Image> picture() const;
     Vec<2> toPixels(const QPointF& widget) const;
     QPointF toWidget(const Vec<2>& pixel) const;
@@ -41,7 +41,7 @@ class CropTool : public ShapeTool<2> {
     void drawTo(const Vec<2>& pixel, bool proportional);
 
     Crop& m_crop;
-    Grip m_grip, m_under;  // in the hand; below the pointer
+    Grip m_grip, m_under;  // dragged; under the pointer
     bool m_active = false;
     std::optional<PixelRect> m_before;
     Vec<2> m_from = Vec<2>::Zero();  // where it was pressed, in pixels of the picture

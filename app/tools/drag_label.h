@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// Draws at the origin what is meant for a place, in the size of the marks.
+/// Draws something at the origin, moved to a place and scaled to the size of marks.
 template <class Draw>
 void enlarged(QPainter& painter, const QPointF& at, const Draw& draw) {
     painter.save();
@@ -18,22 +18,21 @@ void enlarged(QPainter& painter, const QPointF& at, const Draw& draw) {
     painter.restore();
 }
 
-/// What stands beside the pointer while something is dragged: a number, how many … From a place on to the
-/// right, or to the left.
+/// Draws a label beside the pointer, such as a number during a drag, to the right or to the left of a place.
 void paintLabel(QPainter& painter, const QPointF& at, const QString& text, bool isLeft = false);
 
-/// When an event of the pointer happened, by the clock of the system that sent it.
+/// Returns the time of a pointer event on the clock of the windowing system.
 inline double secondsOf(const QMouseEvent& event) {
     return static_cast<double>(event.timestamp()) * 1e-3;
 }
 
-/// True while a drag goes on that records.
+/// Returns whether the current drag records.
 inline bool isRecording(const ShapeSession& session) {
     return session.gesture() && session.gesture()->records();
 }
-/// A red dot and how long it has lasted; nothing if none goes on.
+/// Draws a red dot with the duration of the recording, if there is one.
 void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at);
-/// What the pointer does meanwhile.
+/// Returns the hint during a recording.
 QString recordingHint();
 
 }  // namespace wend

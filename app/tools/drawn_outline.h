@@ -11,12 +11,12 @@ namespace wend {
 
 double distanceToLine(const QPointF& p, const QPointF& a, const QPointF& b);
 
-/// What is inside of a line that is drawn; where it crosses itself, too.
+/// Returns the inside of a drawn line, including where it crosses itself.
 QPainterPath insideOf(const QPolygonF& line);
-/// What a brush covers along a line.
+/// Returns the area that a brush covers along a line.
 QPainterPath brushedAlong(const QPolygonF& line, double radius);
 
-/// A rectangle, a lasso or the way of a brush, as it is drawn on the screen to take what lies in it.
+/// A marquee: a rectangle, a lasso or a brush stroke on the screen that selects what is inside.
 class DrawnOutline {
   public:
     enum class Kind { Rectangle, Lasso, Brush };
@@ -26,17 +26,17 @@ class DrawnOutline {
     void setKind(Kind kind) { m_kind = kind; }
     void begin(const QPointF& at);
     void goOn(const QPointF& at);
-    /// The corner of the rectangle is there; the line stays as it was drawn.
+    /// Moves the corner of a rectangle; the line of a lasso stays unchanged.
     void endAt(const QPointF& at) { m_end = at; }
     QPainterPath area() const;
     bool contains(const QPointF& p) const;
-    /// What the brush covers where it came last.
+    /// Returns whether the brush's last segment covers the point.
     bool isNewlyBrushed(const QPointF& p) const;
-    /// Nothing was drawn: the whole line stayed where it began.
+    /// Returns whether the whole line stayed at its start.
     bool isClick() const;
-    /// Of the brush, in pixels.
+    /// Radius of the brush in pixels.
     void setRadius(double radius) { m_radius = radius; }
-    /// What a key makes of it; nothing for another key, or without a brush.
+    /// Returns the radius after a key, or nothing for other keys and without a brush.
     std::optional<double> radiusAfter(const QKeyEvent& event) const;
     void paint(QPainter& painter) const;
     void paintBrush(QPainter& painter, const QPointF& at) const;

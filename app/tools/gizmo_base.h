@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// What of a gizmo is dragged; as it is made, the pins themselves along the screen.
+/// The dragged part of a gizmo. The default moves the pins in the plane of the screen.
 struct GizmoPart {
     Grip::Kind kind = Grip::Kind::Move;
     int axis = -1;       // −1: none
@@ -18,8 +18,7 @@ struct GizmoPart {
     bool operator==(const GizmoPart&) const = default;
 };
 
-/// What the ring of the plane and the manipulator of space have in common: where they stand, what is dragged,
-/// and its numbers.
+/// Common parts of the 2D ring and the 3D manipulator: the place, the dragged part and its numbers.
 template <int Dim>
 class GizmoBase {
   public:
@@ -33,7 +32,7 @@ class GizmoBase {
     const Vec<Dim>& centre() const { return m_centre; }
     bool canTurn() const { return m_canTurn; }
     const Part& part() const { return m_part; }
-    /// The number that stands at the pointer.
+    /// Returns the text beside the pointer.
     QString text(const Amount& amount) const {
         const QLocale locale;
         if (m_part.kind == Grip::Kind::Turn)
@@ -50,7 +49,7 @@ class GizmoBase {
     static constexpr double kAngleStep = std::numbers::pi / 12;  // of a rotation with Shift
 
     bool isAlongAxis() const { return m_part.axis >= 0 && !m_part.plane; }
-    /// That a typed number of degrees means, or a factor.
+    /// Returns the amount of a typed number of degrees, or of a factor.
     Amount turnedOrScaled(double number) const {
         constexpr double kMinFactor = 0.01;
         if (m_part.kind == Grip::Kind::Turn) return {number * std::numbers::pi / 180, 0, 0};

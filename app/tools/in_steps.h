@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// The part of a way that goes along the nearest multiple of 45°.
+/// Projects a displacement on the nearest multiple of 45°.
 inline QPointF inSteps(const QPointF& way) {
     constexpr double kStep = std::numbers::pi / 4;
     const double angle = kStep * std::round(std::atan2(way.y(), way.x()) / kStep);

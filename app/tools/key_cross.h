@@ -10,22 +10,24 @@
 
 namespace wend {
 
-/// Where an arrow key points, a pixel long, with Shift ten; nothing for another key.
+/// Returns the direction of an arrow key, one pixel long, with Shift ten; nothing for other keys.
 std::optional<QPointF> arrowOf(const QKeyEvent& key);
 
-/// A cross that arrow keys move over the view, from the middle of the shape, for what a click does elsewhere.
+/// A keyboard cursor: a cross that arrow keys move over the view, starting in the middle of the shape, and
+/// that replaces mouse clicks.
 class KeyCross {
   public:
     /// An arrow moves it, with Enter `click` is done where it is; true if the key was used.
     template <int Dim>
     bool take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
               const std::function<void(const QPointF&)>& click);
-    /// What Enter does with a tool's button.
+    /// How Enter acts on a tool's button.
     enum class Enter { Clicks, Presses, LetsGo };
-    /// An arrow moves a tool's pointer with it; Enter clicks there, with what is held, or does half of that.
+    /// Moves a tool's pointer by arrows; Enter clicks there with the pressed modifiers, or presses or
+    /// releases.
     template <int Dim>
     bool clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool, Enter enter = Enter::Clicks);
-    /// What the tool gets comes from here.
+    /// Returns whether the tool's current event comes from the keyboard.
     bool isAtWork() const { return m_clicks; }
     /// The mouse has taken over.
     void hide() {

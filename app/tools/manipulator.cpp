@@ -130,14 +130,14 @@ std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface
     return best;
 }
 
-/// Where the pointer is in the part's line or plane.
+/// Returns the point of the part's line or plane under the pointer.
 Vec<3> Manipulator::pointAt(const SolidSurface& surface, const QPointF& widget) const {
     const Ray ray = surface.ray(widget);
     if (isAlongAxis()) return nearestOnLine(m_centre, axis(m_part.axis), ray);
     return onPlane(m_centre, normalOf(m_part, surface), ray);
 }
 
-/// The angle around the axis; of a ring that is seen from the side, how far along it the pointer went.
+/// Returns the angle around the axis; for a ring seen edge-on, the pointer's movement along it.
 double Manipulator::angleAt(const SolidSurface& surface, const QPointF& widget) const {
     const Vec<3> normal = normalOf(m_part, surface);
     if (std::abs(normal.dot(surface.viewDirection())) < 0.15) {
@@ -179,7 +179,7 @@ Amount Manipulator::drag(const SolidSurface& surface, const QPointF& widget, boo
     return snaps && m_part.plane ? alongOneAxis(way) : way;
 }
 
-/// Of the two axes of the plane the one that it goes along more.
+/// Projects on the axis of the plane that is closer to the displacement.
 Vec<3> Manipulator::alongOneAxis(const Vec<3>& way) const {
     const Vec<3> u = axis((m_part.axis + 1) % 3), v = axis((m_part.axis + 2) % 3);
     const double byU = way.dot(u), byV = way.dot(v);

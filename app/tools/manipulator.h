@@ -7,13 +7,13 @@
 
 namespace wend {
 
-/// Arrows, squares, rings and a disc around a point, that are dragged to move, turn or scale. Of constant
-/// size on the screen.
+/// A manipulator around a point: arrows, squares, rings and a disc that are dragged to move, rotate or scale.
+/// Constant size on the screen.
 class Manipulator : public GizmoBase<3> {
   public:
     /// Tilt: an arrow along the third axis and rings around the first two, for a plane.
     enum class Mode { Move, Turn, Grow, Tilt };
-    /// A part comes before pins that lie under it.
+    /// Parts take precedence over pins below them.
     static constexpr bool kComesFirst = true;
 
     void setMode(Mode mode) { m_mode = mode; }
@@ -22,24 +22,24 @@ class Manipulator : public GizmoBase<3> {
     /// The axes are the columns.
     void place(const Vec<3>& centre, const Mat<3>& axes);
     Vec<3> axis(int k) const { return m_axes.col(k); }
-    /// A drag beside all parts is not the manipulator's.
+    /// A drag outside all parts does not use the manipulator.
     static std::optional<Part> anywhere() { return {}; }
     static bool isRefusedAt(const SolidSurface&, const QPointF&) { return false; }
-    /// What the pointer does on a part, in words.
+    /// Returns the hint over a part.
     static QString hint();
 
     /// The part under the pointer.
     std::optional<Part> partAt(const SolidSurface& surface, const QPointF& widget) const;
-    /// From now on `drag` measures from here; the centre stays where it is until the end.
+    /// Starts a drag, which drag() measures from here; the centre stays until the end.
     void begin(const Part& part, const SolidSurface& surface, const QPointF& widget);
-    /// `snaps`: an angle by 15°, a way in a plane to one of its axes.
+    /// `snaps`: angles to 15°, displacements in a plane to one of its axes.
     Amount drag(const SolidSurface& surface, const QPointF& widget, bool snaps = false);
     Grip grip(const SolidSurface& surface) const;
     /// The amount that a typed number means: a length along the axis, degrees, or a factor.
     Amount typed(double number, const SolidSurface& surface) const;
 
     void paint(QPainter& painter, const SolidSurface& surface, const std::optional<Part>& lit) const;
-    /// While it is dragged: it goes along.
+    /// Draws the manipulator at the dragged place.
     void paintDragged(QPainter& painter, const SolidSurface& surface, const Amount& amount) const;
 
   private:

@@ -15,7 +15,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kSnap = 5;  // pixels: a vertex that near is meant
+constexpr double kSnap = 5;  // pixels: distance within which a vertex is chosen
 const QColor kLine(0xd4, 0x4a, 0x7a);
 
 QString said(const char* text) {
@@ -27,7 +27,7 @@ double length(const std::vector<Vec<Dim>>& p) {
     return (p[1] - p[0]).norm();
 }
 
-/// Between the unit vectors a and b: 2 arctan(‖a − b‖ / ‖a + b‖), exact near 0° and 180°.
+/// Returns the angle of the unit vectors a and b: 2 arctan(‖a − b‖ / ‖a + b‖), accurate near 0° and 180°.
 template <int Dim>
 double degrees(const std::vector<Vec<Dim>>& p) {
     const Vec<Dim> a = (p[0] - p[1]).normalized(), b = (p[2] - p[1]).normalized();
@@ -59,7 +59,7 @@ void MeasureTool<Dim>::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     const auto touch = surface().touch(event.position());
     const auto frame = session().template frame<Dim>();
-    // A click beside the shape drops only what is complete.
+    // A click outside the shape only removes a complete measurement.
     if (m_points.size() == 3 || (frame && frame->shape != m_shape)) m_points.clear();
     if (touch && frame) {
         m_shape = frame->shape;

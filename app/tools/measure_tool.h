@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// Two clicked points of what is seen give a length, a third one the angle at the second; all values are told
-/// for the pose and for the rest shape. The points are carried along by the shape.
+/// Measures the length between two clicked points, and with a third one the angle at the second, for the pose
+/// and for the rest shape. The points follow the shape.
 template <int Dim>
 class MeasureTool : public ShapeTool<Dim> {
   public:
@@ -20,7 +20,7 @@ class MeasureTool : public ShapeTool<Dim> {
     void cancel() override { m_points.clear(); }
     void paint(QPainter& painter) const override;
 
-    /// What is measured, in words; empty before the second point.
+    /// Returns the measurement in words; empty before the second point.
     QString text() const;
 
   private:

@@ -9,7 +9,7 @@ enum class Mode { Mesh, Pins, Paint, Animate, Export };
 
 constexpr std::array<Mode, 5> kModes = {Mode::Mesh, Mode::Pins, Mode::Paint, Mode::Animate, Mode::Export};
 
-/// Some of the steps.
+/// A set of steps.
 class Modes {
   public:
     constexpr Modes() = default;

@@ -4,9 +4,9 @@
 
 namespace wend {
 
-/// What the tools of the outline have in common.
+/// Settings shared by the outline tools.
 struct OutlineSettings {
-    bool takesAway = false;   // else it is added; with Ctrl the other way round
+    bool takesAway = false;   // else adds; Ctrl inverts it
     double radius = 22;       // of the brush, in pixels of the screen
     double tolerance = 0.12;  // of colours, of full scale
     bool operator==(const OutlineSettings&) const = default;
@@ -14,7 +14,7 @@ struct OutlineSettings {
 
 OutlineSettings bounded(OutlineSettings pen);
 
-/// The pen in the user's hand, one for all tools that draw the outline.
+/// The settings that all outline tools share.
 class OutlinePen : public SharedValue<OutlineSettings> {
   public:
     static constexpr double kSmallest = 3, kLargest = 300;  // radius

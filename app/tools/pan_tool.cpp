@@ -6,7 +6,7 @@ namespace wend {
 
 namespace {
 
-/// Moves the view: the view itself does so, as it does while the space bar is held.
+/// Drags the view. The view itself moves, as while the space bar is held.
 template <int Dim>
 class PanTool : public ShapeTool<Dim> {
   public:

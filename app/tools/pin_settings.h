@@ -8,11 +8,11 @@
 
 namespace wend {
 
-/// How pins are taken, set and dragged, with whatever tool.
+/// Shared settings for selecting, adding and dragging pins.
 struct PinSettings {
-    Grip::Kind grip = Grip::Kind::Move;                           // what a drag does with what is selected
-    DrawnOutline::Kind selectBy = DrawnOutline::Kind::Rectangle;  // what is drawn beside pins
-    bool through = false;                                         // what is hidden is taken and selected, too
+    Grip::Kind grip = Grip::Kind::Move;                           // effect of a drag on the selection
+    DrawnOutline::Kind selectBy = DrawnOutline::Kind::Rectangle;  // shape of a marquee
+    bool through = false;                                         // includes covered parts
     bool snaps = false;  // new pins sit on corners of the mesh, instead of where one clicks
     double radius = 18;  // of the brush that takes and selects, in pixels
     static constexpr double kSmallest = 4, kLargest = 200;

@@ -87,8 +87,7 @@ std::vector<Vec<2>> clipped(const std::vector<Vec<2>>& polygon, const Vec<2>& n,
     return part;
 }
 
-/// What was drawn around a part may be far larger than that: it is seen no farther from what it holds than
-/// its vertices are from each other.
+/// Shrinks a drawn outline towards its contents: it may be much larger than the part that it holds.
 std::vector<Vec<2>> aroundHeld(std::vector<Vec<2>> border, const std::vector<Vec<2>>& held) {
     if (held.empty()) return border;
     Vec<2> low = held.front(), high = low;

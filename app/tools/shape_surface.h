@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// What lies under the pointer: where on the shape, and where that is seen.
+/// The place under the pointer: on the rest shape and in the view.
 template <int Dim>
 struct Touch {
     Location<Dim> place;
@@ -29,18 +29,18 @@ class ShapeSurface {
     virtual std::optional<Touch<Dim>> touch(const QPointF& widget) const = 0;
     /// The session's frame, with the material that is being painted.
     virtual PosedPtr<Dim> shownFrame() const = 0;
-    /// Shows another material until the motion with it is there, or the project changes; `lasts`: it is what
-    /// the next change brings.
+    /// Shows another material until the motion with it arrives, or the project changes; `lasts`: the next
+    /// change will contain it.
     virtual void showMaterial(std::shared_ptr<const Material<Dim>> painted, bool lasts = false) = 0;
     virtual void redraw() = 0;
-    /// Whether manipulators of tools are shown: there is one at a time.
+    /// Returns whether tools may show manipulators: only one is shown at a time.
     virtual bool showsManipulators() const { return true; }
 
-    /// How hard a pen is pressed, in ]0, 1]; 1 for what tells no pressure.
+    /// Returns the pressure of a pen in ]0, 1]; 1 for devices without pressure.
     double pressure() const { return m_pressure; }
 
   protected:
-    /// From a pen's own event; the pointer's events that Qt makes of it follow.
+    /// Takes the pressure from a tablet event; Qt's synthesized mouse events follow it.
     void takePressure(QTabletEvent& event) {
         const bool tells = event.pointingDevice()->hasCapability(QInputDevice::Capability::Pressure);
         const bool pressed = event.buttons() & Qt::LeftButton;

@@ -17,7 +17,7 @@ constexpr double kSpacing = 0.3;  // of the radius
 constexpr double kHardnessStep = 0.1;
 constexpr double kClick = 3;          // pixels of the screen
 constexpr double kHardnessWay = 200;  // pixels from wholly soft to wholly hard
-constexpr double kFace = 3;           // pixels between places that tell how a face lies
+constexpr double kFace = 3;           // pixels between samples of the surface normal
 constexpr double kSteepest = 5;       // times as long as on the screen; more is an edge
 constexpr int kRingParts = 72;
 
@@ -41,8 +41,8 @@ double StrokeTool<Dim>::featherOf(const Dab& dab) const {
     return dab.radius * (1 - m_brush.now().hardness);
 }
 
-/// A ball around the rest place of what is there, unless it is close to one before; the last one becomes as
-/// strong as the pen is pressed on it. False if nothing has changed.
+/// Adds a ball around the rest place, unless it is close to an earlier one; the last one takes the pen's
+/// strongest pressure. Returns false if nothing changed.
 template <int Dim>
 bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
     const auto frame = session().template frame<Dim>();
@@ -60,7 +60,7 @@ bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
     return isNew || presses;
 }
 
-/// The pointer comes in leaps, the stroke has no gaps.
+/// Interpolates between pointer events, so that strokes have no gaps.
 template <int Dim>
 void StrokeTool<Dim>::dabsTo(const QPointF& at) {
     const auto frame = session().template frame<Dim>();
@@ -101,7 +101,7 @@ void StrokeTool<Dim>::setTip(double radius, double hardness) {
     m_brush.set(next);
 }
 
-/// The rim follows the pointer, as far as that goes.
+/// Adjusts size and hardness so that the rim follows the pointer.
 template <int Dim>
 void StrokeTool<Dim>::tune(const QPointF& at) {
     const QPointF way = at - m_tuning->from;
@@ -170,7 +170,7 @@ void StrokeTool<Dim>::release(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// On the screen; nothing where the last stroke was on another mesh.
+/// Returns the start of a straight line on the screen; nothing if the last stroke was on another mesh.
 template <int Dim>
 std::optional<QPointF> StrokeTool<Dim>::lineStart() const {
     const auto frame = session().template frame<Dim>();
@@ -220,7 +220,7 @@ void StrokeTool<Dim>::cancel() {
     m_dabs.clear();
 }
 
-/// Circles around what has been touched.
+/// Draws circles around touched places.
 template <int Dim>
 void StrokeTool<Dim>::paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const {
     const auto frame = session().template frame<Dim>();
@@ -236,7 +236,7 @@ void StrokeTool<Dim>::paintStroke(QPainter& painter, const std::vector<Dab>& dab
     }
 }
 
-/// Where a click with Shift would draw one.
+/// Draws the line that a Shift-click would add.
 template <int Dim>
 void StrokeTool<Dim>::paintLine(QPainter& painter) const {
     const auto from = lineStart();
@@ -260,8 +260,8 @@ void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
                         locale.toString(100 * m_brush.now().hardness, 'f', 0)));
 }
 
-/// Two directions across the face of a solid that is under the pointer, of one length, and the place; nothing
-/// beside it or where a few pixels on something else is seen.
+/// Returns two tangents of equal length and the place on the surface under the pointer; nothing outside it,
+/// or if a few pixels away another part is visible.
 template <int Dim>
 std::optional<Mat<3>> StrokeTool<Dim>::facing(const QPointF& at) const {
     if constexpr (Dim == 3) {
@@ -279,7 +279,7 @@ std::optional<Mat<3>> StrokeTool<Dim>::facing(const QPointF& at) const {
         return {};
 }
 
-/// So many pixels around: on the face of a solid where it lies, elsewhere on the screen.
+/// Returns the ring of that radius in pixels, on the surface of a solid or on the screen.
 template <int Dim>
 QPainterPath StrokeTool<Dim>::ringAt(const QPointF& at, double radius) const {
     QPainterPath ring;
@@ -300,7 +300,7 @@ QPainterPath StrokeTool<Dim>::ringAt(const QPointF& at, double radius) const {
     return ring;
 }
 
-/// The brush: the whole of it, how far it is hard, and what it does.
+/// Draws the brush: its rim, its hard core and its effect.
 template <int Dim>
 void StrokeTool<Dim>::paint(QPainter& painter) const {
     paintStroke(painter, m_dabs);

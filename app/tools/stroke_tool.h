@@ -9,9 +9,9 @@
 
 namespace wend {
 
-/// A brush over a picture or a solid: lays balls around the rest places of what is under the pointer. `[` and
-/// `]` change its size, with Shift its hardness; a drag with Alt and the right button changes both. Esc gives
-/// up the stroke. A pen's pressure goes along with it. Arrow keys move it, Enter touches the shape.
+/// A brush over a picture or a solid, which adds balls around the rest places under the pointer. `[` and `]`
+/// change its size, with Shift its hardness; an Alt-drag with the right button changes both. Esc cancels the
+/// stroke. Pen pressure is used. Arrow keys move it, Enter touches the shape.
 template <int Dim>
 class StrokeTool : public ShapeTool<Dim> {
   public:
@@ -43,32 +43,33 @@ class StrokeTool : public ShapeTool<Dim> {
     Ball<Dim> ballOf(const Dab& dab) const;
     double featherOf(const Dab& dab) const;
 
-    /// What the pointer does while the brush is not being changed.
+    /// Returns the hint while the brush is not being adjusted.
     virtual QString strokeHint() const = 0;
-    /// Whether a stroke takes away what is there, by what is held now.
+    /// Returns whether a stroke erases with the current modifiers.
     virtual bool takesAway() const { return m_modifiers & Qt::ControlModifier; }
-    /// Whether a click with Shift draws a straight line from where the last stroke ended.
+    /// Returns whether Shift-click draws a straight line from the end of the last stroke.
     virtual bool drawsLines() const { return false; }
     /// A stroke begins.
     virtual void begin() {}
-    /// A direction at rest that a ball brings along; zero without one.
+    /// Returns the rest direction that a ball stores; zero for none.
     virtual Vec<Dim> axisAt(const PosedFrame<Dim>&, const Touch<Dim>&) const { return Vec<Dim>::Zero(); }
-    /// A stroke has grown.
+    /// Called when a stroke has become longer.
     virtual void follow(const std::vector<Dab>&) {}
     /// A stroke is complete; it has at least one ball.
     virtual void take(const std::vector<Dab>& dabs) = 0;
     virtual QColor colour() const = 0;
-    /// What has been painted so far.
+    /// Draws the stroke so far.
     virtual void paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const;
 
     Brush& brush() const { return m_brush; }
-    /// Those that the stroke began with; beside one, those that are held. Of a line Shift is not among them.
+    /// Returns the modifiers at the start of the stroke, or the current ones between strokes. Those of a
+    /// straight line exclude Shift.
     Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
     using ShapeTool<Dim>::surface;
     using ShapeTool<Dim>::session;
 
   private:
-    /// A drag that changes the brush: what it was, and where the button was pressed.
+    /// A drag that adjusts the brush: its former settings and the pressed place.
     struct Tuning {
         double radius, hardness;
         QPointF from;
@@ -91,7 +92,7 @@ class StrokeTool : public ShapeTool<Dim> {
     bool m_active = false;
     bool m_over = false;        // the pointer is over the view
     QPointF m_at;               // of the pointer
-    QPointF m_last;             // where the stroke has come to …
+    QPointF m_last;             // the last place of the stroke …
     double m_lastPressure = 1;  // … and how hard it was pressed there
     bool m_waits = false;       // pressed with Shift: a line if it is a click, a stroke if it is drawn
     std::optional<Location<Dim>> m_end;  // of the last stroke, on …

@@ -14,72 +14,73 @@ namespace wend {
 
 class CurveEditing;
 
-/// What a menu is opened for.
+/// The subject of a context menu.
 enum class MenuPlace { None, Canvas, Pin, Curve };
 
-/// The menu of a handle, which is then among those that are selected; that of the canvas where there is none.
+/// Opens the menu of a handle and adds it to the selection; that of the canvas without one.
 inline MenuPlace menuOfPin(Selection& selection, int handle) {
     if (handle < 0) return MenuPlace::Canvas;
     if (!selection.contains(handle)) selection.set({handle});
     return MenuPlace::Pin;
 }
 
-/// With Shift what is picked joins the others, with Ctrl it leaves them.
+/// Shift adds to the selection, Ctrl removes from it.
 inline Selection::Pick pickBy(Qt::KeyboardModifiers modifiers) {
     if (modifiers & Qt::ControlModifier) return Selection::Pick::Remove;
     return modifiers & Qt::ShiftModifier ? Selection::Pick::Add : Selection::Pick::Only;
 }
 
-/// A brush whose size [ and ] change: its radius after the key, in pixels; nothing for another key.
+/// Returns the radius of a brush in pixels after [ or ]; nothing for other keys.
 inline std::optional<double> brushAfter(const QKeyEvent& key, double radius, double largest) {
     if (key.text() != QStringLiteral("[") && key.text() != QStringLiteral("]")) return {};
     return std::clamp(radius * (key.text() == QStringLiteral("[") ? 0.8 : 1.25), 4.0, largest);
 }
 
-/// One way to work on the shape with pointer and keys. The view passes on what it does not need for
+/// A way of editing the shape with pointer and keys. Views forward all events that they do not need for
 /// navigation.
 class Tool {
   public:
     virtual ~Tool() = default;
 
-    /// One line for the status bar: what the pointer does now.
+    /// Returns one line for the status bar that describes the pointer's current effect.
     virtual QString hint() const = 0;
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
-    /// True if a press here is for the tool even where the left button turns the view.
+    /// Returns whether a press here belongs to the tool even if the left button rotates the view.
     virtual bool wants(const QPointF&) const { return false; }
     /// The handle under the pointer, or −1.
     virtual int hovered() const { return -1; }
     virtual void press(const QMouseEvent& event) = 0;
-    /// A press of another button than the left one that is the tool's, whatever it means elsewhere.
+    /// Returns whether the tool uses a press of a button other than the left one, whatever that does
+    /// elsewhere.
     virtual bool takesButton(const QMouseEvent&) const { return false; }
     virtual void move(const QMouseEvent& event) = 0;
     virtual void release(const QMouseEvent& event) = 0;
-    /// In place of the second press.
+    /// Called instead of the second press.
     virtual void doubleClick(const QMouseEvent& event) { press(event); }
-    /// True if the key was used.
+    /// Returns whether the key was used.
     virtual bool key(const QKeyEvent& event) = 0;
     /// Gives up the gesture, as if it had not begun.
     virtual void cancel() = 0;
     /// A key that is the tool's now although a shortcut has it.
     virtual bool ownsKey(const QKeyEvent&) const { return false; }
-    /// What the menu that is opened there is for; the tool remembers the place.
+    /// Returns the kind of menu for this place, which the tool remembers.
     virtual MenuPlace menuAt(const QPointF&) { return MenuPlace::Canvas; }
     /// The curve that it edits; null if it edits none.
     virtual CurveEditing* curve() { return nullptr; }
     /// A drag of the left button moves the view, as with the space bar.
     virtual bool pans() const { return false; }
-    /// Whether it shows something around what is selected, to be dragged.
+    /// Returns whether the tool shows a manipulator around the selection.
     virtual bool hasManipulator() const { return false; }
-    /// Whether it wants to see all of the picture, also what the shape leaves out.
+    /// Returns whether the tool needs the whole picture, including the parts outside the outline.
     virtual bool showsPicture() const { return false; }
-    /// It is chosen, and later another one is.
+    /// Called when the tool becomes active or inactive.
     virtual void choose() {}
     virtual void dismiss() {}
     /// The pointer is not over the view any more.
     virtual void leave() {}
-    /// The pointer rests, and what lies under it may be another thing than it was.
+    /// Re-evaluates the hover state; the scene changed under a still pointer.
     virtual void lookAgain() {}
-    /// Draws what it needs over the view.
+    /// Draws over the view.
     virtual void paint(QPainter&) const {}
 };
 

@@ -16,7 +16,7 @@ namespace wend {
 
 class Brush;
 
-/// What tools work on and with.
+/// The objects that tools work on.
 struct Workbench {
     ToolSurface* picture;
     SolidSurface* solid;  // null before the first solid
@@ -27,7 +27,7 @@ struct Workbench {
     std::function<void()> toSelect;  // a part was taken hold of, and is there to be moved
 };
 
-/// How a tool is made for pictures and for solids; empty where it does nothing.
+/// Factories of a tool for pictures and solids; empty if it does not support them.
 struct ToolMakers {
     using Make = std::function<std::unique_ptr<Tool>(const Workbench&)>;
     Make picture = {}, solid = {};
@@ -35,8 +35,7 @@ struct ToolMakers {
     const Make& of(int dimension) const { return dimension == 3 ? solid : picture; }
 };
 
-/// What a tool is made of besides its surface: a value, or what stands on the workbench, as
-/// &Workbench::brush.
+/// A constructor argument of a tool: a value, or a member such as &Workbench::brush.
 template <class Part>
 const Part& partOf(const Workbench&, const Part& part) {
     return part;
@@ -55,7 +54,7 @@ ToolMakers::Make maker(Surface surface, Parts... parts) {
     };
 }
 
-/// A tool whose constructor takes the surface and these parts.
+/// Makes a tool whose constructor takes the surface and these parts.
 template <template <int> class ToolOf, class... Parts>
 ToolMakers both(Parts... parts) {
     return {maker<ToolOf<2>>(&Workbench::picture, parts...), maker<ToolOf<3>>(&Workbench::solid, parts...)};
@@ -69,17 +68,17 @@ ToolMakers solidsOnly(Parts... parts) {
     return {.solid = maker<OneTool>(&Workbench::solid, parts...)};
 }
 
-/// What may stand beside a tool's name.
+/// Options that can be shown beside a tool's name.
 enum class ToolOption {
-    Grip,      // what a drag does with pins
-    SelectBy,  // what is drawn beside pins
-    Through,   // takes what is hidden, too
+    Grip,      // effect of a drag on pins
+    SelectBy,  // shape of the marquee
+    Through,   // includes covered parts
     Snap,
-    AddsOrTakes,  // what is drawn will bend, or not
+    AddsOrTakes,  // adds or subtracts
     PenSize,
     Tolerance,
     Edges,
-    Target,  // what the brush changes
+    Target,  // property that the brush changes
     BrushSize,
     GrabSize,
     Tip,  // size, hardness, amount, pressure
@@ -87,8 +86,8 @@ enum class ToolOption {
     Separator
 };
 
-/// A tool of the window, for pictures and solids: tool bar, options, menus, keys and the cheat sheet come
-/// from this. Each tool says it beside its class.
+/// The definition of a tool for pictures and solids, from which tool bar, options, menus, shortcuts and the
+/// cheat sheet follow. Each tool has its definition beside its class.
 struct ToolKind {
     const char* id;
     const char* icon;
@@ -97,7 +96,7 @@ struct ToolKind {
     Modes modes;
     ToolMakers make;
     std::vector<ToolOption> options;
-    /// What is coloured over the shape while it is chosen; empty or nothing: what the user has chosen.
+    /// The map that is shown while the tool is active; empty or nothing: the user's choice.
     std::function<std::optional<Measure>(const Workbench&, int dimension)> map;
     Modes begins;  // those that begin with it; others begin with the tool that selects
 };

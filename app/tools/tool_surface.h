@@ -12,7 +12,7 @@ class ToolSurface : public ShapeSurface<2> {
     virtual Vec<2> toShape(const QPointF& widget) const = 0;
 };
 
-/// Where a point is that the pointer has brought there.
+/// Returns the point under the pointer.
 inline Vec<2> acrossTheScreen(const ToolSurface& surface, const Vec<2>&, const QPointF& widget) {
     return surface.toShape(widget);
 }

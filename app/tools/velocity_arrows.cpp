@@ -45,7 +45,7 @@ void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2
             const Cell<2>& cell = frame->rest->cells[touch->place.cell];
             Vec<2> v = Vec<2>::Zero();
             for (int k = 0; k < 3; ++k) v += touch->place.weights[k] * velocity.col(cell[k]);
-            // The view may show the domain turned over.
+            // The view may show the domain mirrored.
             const Vec<2> step = v / fastest * surface.pixelSize(touch->point) * marked(kLong);
             const QPointF way = surface.toWidget(touch->point + step) - surface.toWidget(touch->point);
             if (std::hypot(way.x(), way.y()) >= marked(kShort)) paintArrow(painter, QPointF(x, y), way);

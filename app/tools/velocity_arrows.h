@@ -6,8 +6,7 @@
 
 namespace wend {
 
-/// Arrows on a grid of the screen: where the shape goes at the time that is shown, and how fast against the
-/// fastest part of it, whose arrow is the longest.
+/// Draws arrows on a screen grid for the velocity at the shown time, relative to the largest one.
 void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2>& velocity,
                          const QSize& size);
 

@@ -153,7 +153,7 @@ void CompareView::join() {
     emit splitChanged(false);
 }
 
-/// What has the keys is about to go.
+/// Moves the focus before the focused half is removed.
 void CompareView::focusOwn() {
     SolidCanvas* solid = m_parts.solid();
     const bool space = m_parts.session.document().dimension() == 3 && solid;
@@ -174,7 +174,7 @@ void CompareView::makeSolid() {
     emit solidMade(m_solid);
 }
 
-/// Of the shape that is worked on, at the same place of its view.
+/// Returns whether a pin of the edited shape is at that place of its view.
 bool CompareView::isOnPin(const QPointF& at) const {
     const SolidCanvas* own = m_parts.solid();
     const bool isFlat = m_parts.session.document().dimension() == 2;
@@ -182,8 +182,8 @@ bool CompareView::isOnPin(const QPointF& at) const {
     return tool && tool->wants(at);
 }
 
-/// Both halves show the same part in the same size, and the pins are at the same places: a drag that begins
-/// on one in the other half goes on in the first.
+/// Both halves show the same part at the same scale with pins at the same places, so a drag of a pin in the
+/// other half is forwarded to the first.
 bool CompareView::eventFilter(QObject* watched, QEvent* event) {
     const auto type = event->type();
     const bool moves = type == QEvent::MouseMove, presses = type == QEvent::MouseButtonPress;
@@ -244,7 +244,7 @@ void CompareView::preview(double phi) {
     takeFrame();
 }
 
-/// Until it is there the shape stays as it is.
+/// Keeps the shape until the comparison has its own.
 void CompareView::takeFrame() {
     const FramePtr frame = m_previews ? m_comparison.frame() : FramePtr();
     m_parts.picture.viewport().set(&Looks::standIn, frame && frame->dimension == 2 ? frame : FramePtr());
@@ -254,7 +254,7 @@ void CompareView::takeFrame() {
     showHeads();
 }
 
-/// It shows the shape as it is until it has its own.
+/// Shows the shape itself until the other half has its own.
 void CompareView::showOtherHalf() {
     if (!m_split) return;
     const FramePtr own = m_comparison.other().frame() ? FramePtr() : m_parts.session.frame();

@@ -13,9 +13,8 @@ namespace wend {
 class ShapeCanvas;
 class SolidCanvas;
 
-/// The page of the shape, and beside it, while two are compared, the same with another energy or unpainted:
-/// the same part of it, at the same time. Above both stands what is kept, and what that changed. Pins are
-/// dragged in either half.
+/// The page of the shape, and beside it during a comparison the same view with another energy or without
+/// paint. Both halves state the energy and the resulting change. Pins can be dragged in either.
 class CompareView : public QWidget {
     Q_OBJECT
 
@@ -36,10 +35,10 @@ class CompareView : public QWidget {
     SolidCanvas* solid() { return m_solid; }
 
   public slots:
-    /// Beside it with that energy; with none, with nothing painted.
+    /// Starts a comparison with that energy, or without paint if none is given.
     void split(std::optional<double> phi);
     void join();
-    /// While the pointer rests on an energy the shape is shown as that bends it. NaN: no longer.
+    /// Previews an energy while the pointer rests on it. NaN ends the preview.
     void preview(double phi);
 
   signals:

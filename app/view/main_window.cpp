@@ -117,13 +117,13 @@ MainWindow::MainWindow(QWidget* parent)
     showDocument();
 }
 
-/// The first size: what is comfortable, but no more than the screen has, with room for the frame.
+/// Sets the initial size: comfortable, but within the screen and its frame.
 void MainWindow::fitToScreen() {
     constexpr QSize kComfortable(1280, 860), kFrame(8, 40);
     resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
 }
 
-/// A field that goes takes the number that is being typed in it, while there is a document for it.
+/// A hidden field applies the number being typed, so hide while the document exists.
 MainWindow::~MainWindow() {
     hide();
 }
@@ -159,7 +159,7 @@ void MainWindow::makeToolBars() {
     setContextMenuPolicy(Qt::NoContextMenu);
 }
 
-/// Those of the current step.
+/// Shows the tools of the current step.
 void MainWindow::showTools() {
     const QList<QAction*> tools = m_tools->toolsOf(m_tools->mode());
     if (m_toolBar->actions() == tools) return;
@@ -305,7 +305,7 @@ void MainWindow::connectView() {
     });
 }
 
-/// Of pictures, or of solids.
+/// Connects a viewport of pictures or solids.
 void MainWindow::connectViewport(Viewport& view) {
     connect(&view, &Viewport::hintChanged, m_fields, &StatusFields::setHint);
     connect(&view, &Viewport::hintChanged, m_curves, &CurveActions::refresh);
@@ -348,7 +348,7 @@ void MainWindow::showDocument() {
     showTitle();
 }
 
-/// With OpenGL in it the window is made anew, by Qt: it says where it is, so that it is not placed afresh.
+/// Qt recreates the window for OpenGL; the attribute keeps its position.
 void MainWindow::addSolidPage() {
     setAttribute(Qt::WA_Moved);
     m_pages->addWidget(m_solids->page());

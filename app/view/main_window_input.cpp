@@ -48,8 +48,7 @@ void MainWindow::focusView() {
     m_pages->currentWidget()->setFocus();
 }
 
-/// What vanishes while it has the keyboard, a banner's button or a panel's field, gives it to the view: Qt
-/// takes whatever comes next.
+/// Moves the focus to the view when the focused widget is hidden: Qt would choose an arbitrary one.
 void MainWindow::followFocus(const QWidget* from, const QWidget* to) {
     if (isAncestorOf(from) && isAncestorOf(to) && !from->isVisibleTo(this)) focusView();
 }
@@ -92,7 +91,7 @@ void MainWindow::showTitle() {
     setWindowModified(document.isModified());
 }
 
-/// Where a tool bar is too short Qt shows a button of its own for what is left out.
+/// Styles the button that Qt adds to a tool bar that is too short.
 void MainWindow::showMoreArrows() {
     for (QToolBar* bar : {m_topBar, m_toolBar})
         if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {

@@ -39,7 +39,7 @@ namespace {
 constexpr int kNarrow = 288, kUsual = 304, kWide = 360;  // of the panels
 constexpr int kUsualWindow = 1500, kWideWindow = 3000;   // from that width on
 constexpr int kPins = 280;                               // a column of their own, in a wide window
-constexpr int kSelection = 264;                          // the room for what is selected
+constexpr int kSelection = 264;                          // reserved height of the selection
 
 constexpr Modes kShaping = Mode::Mesh | Mode::Pins | Modes(Mode::Paint) | Modes(Mode::Animate);
 
@@ -103,7 +103,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
     arrange();
 }
 
-/// In their order from the top.
+/// Adds the panels from top to bottom.
 void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& actions) {
     const Modes posing = Mode::Pins | Mode::Animate;
     put(m_surface, tr("Surface"), "volume", {.modes = Modes::all(), .flat = false});
@@ -171,7 +171,7 @@ bool Properties::isDue(const When& when) const {
     return when.modes.has(m_tools.mode()) || (when.on && when.on->isChecked());
 }
 
-/// What matters most in a step stands at its top; what a tool brings within the step is brought into view.
+/// A new step starts at the top; within a step the panel of a new tool is scrolled into view.
 void Properties::arrange() {
     const bool isNewStep = std::exchange(m_mode, m_tools.mode()) != m_tools.mode();
     if (isNewStep) m_scroll->verticalScrollBar()->setValue(0);
@@ -198,8 +198,8 @@ std::vector<Properties::Section> Properties::sections() const {
     return all;
 }
 
-/// A panel comes and goes by itself, too. What is selected keeps the room that it once had, or what is below
-/// would jump.
+/// Panels also show and hide themselves. The height for the selection stays reserved, so that what is below
+/// does not jump.
 bool Properties::eventFilter(QObject* watched, QEvent* event) {
     auto& part = static_cast<QWidget&>(*watched);
     if (event->type() == QEvent::LayoutRequest && part.objectName() == QStringLiteral("selectionArea"))
@@ -209,7 +209,7 @@ bool Properties::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// At the top, as far as there is enough below it; once it has its place.
+/// Scrolls a section to the top as far as possible, once the layout is done.
 void Properties::showSection(QWidget& section) {
     if (!m_content->isAncestorOf(&section)) return;
     QTimer::singleShot(0, &section, [this, &section] {

@@ -32,9 +32,9 @@ class SizePanel;
 class SurfacePanel;
 class Toolbox;
 
-/// The panels at the right: what is kept on top and always to be seen; below it those of the current step, of
-/// the selection, and the numbers for those who want them, closed at first. Nothing jumps when a selection
-/// changes: what comes and goes has its room, or comes below.
+/// The panels on the right: the energy on top, always visible; below it those of the step and of the
+/// selection, and the advanced numbers, folded at first. Nothing jumps when the selection changes: its height
+/// is reserved.
 class Properties : public QWidget {
     Q_OBJECT
 
@@ -54,15 +54,15 @@ class Properties : public QWidget {
     SurfacePanel& surface() { return *m_surface; }
     PinList& pins() { return *m_pins; }
 
-    /// As wide as a window of that width has room for. Where it has much, the pins stand beside the rest.
+    /// Sets the width for a window's width. In wide windows the pins get a column of their own.
     void fitTo(int windowWidth);
-    /// A part of the properties, as it is called where they are not seen.
+    /// A section of the side panel, with the name that the rail shows.
     struct Section {
         QString name;
         const char* icon;
         QWidget* place;
     };
-    /// Those that are shown in this step, from the top.
+    /// Returns the sections of this step from the top.
     std::vector<Section> sections() const;
     /// Brings a section into view.
     void showSection(QWidget& section);
@@ -70,7 +70,7 @@ class Properties : public QWidget {
     void showCutWhile(const QAction& on);
 
   signals:
-    /// A field has taken what was typed: the keyboard is for the view again.
+    /// Emitted after a field has applied its text, to return the focus to the view.
     void done();
     void sectionsChanged();
 
@@ -78,7 +78,7 @@ class Properties : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    /// When a panel is shown.
+    /// The condition under which a panel is shown.
     struct When {
         Modes modes;
         bool flat = true, solid = true;
@@ -102,7 +102,7 @@ class Properties : public QWidget {
     void putPinsBeside(bool beside);
 
     const Toolbox& m_tools;
-    Mode m_mode = Mode::Pins;  // whose panels are shown
+    Mode m_mode = Mode::Pins;  // the current step
     MaterialPanel* m_material;
     ReachRow* m_reach;
     MeshPanel* m_mesh;
@@ -119,7 +119,7 @@ class Properties : public QWidget {
     SurfacePanel* m_surface;
     PinList* m_pins;
     FoldingSection* m_advanced;
-    QWidget *m_content, *m_beside;  // what scrolls, and the pins in a wide window
+    QWidget *m_content, *m_beside;  // the scrolled column, and the pins in a wide window
     QVBoxLayout* m_column;
     QScrollArea* m_scroll;
     std::vector<Place> m_places;

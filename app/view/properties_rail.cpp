@@ -53,7 +53,7 @@ QToolButton* PropertiesRail::buttonOf(QWidget& section) {
     return button;
 }
 
-/// Those that belong to the step, in the order in which they stand.
+/// Shows a button for each section of the step, in their order.
 void PropertiesRail::showSections() {
     for (const auto& [section, button] : m_buttons) button->hide();
     int place = 0;
@@ -72,7 +72,7 @@ void PropertiesRail::fitTo(int windowWidth) {
     arrange();
 }
 
-/// Where there is no room for them they come over the view, for now; otherwise it is a wish for other days.
+/// In a narrow window the panels open over the view for now; otherwise the choice is stored.
 void PropertiesRail::take(bool shown) {
     if (m_narrow) {
         const auto sections = m_properties.sections();
@@ -97,7 +97,7 @@ void PropertiesRail::open(QWidget& section) {
     arrange();
     m_properties.raise();
     m_properties.showSection(section);
-    m_properties.setFocus(Qt::PopupFocusReason);  // Tab goes to its first field
+    m_properties.setFocus(Qt::PopupFocusReason);  // so that Tab moves to its first field
 }
 
 void PropertiesRail::openAtSurface() {
@@ -129,7 +129,7 @@ void PropertiesRail::arrange() {
     m_shown.setChecked(m_open || !isCollapsed());
 }
 
-/// In the place of the rail, or at its left.
+/// Places the panels over the rail, or left of it.
 void PropertiesRail::place() {
     const int left = isCollapsed() ? x() - m_properties.width() : x();
     m_properties.setGeometry(left, y(), m_properties.width(), height());
@@ -148,7 +148,7 @@ bool PropertiesRail::closesBy(const QWidget& widget, const QEvent& press) {
     return m_swallows;
 }
 
-/// A click on the view closes them, and does nothing else; one on a bar does what it does.
+/// A click on the view only closes the panels; a click on a bar works as usual.
 bool PropertiesRail::eventFilter(QObject* watched, QEvent* event) {
     const auto* widget = qobject_cast<const QWidget*>(watched);
     if (!widget) return false;

@@ -11,26 +11,25 @@ namespace wend {
 
 class Properties;
 
-/// Where the properties stand at the right of the window. In a narrow window, or when the user wants the room
-/// for the shape, a rail with a button for each section is left of them: a click opens them over the view,
-/// beside the rail, until one clicks elsewhere or presses Esc.
+/// The area of the side panel. In a narrow window, or if the user hides the panels, it is a rail with a
+/// button per section: a click opens the panels over the view until a click elsewhere or Esc.
 class PropertiesRail : public QWidget {
     Q_OBJECT
 
   public:
     static constexpr int kWidth = 44;
 
-    /// `shown` is checked while the properties are to be seen.
+    /// `shown` is checked while the panels are to be visible.
     PropertiesRail(Properties& properties, QAction& shown, QWidget* parent);
 
-    /// As wide as a window of that width has room for.
+    /// Adapts to the width of the window.
     void fitTo(int windowWidth);
     bool isCollapsed() const { return m_narrow || !m_wanted; }
-    /// Over the view.
+    /// Returns whether the panels are open over the view.
     bool isOpen() const { return m_open; }
-    /// At a section.
+    /// Opens the panels at a section.
     void open(QWidget& section);
-    /// At what is wrong with a surface.
+    /// Opens the panels at the surface's faults.
     void openAtSurface();
     void close();
 
@@ -62,7 +61,7 @@ class PropertiesRail : public QWidget {
     std::map<QWidget*, QToolButton*> m_buttons;
     QWidget* m_section = nullptr;  // that is open
     bool m_narrow = false, m_wanted = true, m_open = false;
-    bool m_swallows = false;  // the rest of the click that has closed them
+    bool m_swallows = false;  // ignores the rest of the click that closed the panels
 };
 
 }  // namespace wend

@@ -118,7 +118,7 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     connect(m_actions.orthographic, &QAction::toggled, canvas, &VolumeView::setOrthographic);
 }
 
-/// From where, and how the mouse turns the view.
+/// Connects viewpoints and mouse navigation.
 void SolidWorkshop::connectNavigation() {
     SolidActions& a = m_actions;
     using Axis = Camera::Axis;
@@ -230,7 +230,7 @@ void SolidWorkshop::showCut() {
 void SolidWorkshop::holdBeyondCut() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
-    if (frame->pose == frame->rest->points) {  // where it is at rest it may be a region
+    if (frame->pose == frame->rest->points) {  // at rest it can be a region
         const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
         if (!verticesInside<3>(half, *frame->rest).empty())
             m_around.session.addHandle<3>(half, tr("Region").toStdString());

@@ -17,8 +17,8 @@ class SolidCanvas;
 class SurfaceCheck;
 class Viewport;
 
-/// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL)
-/// and what is done to it.
+/// The window's support of solids: their view (made for the first solid, since it needs OpenGL) and their
+/// commands.
 class SolidWorkshop : public QObject {
     Q_OBJECT
 
@@ -35,21 +35,21 @@ class SolidWorkshop : public QObject {
     /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
-    /// What belongs to the solid's mesh, when the tools for solids are there.
+    /// Shows the domain's panels once the tools for solids exist.
     void showDomain();
-    /// Another tool, or another step: what is worked on is seen.
+    /// Returns to the solid after a change of tool or step.
     void takeUpTool();
     /// Asks for size and name and writes the view as a picture.
     void exportView();
     /// The solid from where the view looks, as files get it: without map and cut. Null without one.
     QImage smallView(const QSize& size);
-    /// What is seen of the solid, in one canvas or in both halves.
+    /// Connects the view options of a canvas, for both halves.
     void connectLooks(wend::SolidCanvas* canvas);
     /// Asked before a file is written.
     void setMayReplace(std::function<bool(const QString&)> may) { m_mayReplace = std::move(may); }
     /// The page of the window; null before the first solid.
     QWidget* page() const { return m_page; }
-    /// Null where OpenGL is missing.
+    /// Returns null if OpenGL is missing.
     SolidCanvas* canvas() const { return m_canvas; }
 
   signals:

@@ -35,7 +35,7 @@ TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& picture,
     connect(&m_coarse, &ShapeSession::busyChanged, this, &TilePictures::take);
 }
 
-/// Of a mesh that comes from a file there is no coarser one.
+/// There is no coarser mesh for a mesh from a file.
 bool TilePictures::isPossible() const {
     if (m_session.document().isEmpty() || !m_session.frame() || m_session.playback().end() <= 0) return false;
     const DomainKind kind = m_session.document().domain().kind;
@@ -92,7 +92,7 @@ void TilePictures::ask() {
 
 void TilePictures::take() {
     if (!m_running || m_coarse.isBusy()) return;
-    if (!m_coarse.frame()) {  // it cannot be: the window tells why
+    if (!m_coarse.frame()) {  // failed: the window reports it
         m_running = false;
         m_done = true;
         return m_tiles.setPictures({});
@@ -108,7 +108,7 @@ QPixmap TilePictures::drawn(const FramePtr& frame) {
     return frame->dimension == 2 ? drawnFlat(frame) : drawnSolid(static_cast<const PosedFrame<3>&>(*frame));
 }
 
-/// From where the view looks.
+/// Draws from the view's direction.
 QPixmap TilePictures::drawnSolid(const PosedFrame<3>& frame) {
     const double ratio = m_tiles.devicePixelRatioF();
     QPixmap picture = QPixmap::fromImage(m_view.draw(*m_solid(), frame, EnergySlider::pictureSize() * ratio));

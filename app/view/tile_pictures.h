@@ -13,9 +13,9 @@ class EnergySlider;
 class ShapeCanvas;
 class SolidCanvas;
 
-/// Shows on the tiles of the energies what each makes of the user's own shape: computed on a coarse mesh, of
-/// a solid in a coarse cage, one after the other, once nothing has changed for a while. Before anything
-/// moves, and for shapes of which there is no coarse mesh, the tiles show a sample.
+/// Computes the effect of each energy on the user's shape for the tiles: on a coarse mesh, of a solid in a
+/// coarse cage, one after the other, once nothing has changed for a while. Before anything moves, and for
+/// shapes without a coarse mesh, the tiles show a sample.
 class TilePictures : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ class TilePictures : public QObject {
     /// `solid`: the view of solids, null before the first one.
     TilePictures(ShapeSession& session, const ShapeCanvas& picture, std::function<SolidCanvas*()> solid,
                  EnergySlider& tiles);
-    /// Those that are there are of what is shown.
+    /// Returns whether the pictures match the shown shape.
     bool isDone() const { return m_done; }
 
   private:

@@ -46,8 +46,7 @@ ViewLooks::ViewLooks(const Parts& parts, QWidget* window) : QObject(window), m_p
     connectHiding(*window);
 }
 
-/// By a tile that is dragged to the shape, or with the energy beside the one that is chosen; the pointer on a
-/// tile is enough for a look.
+/// A comparison starts by a tile dragged to the shape, or by the action; hovering a tile previews it.
 void ViewLooks::connectComparison() {
     EnergySlider& tiles = *m_parts.properties.material().energySlider();
     CompareView& compared = m_parts.compared;
@@ -65,7 +64,7 @@ void ViewLooks::connectComparison() {
         m_parts.session, m_parts.picture, [this] { return m_parts.solids.canvas(); }, tiles);
 }
 
-/// Pins and maps hide for good or while a key is held; so the shape is seen as it was before, without them.
+/// Connects hiding of overlays and showing the rest shape, by switches or by held keys.
 void ViewLooks::connectHiding(QWidget& window) {
     const Actions& a = m_parts.actions;
     auto* bare = new HeldKey(Qt::Key_H, window);

@@ -15,12 +15,12 @@ class SolidWorkshop;
 class Viewport;
 struct Looks;
 
-/// A view shows from now on what the actions and the map's panel say, or a single switch.
+/// Makes a view follow the view actions and the map's panel, or a single switch.
 void followLooks(Viewport& view, const Actions& actions, const DistortionPanel& map);
 void followLook(Viewport& view, const QAction* action, bool Looks::*look);
 
-/// What is seen of the shape, by the actions and panels that say so: mesh, map, marks, in one view or in both
-/// halves of a comparison; pins and maps hidden, and the shape as it was before.
+/// Connects view options with the actions and panels that set them, for one view or both halves of a
+/// comparison.
 class ViewLooks : public QObject {
     Q_OBJECT
 

@@ -22,7 +22,7 @@ Workspace::Workspace(const Parts& parts)
               &parts.crop,
               [select = parts.actions.selectTool] { select->trigger(); }} {
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
-    // Who chooses how to select wants to select; beside pins the tool that sets them does so, too.
+    // Choosing a marquee shape activates the select tool, unless the pin tool is active.
     for (const QAction* action : {parts.pins.selectRectangle, parts.pins.selectLasso, parts.pins.selectBrush})
         connect(action, &QAction::triggered, this, [this] {
             if (!m_parts.tools.isChosen("pin")) m_parts.actions.selectTool->trigger();
@@ -81,7 +81,7 @@ void Workspace::showMap() {
     map ? m_map.show(*map) : m_map.end();
 }
 
-/// Of what is open; null for solids where OpenGL is missing.
+/// Returns the viewport of the open document; null for solids without OpenGL.
 Viewport* Workspace::viewport() const {
     if (m_parts.tools.dimension() != 3) return &m_parts.picture.viewport();
     SolidCanvas* solid = m_parts.solids.canvas();

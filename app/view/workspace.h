@@ -18,7 +18,7 @@ class SolidWorkshop;
 class Toolbox;
 class Viewport;
 
-/// Gives the chosen tool to the view of what is open, picture or solid. A tool is made when it is first used.
+/// Connects the active tool with the view of the open document. Tools are made on first use.
 class Workspace : public QObject {
     Q_OBJECT
 

@@ -7,7 +7,7 @@ namespace wend {
 namespace {
 
 constexpr double kParallel = 1e-6;  // sine of the angle below which two directions are one
-constexpr double kSameArm = 1e-9;   // of the way between the neighbours
+constexpr double kSameArm = 1e-9;   // fraction of the distance between the neighbours
 constexpr double kMinShare = 0.02;  // of a piece that two are joined to
 
 /// The directions at a joint, both as they are travelled.
@@ -55,13 +55,13 @@ Arms<Dim> alignedArms(const std::vector<Vec<Dim>>& points, int joint) {
     const double in = arms.in.norm(), out = arms.out.norm();
     if (in == 0 || out == 0) return own;
     Vec<Dim> mean = arms.in / in + arms.out / out;
-    if (mean.norm() < kParallel) mean = own.in;  // they turn back
+    if (mean.norm() < kParallel) mean = own.in;  // opposite directions
     if (mean.norm() == 0) return arms;
     mean.normalize();
     return {in * mean, out * mean};
 }
 
-/// How the length of two pieces is shared at the joint between them: of a chain that was split, where.
+/// Returns the position of the joint at which a chain was split: the first piece's share of the length.
 template <int Dim>
 double shareAt(const std::vector<Vec<Dim>>& points, int joint) {
     const Arms<Dim> arms = armsOf<Dim>(points, joint);

@@ -8,30 +8,31 @@
 
 namespace wend {
 
-/// How the two directions at an inner joint of a Bézier chain go together. Nothing of it is stored: a joint
-/// whose directions are opposite is aligned, and automatic if they also are what automaticArms() says.
+/// Relation of the two directions at an inner joint of a Bézier chain. It is not stored: a joint with
+/// opposite directions is aligned, and automatic if they also equal automaticArms().
 enum class JointKind { Free, Aligned, Automatic };
 
 /// The joint (0, 1, … k) that a control point of a chain of 3k + 1 is or belongs to.
 inline int jointOf(int point) {
     return (point + 1) / 3;
 }
-/// True for joints that have a direction on either side.
+/// Returns whether the joint has a direction on either side.
 template <int Dim>
 bool isInnerJoint(const std::vector<Vec<Dim>>& points, int joint) {
     return joint > 0 && 3 * joint + 1 < static_cast<int>(points.size());
 }
 
-/// Of every joint; the ends, with one direction each, count as free.
+/// Returns the kind of every joint; ends have one direction and count as free.
 template <int Dim>
 std::vector<JointKind> jointKinds(const std::vector<Vec<Dim>>& points);
-/// The chain with other directions at an inner joint. Aligned: both turn to their mean and keep their
-/// lengths. Automatic: along the line through the neighbouring joints, a third as long as the way to each.
+/// Returns the chain with another kind of inner joint. Aligned: both directions rotate to their mean and keep
+/// their lengths. Automatic: parallel to the line through the neighbouring joints, a third of the distance to
+/// each.
 template <int Dim>
 std::vector<Vec<Dim>> withJointKind(std::vector<Vec<Dim>> points, int joint, JointKind kind);
 
-/// The chain after a control point was moved. A joint takes its directions along, automatic joints beside it
-/// follow; a direction turns the other one of a joint that is not free.
+/// Returns the chain after a control point was moved. A joint carries its directions along, and automatic
+/// neighbours adapt; a direction rotates the opposite one unless the joint is free.
 template <int Dim>
 std::vector<Vec<Dim>> withMovedPoint(std::vector<Vec<Dim>> points, const std::vector<JointKind>& kinds,
                                      int point, const Vec<Dim>& by);
@@ -40,8 +41,8 @@ std::vector<Vec<Dim>> withMovedPoint(std::vector<Vec<Dim>> points, const std::ve
 /// changes: every piece takes the same share.
 template <int Dim>
 std::vector<Vec<Dim>> splitBezier(const std::vector<Vec<Dim>>& points, int piece, double v);
-/// The chain without a joint, which must not be the first; its neighbours' directions are lengthened such
-/// that what splitBezier() did is undone exactly. Without the last one the curve ends at the one before.
+/// Returns the chain without a joint, which must not be the first. The neighbours' directions are lengthened
+/// such that this exactly reverts splitBezier(). Without the last joint the curve ends at the one before.
 template <int Dim>
 std::vector<Vec<Dim>> withoutJoint(std::vector<Vec<Dim>> points, int joint);
 
@@ -51,22 +52,22 @@ struct DrawnJoint {
     Vec<Dim> at;
     Vec<Dim> out = Vec<Dim>::Zero(), in = Vec<Dim>::Zero();  // of a corner
 };
-/// The chain through two joints or more. Where a joint has no direction, it gets one of a third of the way to
-/// what is there: a motion does not rest in it.
+/// Returns the chain through at least two joints. A missing direction becomes a third of the distance to the
+/// neighbour, so that the motion does not stop there.
 template <int Dim>
 std::vector<Vec<Dim>> bezierThrough(const std::vector<DrawnJoint<Dim>>& joints);
 
 /// The curve that a motion follows, as pieces in the order of its points.
 template <int Dim>
 Curve<Dim> curveOf(const CurveMotion<Dim>& motion);
-/// The piece that begins at a point, or that it lies in; the last one for the end.
+/// Returns the piece that starts at a point or contains it; the last piece for the end.
 template <int Dim>
 int pieceBehind(const CurveMotion<Dim>& motion, int point);
 /// A point more at v of a piece: exactly on the curve; a spline's shape changes a little.
 template <int Dim>
 CurveMotion<Dim> withPointOn(CurveMotion<Dim> motion, int piece, double v);
-/// Without a point (of a Bézier chain: without the joint that it belongs to); nothing if it is the first, or
-/// if too few would be left.
+/// Returns the curve without a point (of a Bézier chain, without its joint); nothing for the first point, or
+/// if too few would remain.
 template <int Dim>
 std::optional<CurveMotion<Dim>> withoutPoint(CurveMotion<Dim> motion, int point);
 

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// One gesture: the project before and after it. Redo and undo set the value, so doing either twice changes
-/// nothing. Commands of the same merge key that follow each other become one.
+/// An undo command with the project before and after a gesture. Undo and redo set the value, so repeating
+/// either has no effect. Consecutive commands with the same merge key merge.
 class ProjectCommand : public QUndoCommand {
   public:
     ProjectCommand(Document& document, const QString& name, std::shared_ptr<const Project> before,

@@ -7,17 +7,17 @@
 
 namespace wend {
 
-/// The curve that a handle follows at the end, if its last motion is one that goes anywhere; null otherwise.
+/// Returns the curve of a handle's last motion, or null if that is not a curve.
 template <int Dim>
 CurveMotion<Dim>* lastCurve(Design<Dim>& design, int handle);
 template <int Dim>
 const CurveMotion<Dim>* lastCurve(const Design<Dim>& design, int handle);
 
-/// True if the last motion of the handle is a stroke or a translation.
+/// Returns whether the handle's last motion is a stroke or a translation.
 template <int Dim>
 bool canBecomeCurve(const Design<Dim>& design, int handle);
-/// That motion as a Bézier curve through its ends, with the directions and the sway that it had. `end` is
-/// where the handle is after it. Nothing if it cannot become one.
+/// Converts that motion to a Bézier curve through its ends, with its directions and bulge. `end` is the
+/// handle's place after it. Returns nothing if it cannot be converted.
 template <int Dim>
 std::optional<Design<Dim>> withCurve(const Design<Dim>& design, int handle, const Vec<Dim>& end);
 

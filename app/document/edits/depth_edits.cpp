@@ -21,7 +21,7 @@ bool hides(const std::vector<Ball<2>>& balls, const DepthRegion& region) {
            });
 }
 
-/// How far a place is from the nearest point of another handle.
+/// Returns the distance of a place from the nearest point of another handle.
 double nearestOther(const std::vector<Handle<2>>& handles, int handle, const Vec<2>& p) {
     double nearest = std::numeric_limits<double>::infinity();
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
@@ -34,7 +34,8 @@ double nearestOther(const std::vector<Handle<2>>& handles, int handle, const Vec
     return nearest;
 }
 
-/// What a handle brings along: its own region, or a circle around its points; nothing for vertices.
+/// Returns the regions that get a handle's depth: its own region, or discs around its points; none for
+/// vertices.
 std::vector<Region<2>> shapesOf(const std::vector<Handle<2>>& handles, int handle, double size) {
     const Placement<2>& at = handles[handle].at;
     if (const auto* region = std::get_if<Region<2>>(&at)) return {*region};

@@ -44,7 +44,7 @@ double lengthOf(const CurveMotion<Dim>& motion, double arm) {
     return lengthOf<Dim>(line) + arm * (std::abs(motion.scale - 1) + std::abs(motion.twist));
 }
 
-/// How far the points lie from their middle, in the mean.
+/// Returns the mean distance of the points from their centroid.
 template <int Dim>
 double armOf(const std::vector<Vec<Dim>>& points) {
     Vec<Dim> middle = Vec<Dim>::Zero();
@@ -54,7 +54,7 @@ double armOf(const std::vector<Vec<Dim>>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-/// What a handle turns and grows at: half the size of its region.
+/// Returns the lever arm of a handle's rotation and scaling: half the size of its region.
 template <int Dim>
 double armOf(const Handle<Dim>& handle, double arm) {
     if (const auto* points = std::get_if<std::vector<Vec<Dim>>>(&handle.at)) return armOf<Dim>(*points);
@@ -71,7 +71,7 @@ double armOf(const Handle<Dim>& handle, double arm) {
     return arm;
 }
 
-/// The part of a motion's window, and so of its way, that lies between two times.
+/// Returns the share of a motion's duration, and so of its path, between two times.
 template <int Dim>
 double shareOf(const Motion<Dim>& motion, double from, double to) {
     const double common = std::min(motion.end, to) - std::max(motion.start, from);
@@ -136,7 +136,7 @@ CurveMotion<Dim> upTo(const CurveMotion<Dim>& motion, double u) {
     return result;
 }
 
-/// An ease that is cut in its course is none of the four; `in` alone stays what it is.
+/// A cut easing is none of the four; only `in` stays valid.
 template <int Dim>
 Motion<Dim> endedAt(const Motion<Dim>& motion, double time) {
     const double u = ease(motion.ease, (time - motion.start) / (motion.end - motion.start));
@@ -149,12 +149,12 @@ Motion<Dim> endedAt(const Motion<Dim>& motion, double time) {
     return result;
 }
 
-/// Not by rounding alone: such a time is the other one, and what follows begins there.
+/// Compares times without rounding: nearly equal times count as equal.
 bool isAfter(double a, double b) {
     return a > b && !sameTime(a, b);
 }
 
-/// Of the rhythm of the hand that it was recorded with: how far its times are from its way, as parts of both.
+/// Returns how far a recorded rhythm is from uniform speed, as fractions of time and path.
 template <int Dim>
 double unevenness(const Motion<Dim>& motion) {
     const auto* stroke = std::get_if<Recorded<Dim>>(&motion.kind);
@@ -168,13 +168,13 @@ double unevenness(const Motion<Dim>& motion) {
     return worst;
 }
 
-/// What moves from one time to another, together.
+/// An interval in which motions run together.
 struct Stretch {
     double start = 0, end = 0, pace = 0;
     auto operator<=>(const Stretch&) const = default;
 };
 
-/// In the order of their beginnings. Where the shape relaxes it has no pace.
+/// Returns the intervals in order of their starts. Relaxations have no pace.
 template <int Dim>
 std::vector<Stretch> stretchesOf(const Project& project) {
     std::vector<Stretch> stretches;
@@ -206,7 +206,7 @@ bool hasOwnTiming(const Project& project) {
     for (const Stretch& one : stretchesOf<Dim>(project)) {
         if (std::abs(one.start - at) > kSeen * project.end) return true;
         at = one.end;
-        // One that is so short may have been given more time than its way is due.
+        // Such short intervals may have been lengthened to the minimum.
         if (one.pace == 0 || one.end - one.start < kSeen * project.end) continue;
         slowest = std::min(slowest, one.pace);
         fastest = std::max(fastest, one.pace);

@@ -5,25 +5,24 @@
 
 namespace wend {
 
-/// The clock of a film has nothing to do with posing: a film has a length of its own, and gestures share it
-/// in proportion to the way that they go. All functions are pure.
+/// The timing of a film is independent of posing: the film has a length, which gestures share in proportion
+/// to their path lengths. All functions are pure.
 
-/// How far a motion goes, in the domain's units; turning and growing count at a radius of `arm`.
+/// Returns the path length of a motion in domain units; rotation and scaling count at the radius `arm`.
 template <int Dim>
 double pathLength(const Motion<Dim>& motion, double arm);
-/// How far the shape is led from one pose to the next, all in all: where handles move at the same time, the
-/// longest way counts. Handles that are points or regions have arms of their own, `arm` is that of all
-/// others.
+/// Returns the total path length from pose to pose: of simultaneous motions the longest counts. Handles that
+/// are points or regions have their own arms; `arm` is that of all others.
 template <int Dim>
 double pathLength(const std::vector<Handle<Dim>>& handles, double arm);
 
-/// Whether somebody has said when things happen: motions rest between each other, overlap, go at unlike
-/// paces, begin or end softly or have the rhythm of a hand. What is only posed follows one another, in
-/// proportion to the ways. To spread the times anew changes what was timed.
+/// Returns whether the user has timed motions: with pauses, overlaps, different speeds, easing or recorded
+/// rhythms. Motions that were only posed follow each other in proportion to their lengths. Respacing would
+/// change what was timed.
 bool hasOwnTiming(const Project& project);
 
-/// What happens up to a time: motions that are under way are cut there, later ones go. Pins that come later
-/// now come at the very end, those that would be let go of later hold on.
+/// Returns the project up to a time: running motions are cut, later ones are removed. Pins that start later
+/// now start at the very end; those that would be released later hold on.
 Project endedAt(const Project& project, double time);
 /// The motions of one handle, cut at a time.
 template <int Dim>

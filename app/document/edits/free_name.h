@@ -20,8 +20,7 @@ std::vector<std::string> namesOf(const Things& things) {
     return names;
 }
 
-/// The places of things that belong together: those of one name; what has none stands alone. In the order of
-/// the first of each.
+/// Groups items of one name, in order of the first of each; items without a name stay separate.
 template <class Things>
 std::vector<std::vector<int>> placesByName(const Things& things) {
     std::vector<std::vector<int>> groups;

@@ -4,11 +4,11 @@
 
 namespace wend {
 
-/// How far a gesture has come, in up to three numbers whose meaning the grip tells.
+/// Amount of a gesture in up to three numbers, which the grip defines.
 using Amount = Vec<3>;
 
-/// How a gesture moves what it holds. Move: by the amount (in the plane without its z). Turn: by amount[0]
-/// radians around the axis through the centre. Grow: by the factor 1 + amount[0] from the centre.
+/// How a gesture moves what it holds. Move: translate by the amount (without z in the plane). Turn: rotate by
+/// amount[0] radians around the axis through the centre. Grow: scale by 1 + amount[0] from the centre.
 struct Grip {
     enum class Kind { Move, Turn, Grow };
     Kind kind = Kind::Move;
@@ -23,7 +23,7 @@ Amount amountOf(const Vec<Dim>& offset) {
     return amount;
 }
 
-/// Where a point is that the grip has carried that far.
+/// Returns a point moved by the grip.
 template <int Dim>
 Vec<Dim> carried(const Grip& grip, const Amount& amount, const Vec<Dim>& start);
 

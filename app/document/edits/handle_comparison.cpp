@@ -79,9 +79,10 @@ bool same(const Motion<Dim>& a, const Motion<Dim>& b) {
     return a.start == b.start && a.end == b.end && a.ease == b.ease && same(a.kind, b.kind);
 }
 
-/// True if the motion is the other one, cut off at its end: until then both are the same. (What slows down
-/// goes evenly when it is cut, and the pieces of a spline get other times. The other way round a state at the
-/// end of the cut one is none of the whole one: the integrator stops there, and steps on over it.)
+/// Returns whether one motion is the other one cut off at its end, so that both agree until then. Not for
+/// decelerating motions, which become linear when cut, nor for splines, whose pieces get other times. The
+/// relation is not symmetric: the integrator stops at the end of the cut motion but not there on the whole
+/// one.
 template <int Dim>
 bool isCutOff(const Motion<Dim>& motion, const Motion<Dim>& whole) {
     const auto* curve = std::get_if<CurveMotion<Dim>>(&whole.kind);
@@ -94,7 +95,7 @@ bool isCutOff(const Motion<Dim>& motion, const Motion<Dim>& whole) {
     return handle.motions.size() == 1 && same(handle.motions[0], motion);
 }
 
-/// Compares a list of handles with another one whose clock goes otherwise.
+/// Compares two lists of handles with different clocks.
 template <int Dim>
 class Comparison {
   public:

@@ -6,23 +6,23 @@
 
 namespace wend {
 
-/// True if both take hold of the same points.
+/// Returns whether both hold the same points.
 template <int Dim>
 bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b);
 
-/// By which factor the times of `b` are those of `a`, judged by the motion that comes first; 1 if nothing
-/// tells. The shape depends on the path, not on the speed: where all else is the same, so are the poses.
+/// Returns the factor from the times of `a` to those of `b`, judged by the first motion; 1 if there is none.
+/// The shape depends on the path and not on the speed, so poses stay valid if all else is equal.
 template <int Dim>
 double timeScale(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b);
 
-/// The first time, by the clock of `b`, from which two lists of handles prescribe something different, where
-/// the times of `a` are multiplied by the scale; infinity if never. −infinity if the rest shape's constraints
-/// themselves differ.
+/// Returns the first time, on the clock of `b`, from which two lists of handles prescribe different
+/// constraints if the times of `a` are multiplied by the scale; infinity if never, −infinity if the
+/// constraints of the rest shape differ.
 template <int Dim>
 double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b,
                        double scale = 1);
 
-/// True if both are one time, but for the rounding of a change of the clock.
+/// Returns whether two times are equal up to the rounding of a change of the clock.
 bool sameTime(double a, double b);
 
 }  // namespace wend

@@ -15,7 +15,7 @@ namespace wend {
 
 namespace {
 
-// Of the film: what a gesture gets at least, however short its way, and what it leaves at least.
+// Minimum fraction of the film that a gesture gets, and that it leaves to others.
 constexpr double kMinShare = 0.002;
 
 template <int Dim>
@@ -39,7 +39,7 @@ std::vector<double> timesByLength(const std::vector<Vec<Dim>>& path, double star
     return times;
 }
 
-/// A stroke's own times go from 0 to 1: its window may be moved.
+/// Times of a stroke run from 0 to 1, so its interval can be moved.
 template <int Dim>
 Motion<Dim> recorded(const Vec<Dim>& from, const std::vector<Amount>& path,
                      const std::vector<double>& times) {
@@ -171,7 +171,7 @@ void letGo(Design<Dim>& design, const std::vector<int>& handles, double time) {
     design.handles = std::move(kept);
 }
 
-/// Motions that follow each other along the path; none where it rests.
+/// Returns consecutive motions along the path; none for pauses.
 template <int Dim>
 std::vector<Motion<Dim>> motionsAlong(const Grip& grip, const std::vector<Amount>& path,
                                       const std::vector<double>& times) {
@@ -193,18 +193,18 @@ double lengthOf(const Gesture& gesture) {
     return gesture.grip.kind == Grip::Kind::Move ? length : gesture.arm * length;
 }
 
-/// When what was before ends and a gesture begins that goes as far as `added`.
+/// Returns the time at which earlier motion ends and a gesture of path length `added` begins.
 double breakpointAfter(double before, double added, double end) {
     return end * std::clamp(before / (before + added), kMinShare, 1 - kMinShare);
 }
 
-/// A project that has room for a gesture, and when that is at each point of its way.
+/// A project with time for a gesture, and the time of each point of its path.
 struct Room {
     Project project;
     std::vector<double> times;
 };
 
-/// By way, at the end: what lies before leaves as much time as is due to it.
+/// Appends the gesture: earlier motion shrinks in proportion to the path lengths.
 template <int Dim>
 Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     const auto timed = [&](Project before, double begin) -> Room {
@@ -218,7 +218,7 @@ Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     return timed(withTimesMoved(std::move(before), gesture.from, breakpoint), breakpoint);
 }
 
-/// Beside what others do, which stays. Its own handles hold as long as they move.
+/// Adds the gesture parallel to the others, which keep their times. Its handles hold as long as they move.
 template <int Dim>
 Room roomBeside(const Project& project, const Gesture& gesture, std::vector<double> times) {
     Room room{project, std::move(times)};

@@ -10,15 +10,15 @@
 
 namespace wend {
 
-/// What a region makes of the material.
+/// Material values of a region.
 template <int Dim>
 struct MaterialPaint {
     std::optional<double> phi;
     std::optional<Stiffness<Dim>> stiffness;
 };
 
-/// Regions of one name belong together: strokes, or what was read. Of the first of them that paints, unless
-/// told otherwise.
+/// Regions of one name: the strokes of a layer, or regions from a file. Values are those of the first region
+/// that paints unless noted.
 template <int Dim>
 struct RegionGroup {
     std::string name;
@@ -33,17 +33,19 @@ struct RegionGroup {
 template <int Dim>
 std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design);
 
-/// How many of the regions, from the first on, are one layer: of one name.
+/// Returns how many regions from the first on belong to one layer: those of the same name.
 template <int Dim>
 std::size_t layerEnd(std::span<const MaterialRegion<Dim>> regions);
-/// Where the regions of a layer begin, of the topmost if there are several; past the end if there is none.
+/// Returns the index of a layer's first region, of the topmost layer if several match; past the end if there
+/// is none.
 template <int Dim>
 std::size_t layerBegin(const Design<Dim>& design, const std::string& name);
-/// Regions on top of the others of their layer; a new layer lies on top of all.
+/// Adds regions on top of their layer; a new layer is added on top of all.
 template <int Dim>
 Design<Dim> withStroke(const Design<Dim>& design, const std::string& layer,
                        std::vector<MaterialRegion<Dim>> regions);
-/// The group of that name with another material; `keepAxes`: what is stiff stays so along its own direction.
+/// Returns the design with another material in the group of that name. `keepAxes`: stiff regions keep their
+/// direction.
 template <int Dim>
 Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
                            const MaterialPaint<Dim>& paint, bool keepAxes = false);
@@ -55,21 +57,21 @@ AnyDesign withPictures(const AnyDesign& design, const std::string& name, const B
                        const MaterialPictures& pictures);
 /// The group's pictures are read again from their files.
 AnyDesign withPicturesReread(const AnyDesign& design, const std::string& name);
-/// What a group can be called: the wish, with a number behind it if another group is called so already.
+/// Returns the wanted name, with a number appended if another group has it.
 std::string freeGroupName(const AnyDesign& design, const std::string& name, const std::string& wish);
 AnyDesign withGroupName(const AnyDesign& design, const std::string& name, const std::string& next);
 /// The group by that many groups further up, where it wins over more of the others; down if negative.
 AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int by);
-/// The group as the upper part of that below it; nothing where that would look otherwise: what is erased in
-/// the upper one would be erased in both, one is hidden, or one is made of pictures.
+/// Merges the group into the one below. Returns nothing if that would change the result: if the upper one
+/// erases, one is hidden, or one consists of pictures.
 std::optional<AnyDesign> withGroupMergedDown(const AnyDesign& design, const std::string& name);
 /// The group without its regions.
 AnyDesign withoutGroup(const AnyDesign& design, const std::string& name);
-/// With what a file says cell by cell, or nothing.
+/// Sets or removes the file of values per cell.
 AnyDesign withCellsFile(const AnyDesign& design, const std::string& file);
 AnyDesign withoutCells(const AnyDesign& design);
 AnyDesign withAllHidden(const AnyDesign& design);
-/// Whether any place of the shape is to be other than the whole.
+/// Returns whether the material of any place differs from that of the whole.
 bool isPainted(const AnyDesign& design);
 
 }  // namespace wend

@@ -13,7 +13,7 @@ template <int Dim>
 void change(Translate<Dim>& move, const Mirror<Dim>& mirror) {
     move.by = mirror.along(move.by);
 }
-/// An axis of rotation is mirrored the other way round: a = −S a for the reflection S.
+/// Mirrors an axis of rotation: a = −S a for the reflection S.
 template <int Dim>
 void change(Rotate<Dim>& rotate, const Mirror<Dim>& mirror) {
     rotate.centre = mirror(rotate.centre);

@@ -10,12 +10,12 @@ struct Mirror {
     int axis = 0;
     double at = 0;
 
-    /// Of a place, and of a direction.
+    /// Mirrors a place, and a direction.
     Vec<Dim> operator()(Vec<Dim> p) const;
     Vec<Dim> along(Vec<Dim> direction) const;
 };
 
-/// What is a mirror image of the motion in every respect: also of how it turns.
+/// Returns the mirror image of the motion, with its rotations.
 template <int Dim>
 Motion<Dim> mirrored(const Motion<Dim>& motion, const Mirror<Dim>& mirror);
 template <int Dim>

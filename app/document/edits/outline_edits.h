@@ -5,8 +5,8 @@
 
 namespace wend {
 
-/// Gives a picture's project an outline of the user's own and takes away the points of pins that lie beside
-/// it, and pins that have none left: so many.
+/// Sets the user's outline of a picture. Removes points of pins outside it, and pins without points. Returns
+/// the number of removed pins.
 int setOutline(Project& project, Outline outline);
 
 }  // namespace wend

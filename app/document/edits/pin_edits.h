@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// What the list of pins changes about handles, none of which moves the shape.
+/// Edits of the pin list, none of which moves the shape.
 
 const HandleTraits& traitsOf(const AnyDesign& design, int handle);
 /// The same change of several handles.
@@ -19,9 +19,9 @@ AnyDesign withTraits(const AnyDesign& design, const std::vector<int>& handles,
 /// These handles and all that are linked with one of them, increasing.
 std::vector<int> withLinked(const AnyDesign& design, std::vector<int> handles);
 bool isLinked(const AnyDesign& design, int handle);
-/// From now on they move together, with all that was linked with one of them.
+/// Links the handles, and everything that was linked to them, to move together.
 AnyDesign withLink(const AnyDesign& design, const std::vector<int>& handles);
-/// Each of them moves alone, and so does one that is left of its link.
+/// Unlinks each of them, and a single remaining partner.
 AnyDesign withoutLink(const AnyDesign& design, const std::vector<int>& handles);
 
 /// The groups in the order of their first handles.

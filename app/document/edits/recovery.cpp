@@ -15,7 +15,8 @@ namespace wend {
 
 namespace {
 
-// Beside each copy NAME.wend lie NAME.ini, which says whose copy it is, and NAME.lock while the program runs.
+// Returns the files beside a copy NAME.wend: NAME.ini, which names its document, and NAME.lock, which exists
+// while the program runs.
 QString besides(const QString& copy, const char* extension) {
     const QFileInfo info(copy);
     return info.dir().filePath(info.completeBaseName() + QLatin1String(extension));
@@ -25,7 +26,7 @@ constexpr auto kPrivate = QFile::ReadOwner | QFile::WriteOwner;
 
 bool isRunning(const QString& copy) {
     QLockFile lock(besides(copy, ".lock"));
-    lock.setStaleLockTime(0);  // a lock is stale when its process is gone, however old it is
+    lock.setStaleLockTime(0);  // a lock is stale only if its process is dead, however old it is
     return !lock.tryLock();
 }
 
@@ -77,7 +78,7 @@ void Recovery::follow() {
     }
 }
 
-/// What is not saved yet is nobody else's, whatever the rights of the file that it will go to.
+/// Unsaved work is private, whatever the permissions of the file that it will be saved to.
 void Recovery::makeFolder() {
     QDir().mkpath(m_folder);
     QFile::setPermissions(m_folder, kPrivate | QFile::ExeOwner);

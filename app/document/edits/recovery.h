@@ -28,15 +28,15 @@ class Recovery : public QObject {
 
   public:
     Recovery(Document& document, const QString& folder, int delayMs = 2000);
-    /// An orderly end: the copy goes.
+    /// Removes the copy: the program ended normally.
     ~Recovery() override;
 
     static QString standardFolder();
-    /// The copies whose program runs no more, the newest first.
+    /// Returns copies whose program no longer runs, newest first.
     static QList<LostWork> lostIn(const QString& folder);
     static void discard(const QString& copy);
 
-    /// Where this document's copy lies, when there is one.
+    /// Returns the path of this document's copy; empty if there is none.
     QString copy() const;
 
   signals:
@@ -57,7 +57,7 @@ class Recovery : public QObject {
     std::unique_ptr<QLockFile> m_lock;
     QTimer m_timer;
     BackgroundWork m_writing;
-    int m_complained = -1;  // the generation of the document whose failure was said
+    int m_complained = -1;  // generation of the document whose failure was reported
 };
 
 }  // namespace wend

@@ -22,7 +22,7 @@ MaterialRegion<2> placeOf(const DepthRegion& region) {
     return {region.name, region.shape, 0, {}, {}};
 }
 
-/// Where the entries of a group are; nowhere if there is no such group.
+/// Returns the indices of a group's entries; none if there is no such group.
 template <class Entry>
 std::vector<int> placesIn(const std::vector<Entry>& regions, int group) {
     const auto groups = placesByName(regions);

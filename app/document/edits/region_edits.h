@@ -9,15 +9,14 @@
 
 namespace wend {
 
-/// Regions of one name belong together: a stroke, or what lies around a pin. One without a name stands alone.
+/// Regions of one name: a stroke, or the surroundings of a pin. Regions without a name stay separate.
 struct NamedRegions {
     std::string name;
     double value = 0;  // of the first: the length of edges against elsewhere, or the order
-    std::vector<MaterialRegion<2>> regions;  // where they lie, and how soft they are
+    std::vector<MaterialRegion<2>> regions;  // their shapes and feathers
 };
 
-// The regions of a picture that are listed: those where its mesh is finer or coarser, SizeRegionIn<2>, and
-// those that lie in front or behind, DepthRegion.
+// The listed regions of a picture: SizeRegionIn<2> for finer or coarser cells, and DepthRegion.
 
 /// Later ones win.
 template <class Entry>

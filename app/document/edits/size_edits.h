@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// Size regions of one name belong together: a stroke. One without a name stands alone.
+/// Size regions of one name: a stroke. Regions without a name stay separate.
 struct SizeGroup {
     std::string name;
     std::vector<int> entries;  // of domain.sizes
@@ -17,10 +17,10 @@ std::vector<SizeGroup> sizeGroups(const Domain& domain);
 
 /// Soft balls (feathered by half of their radius) on top of all others, named "Stroke 1", "Stroke 2" …
 Domain withSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, double factor);
-/// The same in a picture, feathered by as much as is said; what it hides wholly goes.
+/// Adds a stroke in a picture with that feather, and removes strokes that it covers completely.
 Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& balls, double feather,
                           double factor);
-/// One region on top of all others, named "Region 1", "Region 2" …
+/// Adds a region on top of all others, named "Region 1", "Region 2" …
 Domain withSizeRegion(const Domain& domain, const Region<3>& shape, double factor);
 /// The group of that place in sizeGroups() with another factor; the first of it with another shape.
 Domain withSizeFactor(const Domain& domain, int group, double factor);

@@ -10,15 +10,15 @@ namespace wend {
 
 namespace {
 
-/// Calls `edit` with the motions of a handle, of whatever dimension.
+/// Calls `edit` with the motions of a handle, of either dimension.
 template <class Edit>
 AnyDesign edited(AnyDesign design, int handle, const Edit& edit) {
     std::visit([&](auto& own) { edit(own.handles.at(static_cast<std::size_t>(handle)).motions); }, design);
     return design;
 }
 
-/// How far a motion may reach: to those of its handle before and after it that do not go along, and no
-/// further than the handle holds.
+/// Returns the interval in which a motion can be placed: between the other motions of its handle that do not
+/// move along, while the handle holds.
 MotionTime roomOf(const AnyDesign& design, const MotionId& of, const std::vector<MotionId>& along) {
     const auto isLeft = [&](int motion) { return !isAmong(along, {of.handle, motion}); };
     return std::visit(
@@ -32,14 +32,14 @@ MotionTime roomOf(const AnyDesign& design, const MotionId& of, const std::vector
         design);
 }
 
-/// Where an end of the span comes nearest to what is wanted while the other one stays.
+/// Returns the possible end nearest to the wanted one if the other end of the span stays.
 double scaledEnd(const AnyDesign& design, const std::vector<MotionId>& motions, double stays, double end,
                  double wanted) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     double low = -kInfinity, high = kInfinity, shortest = kInfinity;
     for (const MotionId& id : motions) {
         const MotionTime time = timeOf(design, id.handle, id.motion), room = roomOf(design, id, motions);
-        // Where the end would be if a time of the motion came as far as it may.
+        // Returns the end of the span that puts this time of the motion at its limit.
         const auto endFor = [&](double own, double limit) {
             return std::lerp(stays, limit, (end - stays) / (own - stays));
         };

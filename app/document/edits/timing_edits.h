@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// When motions of a film happen: pure functions from a project to the next one. Other motions keep their
-/// times, so the poses on the way change. `handle` and `motion` are indices.
+/// Edits of the times of motions: pure functions from a project to the next. Other motions keep their times,
+/// so poses in between change. `handle` and `motion` are indices.
 
 /// The time window of a motion.
 struct MotionTime {
@@ -19,7 +19,7 @@ struct MotionTime {
 };
 MotionTime timeOf(const AnyDesign& design, int handle, int motion);
 
-/// One of the motions that are put elsewhere together.
+/// A motion to be moved together with others.
 struct MotionId {
     int handle = -1, motion = -1;
     auto operator<=>(const MotionId&) const = default;
@@ -27,25 +27,26 @@ struct MotionId {
 inline bool isAmong(const std::vector<MotionId>& motions, const MotionId& one) {
     return std::find(motions.begin(), motions.end(), one) != motions.end();
 }
-/// From when the first of them begins until the last one ends.
+/// Returns the interval from the first start to the last end.
 MotionTime spanOf(const AnyDesign& design, const std::vector<MotionId>& motions);
-/// A time of motions whose span becomes another one: moved, and scaled.
+/// Maps a time of motions whose span changes: moved and scaled.
 double carried(double time, const MotionTime& from, const MotionTime& to);
-/// The span nearest to the wanted one that they can have: each motion stays between the others of its handle
-/// and within the time that the handle holds, and is at least kShortestMotion long. With one end as it is
-/// they are scaled, else moved. Beyond the end of the film there is room; it becomes longer then.
+/// Returns the possible span nearest to the wanted one: each motion stays between the others of its handle,
+/// within the time that the handle holds, and at least kShortestMotion long. If one end is unchanged they are
+/// scaled, else moved. The span may exceed the film, which becomes longer then.
 inline constexpr double kShortestMotion = 0.02;
 MotionTime fittedSpan(const AnyDesign& design, const std::vector<MotionId>& motions,
                       const MotionTime& wanted);
 Project withMotionSpan(const Project& project, const std::vector<MotionId>& motions,
                        const MotionTime& wanted);
 AnyDesign withMotionEase(const AnyDesign& design, const std::vector<MotionId>& motions, Ease ease);
-/// From when until when a handle holds: −∞ and +∞ where it has no beginning or no end.
+/// Returns the interval in which a handle holds, −∞ or +∞ for an open end.
 MotionTime holdOf(const AnyDesign& design, int handle);
-/// No shorter than its motions. What begins at 0 or before has no beginning then, what ends at the end of the
-/// film or later no end.
+/// Sets that interval, which covers at least the handle's motions. A start at or before 0 and an end at or
+/// after the film's end become open.
 AnyDesign withHold(const AnyDesign& design, int handle, const MotionTime& hold, double filmEnd);
-/// What a handle does later goes on from where the motion would have begun; rotations keep their centre.
+/// Removes motions. Later motions of the handle continue from the start of the removed ones; rotations keep
+/// their centre.
 AnyDesign withoutMotions(const AnyDesign& design, std::vector<MotionId> motions);
 
 }  // namespace wend

@@ -33,7 +33,7 @@ std::pair<double, double> readWindow(const JsonValue& value) {
     return {times[0], times[1]};
 }
 
-/// As a window, but an end may be null: open.
+/// Reads a window whose ends may be null for open.
 template <int Dim>
 void readActive(const JsonValue& value, Handle<Dim>& handle) {
     const std::vector<JsonValue> ends = value.elements();

@@ -13,7 +13,7 @@ std::string escaped(const std::string& key) {
     return text;
 }
 
-/// "a list", "the text "abc"" …: what stands there instead of what was expected.
+/// Describes the value that was found: "a list", "the text "abc"" …
 std::string kindOf(const nlohmann::ordered_json& json) {
     if (json.is_object()) return "an object";
     if (json.is_array()) return "a list";

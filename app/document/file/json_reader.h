@@ -12,12 +12,12 @@
 
 namespace wend {
 
-/// A value in a project with the path that names it in messages: every failure is an InputError
-/// "handles[2].motion[0].points: what is wrong".
+/// A value of a project with its path for messages. Every failure is an InputError such as
+/// "handles[2].motion[0].points: reason".
 class JsonValue {
   public:
     using Json = nlohmann::ordered_json;
-    /// `warnings` hears of unknown keys; `extras` keeps them, relative to where it was set.
+    /// Unknown keys are added to `warnings` and kept in `extras`, relative to its origin.
     JsonValue(const Json& json, std::string path, Extras& extras, std::vector<std::string>& warnings)
         : m_json(&json), m_path(std::move(path)), m_extras(&extras), m_warnings(&warnings) {}
 
@@ -40,9 +40,9 @@ class JsonValue {
     double number(std::string_view optionKey) const;
     int integer() const;
     int integer(std::string_view optionKey) const;
-    /// One of the option's words.
+    /// Returns one of the option's words.
     std::string choice(std::string_view optionKey) const;
-    /// Its place among them, as the number of an enumeration.
+    /// Returns its index among them as an enumeration.
     template <class Enum>
     Enum choice(std::string_view optionKey) const {
         return static_cast<Enum>(placeOf(option(optionKey), choice(optionKey)));
@@ -61,7 +61,7 @@ class JsonValue {
     std::vector<std::string>* m_warnings;
 };
 
-/// An object being read: what was not asked for by the end is an unknown key.
+/// Reads an object; keys that were not requested by the end are unknown.
 class JsonObject {
   public:
     explicit JsonObject(JsonValue value);

@@ -33,7 +33,7 @@ class ParseGuard {
     std::vector<std::set<std::string>> m_keys;
 };
 
-/// "line 3, column 7": where the parser had come to when it had read that many bytes.
+/// Returns "line 3, column 7" for the number of bytes that the parser had read.
 std::string placeOf(const std::string& text, std::size_t bytes) {
     const std::string_view before = std::string_view(text).substr(0, bytes == 0 ? 0 : bytes - 1);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -88,7 +88,7 @@ class Printer {
 
     void newLine(int depth) { m_text += "\n" + std::string(2 * depth, ' '); }
 
-    /// One entry to a line.
+    /// Writes one entry per line.
     void broken(const Json& json, int depth) {
         m_text += json.is_object() ? "{" : "[";
         for (auto it = json.begin(); it != json.end(); ++it) {
@@ -101,7 +101,7 @@ class Printer {
         m_text += json.is_object() ? "}" : "]";
     }
 
-    /// As many numbers to a line as fit.
+    /// Writes as many numbers per line as fit.
     void filled(const Json& json, int depth) {
         m_text += "[";
         std::size_t column = kWidth;

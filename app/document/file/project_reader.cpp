@@ -75,7 +75,7 @@ void readImageDomain(JsonObject& object, Project& project) {
             domain.flatSizes.push_back(readSizeRegion<2>(element));
 }
 
-/// {"values": FILE} stands first; then regions.
+/// {"values": FILE} must come first, then regions.
 void readSizeField(const JsonValue& value, Domain& domain) {
     for (const JsonValue& element : value.elements()) {
         if (!element.json().is_object() || !element.json().contains("values")) {
@@ -90,7 +90,7 @@ void readSizeField(const JsonValue& value, Domain& domain) {
     }
 }
 
-/// {"fill": [a, b]}, {"drop": [t, …]} or {"turn": [t, …]}.
+/// Reads {"fill": [a, b]}, {"drop": [t, …]} or {"turn": [t, …]}.
 SurfaceFix readFix(const JsonValue& value) {
     JsonObject object(value);
     const std::string kind = object.oneOf(kFixWords);
@@ -162,7 +162,7 @@ void readDomain(const JsonValue& value, Project& project) {
 
 // --- Dimension ---
 
-/// The length of the first coordinates that stand in the design, or 0.
+/// Returns the length of the first coordinates in the design, or 0.
 int coordinateCount(const Json& json) {
     static const std::vector<std::string> notCoordinates{"time", "times", "active", "vertices", "phi", "B"};
     if (json.is_array() && !json.empty() && json.front().is_number())
@@ -184,7 +184,8 @@ int guessDimension(const Json& root) {
 
 int meshDimension(const std::string& file, const Json& root) {
     const std::string extension = lowerExtension(file);
-    for (const char* planar : {".obj", ".off", ".stl"})  // can hold no tetrahedra: not worth reading twice
+    // these cannot hold tetrahedra and need not be read twice
+    for (const char* planar : {".obj", ".off", ".stl"})
         if (extension == planar) return 2;
     try {
         return dimensionOfMesh(file);
@@ -200,6 +201,7 @@ int dimensionOf(const Domain& domain, const std::string& folder, const Json& roo
 }
 
 // --- The rest ---
+// Reads an object of settings only.
 
 /// An object that holds nothing but settings.
 void readGroup(JsonObject& root, const std::string& group, Project& project) {

@@ -21,7 +21,7 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-/// Puts the unknown keys back where they were, unless the object that they were in has gone.
+/// Restores unknown keys, unless the object that contained them is gone.
 Json withExtras(Json json, const Extras& extras) {
     for (const auto& [pointer, text] : extras) {
         const Json::json_pointer place(pointer);
@@ -144,7 +144,7 @@ Json picturesJson(const MaterialPictures& pictures) {
     return json;
 }
 
-/// Readers that know of no erasers lay what is everywhere.
+/// Readers without erasers apply the material that holds everywhere.
 template <int Dim>
 Json materialRegionJson(MaterialRegion<Dim> region, double everywhere) {
     if (region.erases()) {

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The last part of the option's key, if it stands in that group.
+/// Returns the last part of the option's key if it belongs to that group.
 std::optional<std::string> nameIn(std::string_view group, const Option& option) {
     const auto dot = option.key.rfind('.');
     if (!option.field.at.get || option.field.inFile == InFile::ByHand || option.key.substr(0, dot) != group)

@@ -6,11 +6,11 @@ namespace wend {
 
 struct Project;
 
-/// What single steps of a repair are called, in the order of SurfaceFix::Kind.
+/// Names of the steps of a repair, in the order of SurfaceFix::Kind.
 inline const std::vector<std::string> kFixWords{"fill", "drop", "turn"};
 
-/// Reads those settings of the table that stand in this object, "domain.outline", and that the project has as
-/// far as it is known by then.
+/// Reads the settings of the table in this object, "domain.outline", as far as the project is known to have
+/// them.
 void readSettings(JsonObject& object, std::string_view group, Project& project);
 /// Writes them: all that are always written, and those that are not at their default.
 void writeSettings(nlohmann::ordered_json& json, std::string_view group, const Project& project);
@@ -18,7 +18,7 @@ void writeSettings(nlohmann::ordered_json& json, std::string_view group, const P
 /// A name or a number in the range of that dimension.
 double readPhi(const JsonValue& value, int dim);
 nlohmann::ordered_json phiJson(double phi, int dim);
-/// Throws InputError for what JSON does not know.
+/// Throws InputError for numbers that JSON cannot represent.
 nlohmann::ordered_json numberJson(double value);
 
 /// The option's word for a value.

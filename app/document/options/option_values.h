@@ -12,7 +12,7 @@ class OptionValues {
   public:
     void set(const std::string& flag, std::string value) { m_values[flag] = std::move(value); }
     bool has(const std::string& flag) const { return m_values.contains(flag); }
-    /// As written, or the table's default.
+    /// Returns the text as written, or the table's default.
     std::string text(const std::string& flag) const;
     double number(const std::string& flag) const;
     int integer(const std::string& flag) const;
@@ -21,7 +21,7 @@ class OptionValues {
     Enum choice(const std::string& flag) const {
         return static_cast<Enum>(place(flag));
     }
-    /// What was set, and no default.
+    /// Returns the value that was set, without defaults.
     std::optional<double> given(const std::string& flag) const;
 
     bool operator==(const OptionValues&) const = default;
@@ -32,7 +32,7 @@ class OptionValues {
     std::map<std::string, std::string> m_values;
 };
 
-/// A number as it must stand on the command line: all of it, in the C locale.
+/// Parses a number of the command line: the whole text, in the C locale.
 std::optional<double> finiteNumber(const std::string& text);
 
 }  // namespace wend

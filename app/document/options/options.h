@@ -11,7 +11,7 @@ namespace wend {
 
 struct Project;
 
-/// What a value may be. An open end is not part of the range.
+/// The range of a value. Open ends are not part of it.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
@@ -19,11 +19,11 @@ struct Range {
     bool openMax = false;
 
     bool contains(double value) const;
-    /// As in mathematics, ]0, 1]; infinite ends are shown as ∞.
+    /// Returns mathematical notation, ]0, 1]; infinite ends are shown as ∞.
     std::string text() const;
 };
 
-/// Of the canvas: one of the choices, or a rectangle of pixels; of a colour: one of them, or "#d9822b".
+/// For Canvas: one of the choices, or a rectangle of pixels; for Colour: one of them, or "#d9822b".
 enum class OptionKind { Flag, Number, Integer, Phi, Choice, Canvas, Colour, Text, File };
 
 /// A value in a project. Every value is a number: a flag is 0 or 1, a choice its place in the list.
@@ -32,20 +32,20 @@ struct Accessor {
     void (*set)(Project&, double) = nullptr;
 };
 
-/// Which projects have a setting.
+/// The projects that have a setting.
 struct Scope {
     bool (*holds)(const Project&) = nullptr;
     std::string_view words;  // "pictures": what it is for
 };
 
-/// What is made anew where a setting changes, and all that follows from it.
+/// The first stage that is recomputed when a setting changes, with all later ones.
 enum class Makes { Nothing, Outline, Mesh, Material, Motion };
 
-/// When a setting is written to a project's file. `ByHand`: it is more than a value there, and code of its
-/// own reads and writes it.
+/// When a setting is written to a project's file. `ByHand`: code of its own reads and writes it, because it
+/// is more than a value there.
 enum class InFile { IfChanged, Always, ByHand };
 
-/// Where a setting stands in a project.
+/// Accessors of a setting in a project.
 struct Field {
     Accessor at = {};
     const Scope* scope = nullptr;  // none: any project
@@ -53,28 +53,28 @@ struct Field {
     InFile inFile = InFile::IfChanged;
 };
 
-/// How the window shows a setting: English words, which it translates in the context "Options".
+/// How the window shows a setting: English words, translated in the context "Options".
 struct Row {
     const char* label = "";              // with a mnemonic; empty: it has no row
-    const char* name = "";               // what it is called elsewhere; empty: as the label
+    const char* name = "";               // its name elsewhere; empty: the label
     const char* help = "";               // empty: the meaning
-    const char* undo = "";               // what a step back is called
+    const char* undo = "";               // name of the undo step
     const char* unit = "";               // behind the number
     const char* zero = "";               // in the place of the number 0
     std::array<const char*, 6> words{};  // of the choices
-    double factor = 1;                   // of the number as it is shown: 100 for a per cent
+    double factor = 1;                   // of the shown number: 100 for percent
     int decimals = 0;                    // as many as needed if the number is smaller
     double step = 1;
     bool anySize = false;  // the number may have any magnitude
 };
 
-/// One setting, told once: the project's reader and writer, what is made anew, the command line's help and
-/// messages, the window's fields and the reference page all take it from here.
+/// The single definition of a setting, from which follow: the project's reader and writer, invalidation, the
+/// command line with its help and messages, the window's fields and the reference page.
 struct Option {
     std::string_view key;   // in the project file; empty: on the command line only
     std::string_view flag;  // on the command line; empty: in the project only
     OptionKind kind = OptionKind::Number;
-    std::string_view fallback;  // the default as one would write it, unless `field` tells it; empty: none
+    std::string_view fallback;  // the default as text unless `field` has it; empty: none
     Range range;
     std::string_view unit;
     std::string_view choices;   // of Choice: "a|b|c"
@@ -84,7 +84,7 @@ struct Option {
     Row row = {};
 };
 
-/// All settings in the order of the reference page.
+/// Returns all settings in the order of the reference page.
 std::span<const Option> options();
 /// The setting of that key or flag. It must exist.
 const Option& option(std::string_view keyOrFlag);
@@ -99,7 +99,7 @@ std::string rangeProblem(const Option& option, double value);
 std::vector<std::string> choicesOf(const Option& option);
 int placeOf(const Option& option, std::string_view choice);
 bool isChoice(const Option& option, std::string_view value);
-/// How a value may be written that is none of the choices, or empty.
+/// Describes values beside the choices; empty if there are none.
 std::string formBesideChoices(const Option& option);
 
 /// φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.

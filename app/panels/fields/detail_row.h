@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace wend {
 
-/// Which detailed surface is embedded in a solid; a button to choose one and one to take it away.
+/// The detailed surface that is embedded in a solid, with buttons to choose and remove it.
 class DetailRow : public QWidget {
     Q_OBJECT
 

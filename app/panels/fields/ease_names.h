@@ -7,9 +7,9 @@
 
 namespace wend {
 
-/// In the order of menus and lists.
+/// The order in menus and lists.
 inline constexpr std::array kEases = {Ease::Linear, Ease::In, Ease::Out, Ease::InOut};
-/// For a menu, with a key.
+/// Returns the name for a menu, with a mnemonic.
 QString easeName(Ease ease);
 
 }  // namespace wend

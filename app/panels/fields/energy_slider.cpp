@@ -45,7 +45,7 @@ int snapped(int value) {
     return std::abs(value - stop) <= kSnap ? stop : value;
 }
 
-/// Where a tile has no room for its text when it is chosen and bold; window.qss makes it smaller there.
+/// Returns whether a tile's text does not fit when it is bold; window.qss makes it smaller then.
 bool isLong(const QString& text) {
     QFont bold = QApplication::font();
     bold.setPixelSize(kTileFont);
@@ -176,7 +176,7 @@ void EnergySlider::dragTile(int stop) {
     drag.exec(Qt::CopyAction);
 }
 
-/// Of the tiles: the pointer rests on one, or drags it away.
+/// Handles hovering and dragging of tiles.
 bool EnergySlider::eventFilter(QObject* watched, QEvent* event) {
     const auto it = std::find(m_labels.begin(), m_labels.end(), watched);
     if (it == m_labels.end()) return QWidget::eventFilter(watched, event);
@@ -258,7 +258,7 @@ int EnergySlider::stopX(int stop) const {
     return static_cast<int>(std::lround(kHandle / 2.0 + span * stop / (EnergyScale::kStops - 1)));
 }
 
-/// The slider goes from the middle of the first one to that of the last.
+/// Aligns the slider with the centres of the first and the last tile.
 void EnergySlider::placeTiles() {
     for (int i = 0; i < EnergyScale::kStops; ++i)
         m_labels[i]->setGeometry(i * (tileWidth() + kTileGap), 0, tileWidth(), kTileHeight);
@@ -266,7 +266,8 @@ void EnergySlider::placeTiles() {
     m_slider->setGeometry(from, kTileHeight + kTileGap, to - from, kHandle + 4);
 }
 
-/// Below their stops, but apart from each other: long names push the next one on, and the last ones back.
+/// Places labels below their stops without overlap: long names move the following labels right, and the last
+/// ones back left.
 void EnergySlider::placeLabels() {
     m_slider->setGeometry(0, 0, width(), kHandle + 4);
     int from = 0;
@@ -294,7 +295,7 @@ void EnergySlider::resizeEvent(QResizeEvent*) {
     m_stops == Stops::Tiles ? placeTiles() : placeLabels();
 }
 
-/// Below the slider, which has no groove of its own.
+/// Draws the colours below the slider, in place of its groove.
 void EnergySlider::paintColours(QPainter& painter) const {
     QLinearGradient colours(stopX(0), 0, stopX(EnergyScale::kStops - 1), 0);
     for (int i = 0; i < EnergyScale::kStops; ++i)

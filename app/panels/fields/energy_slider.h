@@ -17,9 +17,8 @@ class QToolButton;
 
 namespace wend {
 
-/// The slider between the four named stops. Near a stop the handle snaps to it. The stops stand above it as
-/// tiles with a picture of what each does; or below it as words, with the colours that a part of the shape is
-/// painted with.
+/// A slider between the four named stops, to which the handle snaps nearby. The stops are tiles above it,
+/// with a picture of their effect, or words below it, with the colours that mark painted places.
 class EnergySlider : public QWidget {
     Q_OBJECT
 
@@ -29,23 +28,22 @@ class EnergySlider : public QWidget {
 
     double phi() const { return m_phi; }
     void setPhi(double phi);
-    /// What it is called, in place of "Keep".
+    /// Sets the accessible name; the default is "Keep".
     void setName(const QString& name);
     const EnergyScale& scale() const { return m_scale; }
     /// The names and the range of φ depend on it.
     void setDimension(int dimension);
     QSlider* slider() const { return m_slider; }
     QSize sizeHint() const override;
-    /// What the tiles show, in place of the pictures that are for every shape; empty: those again. What is
-    /// out of date is faint.
+    /// Sets the pictures of the tiles; an empty list restores the samples. Stale pictures are faint.
     void setPictures(const std::vector<QPixmap>& pictures);
     void setPicturesStale(bool stale);
     static QSize pictureSize();
-    /// What a tile that is dragged to the shape carries, and its φ; none for other data.
+    /// Returns the φ of a dragged tile; nothing for other data.
     static std::optional<double> phiIn(const QMimeData* data);
 
   signals:
-    /// The pointer rests on a tile; NaN: no longer.
+    /// Emitted when the pointer rests on a tile; NaN when it leaves.
     void hovered(double phi);
     /// The user chose another φ; the number is the same for all values of one gesture.
     void phiChosen(double phi, int gesture);

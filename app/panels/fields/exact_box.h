@@ -4,20 +4,20 @@
 
 namespace wend {
 
-/// A box for a number that has more digits than it shows: until the user writes another one, exact() is the
-/// number as it was put. What is being typed stays as long as the number does.
+/// A number box that keeps more digits than it shows: until the user enters another number, exact() returns
+/// the number as it was put. Text that is being typed survives updates with the same number.
 class ExactBox : public NumberBox {
   public:
     using NumberBox::NumberBox;
 
-    /// Tells nobody.
+    /// Sets the number without a signal.
     void put(double number);
-    /// Digits behind the point, where they change; what was put is shown with them.
+    /// Sets the number of decimals and shows the number with them.
     void showDigits(int decimals);
     double exact() const { return value() == m_shown ? m_exact : value(); }
 
   private:
-    double m_exact = 0, m_shown = 0;  // m_shown: what became of it in the box
+    double m_exact = 0, m_shown = 0;  // m_shown: m_exact as the box rounds it
 };
 
 }  // namespace wend

@@ -16,8 +16,8 @@ QRect JumpSlider::way() const {
     return partOf(QStyle::SC_SliderGroove).adjusted(half, 0, -half, 0);
 }
 
-/// Pressed first, so that a new gesture begins; then the handle's middle comes to the pointer, and all is as
-/// if the handle had been pressed there.
+/// Emits sliderPressed first, so that a new gesture starts, then moves the handle's centre to the pointer and
+/// lets Qt continue as if the handle had been pressed.
 void JumpSlider::mousePressEvent(QMouseEvent* event) {
     QStyleOptionSlider option;
     initStyleOption(&option);

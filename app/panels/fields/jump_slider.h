@@ -4,11 +4,11 @@
 
 namespace wend {
 
-/// A horizontal slider whose handle comes to where it is clicked, and is dragged from there.
+/// A horizontal slider whose handle jumps to a click and can be dragged from there.
 class JumpSlider : public QSlider {
   public:
     explicit JumpSlider(QWidget* parent = nullptr) : QSlider(Qt::Horizontal, parent) {}
-    /// Where the middle of its handle is, in its own coordinates: from the smallest value to the largest.
+    /// Returns the range of the handle's centre in the slider's coordinates.
     QRect way() const;
 
   protected:

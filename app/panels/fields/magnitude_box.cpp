@@ -32,7 +32,7 @@ QValidator::State MagnitudeBox::validate(QString& text, int&) const {
     return number >= minimum() && number <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
-/// To a number of two digits.
+/// Steps to a number of two digits.
 void MagnitudeBox::stepBy(int steps) {
     const double exact = value() * std::pow(1.1, steps);
     const double unit = std::pow(10, std::floor(std::log10(exact)) - 1);

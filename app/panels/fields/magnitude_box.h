@@ -4,14 +4,13 @@
 
 namespace wend {
 
-/// A positive number of any size, with six digits that count unless told otherwise; a step changes it by a
-/// tenth.
+/// A positive number of any magnitude, with six significant digits by default; a step changes it by a tenth.
 class MagnitudeBox : public ExactBox {
     Q_OBJECT
 
   public:
     explicit MagnitudeBox(QWidget* parent = nullptr);
-    /// Those that are shown; the number keeps all.
+    /// Sets the shown significant digits; the number keeps all.
     void setDigits(int digits) { m_digits = digits; }
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;

@@ -16,7 +16,7 @@ namespace wend {
 namespace {
 
 constexpr int kSteps = 100;
-constexpr double kFully = 40;  // ρ at the slider's end: a strip comes back to a five-hundredth of its size
+constexpr double kFully = 40;  // ρ at the slider's end: a strip returns to within 1/500 of its size
 constexpr int kPicture = 44, kSliderHeight = 22, kGap = 2;
 
 /// Evenly in effect: the residue of a closed path falls about evenly with the root of ρ.
@@ -29,12 +29,12 @@ int valueOf(double memory) {
     return static_cast<int>(std::lround(kSteps * std::sqrt(std::clamp(memory / kFully, 0.0, 1.0))));
 }
 
-/// How much of the bend is left after a closed path, as a part of that without memory: as measured.
+/// Returns the measured residual bend after a closed path, relative to that without memory.
 double leftAfter(double memory) {
     return 1 / (1 + memory / 3);
 }
 
-/// A strip that is held at its left end and whose right end stands `up` above where it was.
+/// Returns a strip that is fixed on the left and raised by `up` on the right.
 QPainterPath strip(const QRectF& box, double up) {
     QPainterPath path;
     path.moveTo(box.left(), box.center().y());
@@ -101,7 +101,7 @@ void MemorySlider::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(quiet, 6, Qt::SolidLine, Qt::FlatCap));
     painter.drawPath(strip(box, 0));
     painter.setPen(QPen(quiet, 1.2, Qt::DashLine));
-    painter.drawEllipse(end + QPointF(11, 0), 11, 11);  // the pin's way
+    painter.drawEllipse(end + QPointF(11, 0), 11, 11);  // the path of the pin
     painter.setPen(QPen(isEnabled() ? theme.accent : quiet, 2.5));
     painter.drawPath(strip(box, 0.45 * box.height() * leftAfter(m_memory)));
     const QRect line(0, kPicture + kSliderHeight + kGap, width(), lineHeight());

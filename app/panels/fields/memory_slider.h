@@ -6,8 +6,8 @@ class QSlider;
 
 namespace wend {
 
-/// How strongly the shape is drawn back to its rest: a slider from "not at all" to "fully", and above it a
-/// picture of what it does: where a strip ends whose pin was led around in a circle.
+/// The strength of the memory: a slider from "not at all" to "fully", above it a picture of a strip whose pin
+/// was moved in a circle.
 class MemorySlider : public QWidget {
     Q_OBJECT
 

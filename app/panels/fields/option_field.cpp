@@ -22,7 +22,7 @@ QString told(const char* text) {
     return QCoreApplication::translate("Options", text);
 }
 
-/// The table speaks in half sentences.
+/// Makes a sentence of the table's phrase.
 QString sentence(std::string_view meaning) {
     QString text = told(std::string(meaning).c_str());
     if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -69,7 +69,7 @@ QSize OptionField::sizeHint() const {
     return {m_width > 0 ? m_width : own.width(), own.height()};
 }
 
-/// Of the table, or the choice as it is.
+/// Returns the table's word for a choice, or the choice itself.
 QString OptionField::wordsFor(const QString& choice) const {
     const int place = placeOf(m_option, choice.toStdString());
     const char* words =
@@ -82,7 +82,7 @@ void OptionField::makeFlag() {
     connect(m_check, &QCheckBox::toggled, this, &OptionField::changed);
 }
 
-/// Where the table has words but no choices, there are as many.
+/// Words without choices stand for their indices.
 void OptionField::makeChoice() {
     m_choice = new QComboBox(this);
     for (const std::string& choice : choicesOf(m_option))
@@ -94,7 +94,7 @@ void OptionField::makeChoice() {
     connect(m_choice, &QComboBox::currentIndexChanged, this, &OptionField::changed);
 }
 
-/// The last of the words stands for any colour, which a dialog asks for; who leaves it has what was before.
+/// The last entry opens a colour dialog; cancelling restores the previous choice.
 void OptionField::letColourBeChosen() {
     const int other = m_choice->count() - 1;
     m_choice->setItemData(other, QStringLiteral("#808080"));
@@ -155,7 +155,7 @@ void OptionField::setRange(const Range& range) {
     if (m_number && !m_option.row.anySize) limitNumber();
 }
 
-/// An open end is a digit away; what is endless goes as far as a box can show.
+/// An open end is one digit away; infinite ends are limited by the box.
 void OptionField::limitNumber() {
     constexpr double kMost = 1e9;
     const double digit = std::pow(0.1, m_number->decimals()), factor = m_option.row.factor;

@@ -22,31 +22,31 @@ class OptionField : public QWidget {
 
     const Option& option() const { return m_option; }
     std::string flag() const { return std::string(m_option.flag); }
-    /// What stands beside it, with a mnemonic; a box to be checked may say it itself.
+    /// Returns the label with a mnemonic; a check box may show it itself.
     QString label() const;
     void sayLabel(bool hasKey = true);
-    /// Of a number: so wide, or down to so much narrower where its label is long.
+    /// Sets the width of a number's field, which may shrink to `least` beside a long label.
     void setWidth(int usual, int least);
     QSize sizeHint() const override;
-    /// As one would write it on the command line; of a flag something if it is given, and nothing if not.
+    /// Returns the value as on the command line; for a flag, a non-empty text if it is set.
     std::string value() const;
     void setValue(const std::string& value);
-    /// Only these choices can be taken; another one that was taken gives way to the default.
+    /// Restricts the choices; an excluded current choice becomes the default.
     void setChoices(const QStringList& choices);
     QStringList choices() const;
     /// A choice in other words than usual.
     void setWords(const QString& choice, const QString& words);
-    /// Whether the choice at that place can be taken, and why not.
+    /// Enables or disables the choice at an index, with a reason.
     void allow(int place, bool allowed, const QString& why);
-    /// Whether it can be changed at all, and why not.
+    /// Enables or disables the field, with a reason.
     void allow(bool allowed, const QString& why);
-    /// A value of any kind as in a project, see Accessor; setting it tells nobody.
+    /// Returns the value of any kind as a number, see Accessor; setting it emits no signal.
     double number() const;
     void setNumber(double number);
     void setRange(const Range& range);
 
   signals:
-    /// By the user.
+    /// Emitted when the user changes the value.
     void changed();
 
   private:
@@ -60,7 +60,7 @@ class OptionField : public QWidget {
 
     const Option& m_option;
     Range m_range;
-    int m_width = 0;  // of a number; 0: as it comes
+    int m_width = 0;  // of a number's field; 0: automatic
     QCheckBox* m_check = nullptr;
     QComboBox* m_choice = nullptr;
     int m_beforeColour = 0;  // the choice before a colour of one's own

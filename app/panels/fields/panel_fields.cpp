@@ -71,7 +71,7 @@ void PanelFields::takeEnter(QObject& field, QKeyEvent& key) {
     emit done();
 }
 
-/// What is being typed is not taken.
+/// Discards the text that is being typed.
 void PanelFields::giveUp(QObject& field) {
     if (auto* whole = qobject_cast<QSpinBox*>(&field)) whole->setValue(whole->value());
     if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) number->setValue(number->value());

@@ -8,18 +8,18 @@ class QWidget;
 
 namespace wend {
 
-/// How the fields of the panels take keys and the wheel, all alike: a number that is typed counts when it is
-/// complete, and Enter then gives the keyboard back; so does Escape, without it; the wheel changes what was
-/// clicked before and scrolls the panels elsewhere.
+/// Common behaviour of the panels' fields: a typed number is applied when it is complete; Enter applies it
+/// and Escape discards it, and both return the focus to the view; the wheel changes only a field that was
+/// clicked and scrolls the panels otherwise.
 class PanelFields : public QObject {
     Q_OBJECT
 
   public:
-    /// For all fields that are in `panels` by now.
+    /// Handles all existing fields inside `panels`.
     explicit PanelFields(QWidget& panels);
 
   signals:
-    /// A field has taken what was typed: the keyboard is for the view again.
+    /// Emitted after a field has applied its text, to return the focus to the view.
     void done();
 
   protected:

@@ -26,7 +26,7 @@ QString said(const char* text) {
     return QCoreApplication::translate("PictureTip", text);
 }
 
-/// The drawings have three tones: ink, what is quiet, and what matters.
+/// The drawings have three tones: ink, muted and accent.
 QByteArray inColours(QByteArray svg, const QPalette& palette) {
     const Theme theme = Theme::of(palette);
     svg.replace("#000000", palette.color(QPalette::WindowText).name().toLatin1());
@@ -35,7 +35,7 @@ QByteArray inColours(QByteArray svg, const QPalette& palette) {
     return svg;
 }
 
-/// As an image within the text; nothing where there is no such drawing.
+/// Returns the drawing as an inline image; empty if there is none.
 QString imageText(const QString& name, const QPalette& palette) {
     QFile file(QStringLiteral(":/wend/tips/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly)) return {};

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace wend {
 
-/// A little drawing of resources/tips and what stands below it.
+/// A drawing of resources/tips with its caption.
 struct TipPicture {
     QString name;
     QString caption;
@@ -17,17 +17,17 @@ struct TipPicture {
 
 /// The tooltip of the widget shows these below its words, in the colours of the window, light or dark.
 void showInTip(QWidget* widget, std::function<QList<TipPicture>()> pictures);
-/// The tooltip as it is shown then: rich text with the drawings within.
+/// Returns the tooltip as rich text with the drawings.
 QString tipWithPictures(const QString& words, const QList<TipPicture>& pictures, const QPalette& palette);
 
-/// What each of the four energies makes of a square that is pulled; of one of them alone.
+/// Pictures of a stretched square for the four energies, or for one of them.
 QList<TipPicture> energyPictures(int dimension);
 TipPicture energyPicture(int stop);
 /// A pull that reaches not far, and one that does.
 QList<TipPicture> reachPictures();
 /// A bar that is pulled, soft all over, and with a part that is stiff.
 QList<TipPicture> stiffnessPictures();
-/// A strip whose end was led around in a circle.
+/// A strip whose end was moved in a circle.
 QList<TipPicture> memoryPictures();
 /// A shape after its pins were moved, and after it has relaxed.
 QList<TipPicture> relaxPictures();

@@ -22,7 +22,7 @@ constexpr const char* kKey = "material.smoothing.length";
 constexpr int kSteps = 100;
 constexpr double kNear = 0.002, kFar = 0.5;  // of the shape's size
 
-/// To three digits, which are fewer than lie between two steps.
+/// Rounds to three digits, which is finer than the steps.
 double lengthAt(int value) {
     const double exact = kNear * std::pow(kFar / kNear, static_cast<double>(value) / kSteps);
     const double unit = std::pow(10, std::floor(std::log10(exact)) - 2);

@@ -8,8 +8,8 @@ namespace wend {
 
 class JumpSlider;
 
-/// How far a pull reaches, from near to far: the smoothing length for those who want no number. Evenly in
-/// its logarithm; lengths beyond the slider's ends stand at the ends, and stay as they are until it is moved.
+/// The smoothing length as a logarithmic slider from near to far. Lengths beyond its ends are shown at the
+/// ends and kept until it is moved.
 class ReachRow : public QWidget {
     Q_OBJECT
 

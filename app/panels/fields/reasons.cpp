@@ -15,7 +15,7 @@ void allow(QWidget* widget, bool allowed, const QString& whyNot) {
     widget->setStatusTip(whyNot);
 }
 
-/// What it does is kept where it was said first.
+/// The help text is kept in the property in which describe() stored it.
 void allow(QAction* action, bool allowed, const QString& whyNot) {
     constexpr auto kHelp = "help";
     if (!action->property(kHelp).isValid()) action->setProperty(kHelp, action->statusTip());

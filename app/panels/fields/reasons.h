@@ -7,8 +7,8 @@ class QWidget;
 
 namespace wend {
 
-/// Enables what describe() has described, or disables it: then its tooltip begins with the reason, and the
-/// status line tells it.
+/// Enables or disables a widget that describe() has described. If disabled, its tooltip starts with the
+/// reason, which the status bar shows, too.
 void allow(QWidget* widget, bool allowed, const QString& whyNot);
 /// The same of an entry of a menu.
 void allow(QAction* action, bool allowed, const QString& whyNot);

@@ -81,7 +81,7 @@ Region<3> RegionNumbers::numbers() const {
     return HalfSpace<3>{a, b};
 }
 
-/// Another kind at the same place.
+/// Changes the kind of region at the same place.
 void RegionNumbers::chooseKind(int kind) {
     const auto [centre, reach] = extentOf(m_region, 0.1 * m_diagonal);
     Region<3> next = Ball<3>{centre, reach};
@@ -118,7 +118,7 @@ void RegionNumbers::showRegion(const Region<3>& region, double diagonal) {
     }
 }
 
-/// As the shape is large; a direction has no length.
+/// Decimals depend on the size of the shape; directions have no length.
 void RegionNumbers::showDigits(bool direction) {
     const int digits = digitsFor(m_diagonal);
     for (ExactBox* box : m_first) box->showDigits(digits);

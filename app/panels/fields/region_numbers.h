@@ -12,7 +12,7 @@ namespace wend {
 
 class ExactBox;
 
-/// Behind the point, so that lengths are shown to a ten-thousandth of a shape of that diagonal at least.
+/// Returns the number of decimals that shows at least a ten-thousandth of the diagonal.
 int digitsFor(double diagonal);
 
 /// A ball, a box or a half-space in numbers.
@@ -20,12 +20,12 @@ class RegionNumbers : public QWidget {
     Q_OBJECT
 
   public:
-    /// Elsewhere: beside it is a field for the radius, which may be that of a point as well.
+    /// Elsewhere: another field shows the radius, including that of points.
     enum class Radius { Here, Elsewhere };
     explicit RegionNumbers(Radius radius, QWidget* parent = nullptr);
     /// `diagonal` of the shape: so fine are the numbers.
     void showRegion(const Region<3>& region, double diagonal);
-    /// Of a kind that has numbers here.
+    /// Returns whether this kind of region has numbers here.
     static bool canShow(const Region<3>& region) { return !std::holds_alternative<Blend<3>>(region); }
 
   signals:

@@ -12,19 +12,19 @@ namespace wend {
 class Document;
 class OptionField;
 
-/// The settings of a panel, each a field made from its record in the table: it shows what the document has,
-/// is there for projects that have the setting, and a change of it is an undo step.
+/// The settings of a panel: fields made from the option table that show the document's values, are visible
+/// for projects with that setting, and change it in undo steps.
 class SettingRows : public QObject {
     Q_OBJECT
 
   public:
-    /// `whyNot`: why what a project does not have cannot be changed.
+    /// `whyNot`: the reason shown for settings that a project does not have.
     SettingRows(Document& document, QWidget* panel, QString whyNot = {});
 
     /// Label and field, side by side in a widget.
     QWidget* row(std::string_view key);
     OptionField& field(std::string_view key) const { return *m_fields.at(key); }
-    /// To be called after every change of the project.
+    /// Call this after every change of the project.
     void show();
 
   private:

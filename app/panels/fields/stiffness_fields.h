@@ -9,8 +9,7 @@ namespace wend {
 
 class ExactBox;
 
-/// How many times stiffer something is along its direction, and that direction, as the panels of paint and
-/// of layers have them.
+/// Fields for relative stiffness and its direction, shared by the paint and layer panels.
 ExactBox* stiffnessField(const QString& help, QWidget* parent);
 std::array<ExactBox*, 3> directionFields(const QString& name, const QString& help, QWidget* parent);
 

@@ -17,10 +17,10 @@ namespace {
 
 using Stops = std::array<std::array<int, 3>, 6>;
 
-// Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): what is kept stays light.
+// Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): small values are light.
 constexpr Stops kMagnitude = {
     {{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
-// From cream to brown through the colour of stiffness, lightness falling evenly.
+// From cream to brown through the colour of stiffness; lightness falls evenly.
 constexpr Stops kStiff = {
     {{252, 240, 222}, {245, 205, 160}, {230, 160, 98}, {205, 112, 42}, {150, 70, 16}, {88, 36, 4}}};
 // Blue and orange of equal lightness on both sides of a light middle.
@@ -36,25 +36,25 @@ QRgb between(const Stops& stops, double position) {
     return qRgb(mix(0), mix(1), mix(2));
 }
 
-/// How values become positions: evenly from 0, or by their logarithm from the least, about 1, or from 1; φ as
-/// on the slider of energies.
+/// Mapping of values to positions: linear from 0; logarithmic from the minimum, about 1, or from 1; φ as on
+/// the energy slider.
 enum class Scale { Even, Logarithm, Ratio, Times, Energies };
 
 template <int Dim>
 using CellValue = double (*)(const PosedFrame<Dim>&, const Points<Dim>& velocity, int cell);
 
-/// All that is known of a measure.
+/// The properties of a measure.
 struct MeasureRow {
     Measure measure;
     bool flat;  // pictures have it too
     Scale scale;
     double minimum;  // that the range spans
     const char *before, *after;
-    std::vector<double> Distortion::*ranks;  // the cells by how far they are from rest; none: by length
+    std::vector<double> Distortion::*ranks;  // the values that rank cells; none: length
     CellValue<2> ofTriangle;
     CellValue<3> ofTetrahedron;
     const char* name;
-    const char* worst = nullptr;      // where such a value is largest; none: as for the length
+    const char* worst = nullptr;      // text of the worst value; none: that of length
     const char* solidName = nullptr;  // none: as in the plane
     const char* solidWorst = nullptr;
 };
@@ -72,10 +72,10 @@ double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return frame.distortion->angle[cell];
 }
 
-constexpr double kNothing = 1e-9;   // of ways and speeds: nothing moves
+constexpr double kNothing = 1e-9;   // below: distances and speeds count as zero
 constexpr double kRounding = 1e-6;  // of distortions: less is none
 
-/// In the order of the list from which one is chosen.
+/// In the order of the list.
 const MeasureRow kMeasures[] = {
     // measure, flat, scale, least, before, after, ranks, of a cell, words
     MeasureRow{Measure::Length, true, Scale::Even, 0.01, "", "", &Distortion::metric, stretch<2>, stretch<3>,
@@ -109,7 +109,7 @@ bool isLogarithmic(Scale scale) {
     return scale == Scale::Logarithm || scale == Scale::Ratio || scale == Scale::Times;
 }
 
-/// How far from rest a value is.
+/// Returns the distance of a value from rest.
 double sizeOf(double value, Scale scale) {
     return scale == Scale::Ratio ? std::abs(std::log(std::max(value, 1e-300))) : value;
 }
@@ -202,7 +202,7 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
         sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), nth, sizes.end());
     double span = std::max(*nth, row.minimum);
-    if (span <= kNothing) span = 1;  // rather than a scale of what is not there
+    if (span <= kNothing) span = 1;  // avoids a range around zero
     return row.scale == Scale::Ratio ? MeasureRange{std::exp(-span), std::exp(span)} : MeasureRange{0, span};
 }
 
@@ -270,7 +270,7 @@ template std::vector<double> cellValues<3>(const PosedFrame<3>&, Measure, const 
 
 namespace {
 
-/// By which the worst place is told.
+/// Returns the measure that ranks cells for the worst place.
 Measure ranking(Measure measure) {
     return isDistortion(measure) ? measure : Measure::Length;
 }

@@ -11,12 +11,12 @@ namespace wend {
 
 struct Distortion;
 
-/// How much a map covers the picture below it, unless another amount is chosen.
+/// Default opacity of a map over a picture.
 inline constexpr double kMapOpacity = 0.65;
 
-/// True for those that tell how far the shape is from rest.
+/// Returns whether a measure describes the distance from rest.
 bool isDistortion(Measure measure);
-/// All that such a shape has, in the order of the list from which one is chosen.
+/// Returns all measures of this dimension in the order of the list.
 std::vector<Measure> measuresOf(int dimension);
 
 /// The range of a legend; for Area it is symmetric about 1 in the logarithm.
@@ -25,56 +25,56 @@ struct MeasureRange {
     int dimension = 2;
 };
 
-/// The field that a measure is made of, in the session as it stands: the velocity, the influence, or none.
+/// Returns the session's field that a measure needs: velocity, influence or none.
 template <int Dim>
 Points<Dim> fieldOf(const ShapeSession& session, Measure measure);
-/// What is to be solved for: for a map, where one is shown, otherwise for arrows.
+/// Returns the field to solve for: that of the map if one is shown, otherwise that of arrows.
 ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows);
 /// The value of one cell: the errors of docs/method.md for angle and length, the ratio det F for area.
 /// Without a field (no columns) nothing has a speed or an influence.
 template <int Dim>
 double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell);
-/// Of all cells.
+/// Returns the values of all cells.
 template <int Dim>
 std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure,
                                const Points<Dim>& velocity = {});
-/// Of the frame that is shown.
+/// Returns the values of the shown frame.
 std::vector<double> shownValues(const ShapeSession& session, Measure measure);
 /// The value of the material where nothing is painted; nothing for other measures.
 std::optional<double> plainValue(const ShapeSession& session, Measure measure);
-/// How wholly what is painted is seen at a place of the range, from 0 at that of the plain value to 1.
+/// Returns the opacity of paint at a position in the range: 0 at the plain value, up to 1.
 double paintedPart(double place, double plainPlace);
-/// From the values that occur, the largest hundredth left out; never empty. φ has the same range always.
+/// Returns a range without the largest hundredth of the values, never empty. φ always has the same range.
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension = 2);
-/// Where a value stands in the range, in [0, 1]; area, stiffness and the size of cells on a logarithmic
-/// scale, area with 1 in the middle; φ as on the slider of energies.
+/// Returns the position of a value in the range, in [0, 1]; area, stiffness and cell size are logarithmic,
+/// area with 1 in the middle; φ as on the energy slider.
 double positionIn(const MeasureRange& range, Measure measure, double value);
 double valueAt(const MeasureRange& range, Measure measure, double position);
-/// How many of the values stand in each of that many equal parts of the range; those beyond it in the last.
+/// Counts values in equal parts of the range; values beyond it count in the last part.
 std::vector<int> histogramOf(const std::vector<double>& values, Measure measure, const MeasureRange& range,
                              int parts);
 
-/// A colour for a position in [0, 1]: for φ those of the four energies, for stiffness from cream to brown,
-/// for errors a scale of even perceived steps from light yellow over red to dark violet; for the ratio blue
-/// (shrunk), near white (kept) and orange (grown). Both are safe for colour-blind eyes.
+/// Returns the colour of a position in [0, 1]: for φ those of the four energies, for stiffness from cream to
+/// brown, for errors perceptually uniform from light yellow over red to dark violet, for ratios blue
+/// (shrunk), near white (kept) and orange (grown). Safe for colour-blind users.
 QRgb colourAt(Measure measure, double position);
 
 QString measureName(Measure measure, int dimension = 2);
 /// A value as the legend writes it: "×1.25" for area, "0.031" for errors.
 QString measureText(Measure measure, double value);
 
-/// Where the shape is farthest from rest by a measure; of measures that tell nothing of that, by length.
+/// The cell that is farthest from rest by a measure, or by length for measures without that meaning.
 struct WorstPlace {
     int cell = -1;  // −1 if the shape has none
     double value = 0;
 };
 WorstPlace worstOf(const Distortion& distortion, Measure measure);
-/// False where that is no more than rounding.
+/// Returns false if the worst value is rounding.
 bool isDistorted(const Distortion& distortion, Measure measure);
-/// Its value and what that is, such as "area ×1.38".
+/// Returns the value with its meaning, such as "area ×1.38".
 QString worstText(const Distortion& distortion, Measure measure, int dimension = 2);
-/// Where that is more than twice as long or large as at rest, or less than half as large, in words with the
-/// value, such as "Stretched too far here · 12.3"; else, and by other measures, null.
+/// Returns a warning such as "Stretched too far here · 12.3" if that cell is more than twice or less than
+/// half its rest size; null otherwise and for other measures.
 QString worstWarning(const Distortion& distortion, Measure measure);
 
 }  // namespace wend

@@ -10,7 +10,7 @@ namespace wend {
 /// The scale of the energy slider: the four named energies (see energy_stops.h) in words.
 struct EnergyStop {
     double phi;
-    QString name;       // what is kept
+    QString name;       // name of the kept quantity
     QString shortHelp;  // which error it trades
 };
 

@@ -21,7 +21,7 @@ QColor pinColour(int handle, const HandleTraits& traits) {
     return pinColours()[static_cast<std::size_t>(std::max(handle, 0)) % pinColours().size()];
 }
 
-/// Light with a dark rim: to be seen on any ground.
+/// Draws a light line with a dark rim, visible on any background.
 void Marks::halo(const QPolygonF& line, double width) {
     m_painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(QColor(kInk.red(), kInk.green(), kInk.blue(), 89), width + marked(3)),
@@ -81,7 +81,7 @@ void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool s
     }
 }
 
-/// Around a place, in the size that is chosen.
+/// Draws around a place in the chosen size of marks.
 void Marks::enlarged(const QPointF& at, const std::function<void()>& draw) {
     m_painter.save();
     m_painter.translate(at);

@@ -10,28 +10,28 @@
 namespace wend {
 
 inline constexpr double kPinRadius = 6.5;
-/// Of what the shape covers: pins, stiffness marks, wrong triangles.
+/// Opacity of covered pins, stiffness marks and faulty triangles.
 inline constexpr double kCoveredOpacity = 0.4;
 inline const QColor kInk(20, 22, 30);
-/// Of what is wrong with a surface or a pose.
+/// Colour of faults of a surface or a pose.
 inline constexpr QRgb kWrong = qRgb(214, 44, 60);
 
-/// The colours that pins have without being given one; told apart by lightness too.
+/// Default colours of pins, distinguishable by lightness, too.
 const std::array<QColor, 8>& pinColours();
-/// By which a pin is known in the list and on the shape.
+/// Returns the colour of a pin in the list and on the shape.
 QColor pinColour(int handle, const HandleTraits& traits);
 
-/// The marks that lie over pictures and solids alike, at places of the widget: light-rimmed, so that they
-/// show on any ground. Their size is what the user has chosen, see mark_size.h.
+/// Marks over pictures and solids, in widget coordinates, with a light rim so that they show on any
+/// background. The user sets their size, see mark_size.h.
 class Marks {
   public:
     explicit Marks(QPainter& painter) : m_painter(painter) {}
 
-    /// While a shape follows the hand, lines are thin and have no rim: they leave their time to the shape.
+    /// During a drag, lines are thin and have no rim, to leave time for the shape.
     void setQuick(bool quick) { m_quick = quick; }
     void line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
-    /// The way of a handle, with a dot each tenth of a second, a larger one each second.
-    /// What has been gone is solid, what is to come dashed.
+    /// Draws the path of a handle with a dot per tenth of a second and a larger one per second. The past is
+    /// solid, the future dashed.
     void path(const QPolygonF& line, const std::vector<double>& times, bool selected, double now,
               bool hovered = false);
     struct Pin {
@@ -39,15 +39,15 @@ class Marks {
         bool region = false;  // a rounded square
         bool moves = true;    // of one that only holds, the disc is dark
         QColor colour = QColor(0x3a3d47);
-        bool locked = false;  // bears a padlock
+        bool locked = false;  // draws a padlock
     };
     void pin(const QPointF& at, const Pin& look);
-    /// A handle that is let go of, or yet to come: an empty, dashed ring.
+    /// Draws an inactive handle: an empty, dashed ring.
     void ghost(const QPointF& at, bool selected, bool hovered);
     void name(const QPointF& at, const QString& text);
     /// Small discs of one look, many of them: drawn once and copied.
     void spots(const std::vector<QPointF>& places, const QColor& fill, double radius, QPen rim);
-    /// A cross of hairs; of a hidden place a faint ring alone: what is seen there is something else.
+    /// Draws a crosshair; for a hidden place only a faint ring, because something else is visible there.
     void worst(const QPointF& at, bool hidden = false);
 
   private:

@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// How a pin of a session is drawn; `area`: it stands for more than a point.
+/// Returns the look of a pin; `area`: it is more than a point.
 template <int Dim>
 Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool area, int hovered) {
     const Handle<Dim>& handle = session.document().template design<Dim>().handles[view.handle];
@@ -46,8 +46,7 @@ QString ghostName(const Handle<Dim>& handle, const QString& name, double time) {
         .arg(name, when);
 }
 
-/// Pins in a view: those that the shape covers lie below the others, faintly, and below all those that do not
-/// hold now.
+/// The pins of a view. Covered pins are faint and below the others; inactive ones are at the bottom.
 template <int Dim>
 struct PinScene {
     const ShapeSession& session;

@@ -57,7 +57,7 @@ double paintOpacity(double mapOpacity) {
     return std::min(1.0, mapOpacity * kPaintOpacity / kMapOpacity);
 }
 
-/// A cell without area may have a value that is no number: it counts as the largest.
+/// A cell without area may have NaN, which counts as the largest value.
 template <int Dim>
 std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
                                  Measure measure, const MeasureRange& range) {

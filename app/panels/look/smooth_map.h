@@ -4,24 +4,23 @@
 
 namespace wend {
 
-/// What is painted is seen with edges as soft as it is.
+/// Returns whether a measure shows paint, which has soft edges.
 bool isPainted(Measure measure);
-/// For that: colours of cells at the vertices, where they mix: red, green, blue and alpha, premultiplied,
-/// from 0 to 255. (On the way from one to the other there is no third, as between places.)
+/// Returns colours of paint at the vertices, blended between cells: premultiplied red, green, blue and alpha
+/// from 0 to 255. (Blending colours avoids the third colour that blending positions would show.)
 template <int Dim>
 std::vector<Eigen::Array4d> softColours(const SimplicialMesh<Dim>& rest, const std::vector<QRgb>& ofCells);
 
-/// But where only two values meet at a corner of a cell the edge between them is sharp: a soft one has many.
+/// Returns the cells at sharp edges: where only two values meet at a corner, since soft edges have many.
 template <int Dim>
 std::vector<bool> sharpCells(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells);
 
-/// How much what is painted covers a picture below it, for the opacity of maps.
+/// Returns the opacity of paint over a picture for an opacity of maps.
 double paintOpacity(double mapOpacity);
 
-/// A map without the edges of its cells: what the cells have is brought to the vertices (vertexMeans), goes
-/// linearly between their places in the range, and has the colour of each place in between.
-///
-/// The places of the vertices, in [0, 1].
+/// A map without cell borders: values are averaged at the vertices (vertexMeans), interpolated as positions
+/// in the range, and coloured per place.
+/// Returns the positions of the vertices, in [0, 1].
 template <int Dim>
 std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
                                  Measure measure, const MeasureRange& range);

@@ -36,7 +36,7 @@ QPalette paletteOf(const Tones& tones) {
     set({QPalette::Button, QPalette::ToolTipBase}, tones.raised);
     set({QPalette::ToolTipText}, tones.text);
     set({QPalette::Mid}, tones.border);
-    set({QPalette::Light}, tones.raised);  // menus etch what is disabled with it
+    set({QPalette::Light}, tones.raised);  // menus etch disabled entries with it
     set({QPalette::Midlight}, tones.line);
     set({QPalette::Dark}, tones.border);
     set({QPalette::Shadow, QPalette::PlaceholderText}, tones.muted);
@@ -66,8 +66,7 @@ QByteArray recoloured(const QByteArray& svg, const QColor& colour) {
     return result;
 }
 
-/// A drawing of one tone, which says what state the icon is in; drawn in each size when that is asked for
-/// first.
+/// An icon of one tone that depends on its state; each size is drawn when it is first needed.
 class ToneIcon : public QIconEngine {
   public:
     ToneIcon(QByteArray svg, const QPalette& palette) : m_svg(std::move(svg)), m_palette(palette) {}

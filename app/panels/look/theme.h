@@ -7,13 +7,13 @@
 
 namespace wend {
 
-/// Colours of the window beyond what a palette holds; light and dark follow the desktop's palette.
+/// Colours of the window beyond those of a palette, for the light and the dark palette.
 struct Theme {
     bool dark = false;
     QColor workspace;  // around the picture
     QColor checkerA, checkerB;
     QColor accent;      // under white
-    QColor accentText;  // as text, and for rings around what has the keyboard
+    QColor accentText;  // as text, and for focus rings
     QColor secondText;
     QColor line;                      // hairlines between areas
     QColor danger, warning, success;  // never without a sign
@@ -23,12 +23,12 @@ struct Theme {
 
 enum class Appearance { System, Light, Dark };
 
-/// The palette of the window: the system's lightness (as it was at the start) or the one asked for.
+/// Returns the palette of the window: of the system's lightness at the start, or of the chosen one.
 QPalette wendPalette(Appearance appearance, const QPalette& system);
 /// Shapes of controls, in the colours of the palette.
 QString wendStyleSheet(const QPalette& palette);
 
-/// For icons on a button that is filled with the accent.
+/// Returns the palette for icons on accent-coloured buttons.
 QPalette primaryPalette(const QPalette& palette);
 
 /// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp

@@ -17,18 +17,18 @@ namespace wend {
 
 namespace {
 
-// Vertices from which on a shape's own fields are too slow for a hand, and those of the body.
+// Number of vertices above which a drag uses the coarse body, and the number of vertices of that body.
 template <int Dim>
 constexpr int kLarge = Dim == 2 ? 16000 : 8000;
 template <int Dim>
 constexpr int kAim = Dim == 2 ? 5000 : 2000;
-// Times as many where so few hold together what is apart.
+// Factor on the number of vertices where too few of them connect separate parts.
 constexpr int kFiner = 2;
-// A body of more than a third of the shape's vertices is not worth its while.
+// A body is not used if it has more than this fraction of the shape's vertices.
 constexpr int kWorthwhile = 3;
 // Weights of less are rounding.
 constexpr double kNoWeight = 1e-9;
-// Of the largest second moment of vertices: with less they lie in a plane, or on a line.
+// Relative to the largest second moment of the vertices: below it they are coplanar or collinear.
 constexpr double kFlat = 1e-4;
 // Rounds in which folded cells are taken apart.
 constexpr int kUnfoldings = 20;
@@ -40,7 +40,7 @@ Points<Dim> centroids(const SimplicialMesh<Dim>& mesh) {
     return result;
 }
 
-/// Where the middles of a mesh's cells are in another one.
+/// Returns the cells of the other mesh that contain the centroids of this mesh's cells.
 template <int Dim>
 std::vector<int> cellsIn(const SimplicialMesh<Dim>& other, const SimplicialMesh<Dim>& mesh) {
     const Embedding<Dim> middles(other, centroids(mesh));
@@ -100,7 +100,7 @@ AffineMap<Dim> mapBetween(const Points<Dim>& from, const Points<Dim>& to, const 
 
 }  // namespace
 
-/// What handles hold of the body.
+/// The part of the body that handles hold.
 template <int Dim>
 class CoarseBody<Dim>::Holding {
   public:
@@ -123,7 +123,7 @@ class CoarseBody<Dim>::Holding {
         claim(vertices, number);
     }
 
-    /// False where the body could not move one without the other, or not turn it.
+    /// Returns false if the body cannot move the handles independently, or cannot rotate one of them.
     bool settle() {
         for (auto& [number, vertices] : m_wholes) {
             std::vector<int> own;
@@ -140,7 +140,7 @@ class CoarseBody<Dim>::Holding {
     Held all() && { return std::move(m_held); }
 
   private:
-    /// What slides gets what no other handle wants.
+    /// Assigns vertices to the handle; sliding handles only get vertices that no other handle needs.
     void claim(const std::vector<int>& vertices, int number) {
         const bool slides = m_held.handles[static_cast<std::size_t>(number)].slides != 0;
         std::map<int, double> wanted;
@@ -154,7 +154,7 @@ class CoarseBody<Dim>::Holding {
         }
     }
 
-    /// Whether the vertices tell how all of space is turned with them.
+    /// Returns whether the vertices determine a rotation of space.
     bool spans(const std::vector<int>& vertices) const {
         Points<Dim> points(Dim, static_cast<Eigen::Index>(vertices.size()));
         for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -164,7 +164,7 @@ class CoarseBody<Dim>::Holding {
         return static_cast<int>(vertices.size()) > Dim && values[Dim - 1] > kFlat * values[0];
     }
 
-    /// Where a point's cell has no free vertex left, the point cannot move by itself.
+    /// Returns whether every held point has a free vertex in its cell, so that it can move by itself.
     bool isFree() const {
         for (std::size_t c = 0; c < m_points.size(); ++c) {
             int held = m_points[c];
@@ -174,7 +174,7 @@ class CoarseBody<Dim>::Holding {
         return true;
     }
 
-    /// One in each cell: those beside it go with it.
+    /// Holds one point per cell; its neighbours follow.
     void takePoints(const std::vector<ConstrainedPoint>& points, Handle<Dim>& held) {
         std::vector<Vec<Dim>> places;
         std::vector<int> cells;
@@ -192,7 +192,7 @@ class CoarseBody<Dim>::Holding {
         held.at = std::move(places);
     }
 
-    /// Where p is in the cell, or what is near to it where the body does not reach that far.
+    /// Returns the location of p in the cell, or the nearest one if the body does not reach that far.
     Location<Dim> within(int cell, const Vec<Dim>& p) const {
         const auto weights = barycentric<Dim>(m_body.m_rest->points, m_body.m_rest->cells[cell], p);
         return {cell, weights.cwiseMax(0) / weights.cwiseMax(0).sum()};
@@ -204,7 +204,7 @@ class CoarseBody<Dim>::Holding {
     Held m_held;
     std::vector<std::pair<int, std::vector<int>>> m_wholes;  // handles, and their vertices of the shape
     std::vector<int> m_owner;                                // of the body's vertices: a handle, or −1
-    std::vector<double> m_most;                              // and how much it wants it
+    std::vector<double> m_most;                              // and the weight of that handle
     std::vector<int> m_points;                               // in each of its cells
 };
 
@@ -215,7 +215,7 @@ std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::of(const Shape<Dim>& sha
     for (const int aim : {kAim<Dim>, kFiner * kAim<Dim>}) try {
             SimplicialMesh<Dim> mesh = coarseMesh<Dim>(*shape.rest, std::min(aim, most));
             if (mesh.vertexCount() <= most) return std::make_shared<const CoarseBody>(shape, std::move(mesh));
-        } catch (const InputError&) {  // a finer one may do; else it is dragged as it is
+        } catch (const InputError&) {  // a finer body may work; otherwise the shape itself is dragged
         }
     return nullptr;
 }
@@ -239,8 +239,8 @@ std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::with(const Material<Dim>
     return other;
 }
 
-/// Of each cell of the body the mean over the shape's cells in it, by volume; where there is none, what the
-/// shape has at the cell's centroid.
+/// Averages the shape's material over each cell of the body, weighted by volume. A cell without any takes the
+/// material at its centroid.
 template <int Dim>
 Material<Dim> CoarseBody<Dim>::coarse(const Material<Dim>& from) const {
     const bool anisotropic = !from.anisotropy.empty();
@@ -272,7 +272,7 @@ std::optional<typename CoarseBody<Dim>::Held> CoarseBody<Dim>::held(
     for (const Handle<Dim>& handle : handles) holding.take(handle);
     if (!holding.settle()) return std::nullopt;
     return std::move(holding).all();
-} catch (const InputError&) {  // the shape's own flow says what is wrong
+} catch (const InputError&) {  // the flow of the shape itself reports the error
     return std::nullopt;
 }
 

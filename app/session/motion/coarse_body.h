@@ -9,54 +9,52 @@
 
 namespace wend {
 
-/// The coarser body in which a large shape rides while a hand drags it: a field of the shape's own takes a
-/// tenth of a second to a second there, one of the body a few milliseconds. The body keeps what the shape
-/// keeps, place by place.
+/// A coarse body that carries a large shape during a drag. A velocity field of the shape takes 0.1 s to 1 s,
+/// one of the body a few milliseconds. The body has the material of the shape.
 template <int Dim>
 class CoarseBody {
   public:
-    /// Null where the shape is small enough to be dragged as it is, or no such body can be made.
+    /// Returns null if the shape is small enough to be dragged directly, or if no body can be made.
     static std::shared_ptr<const CoarseBody> of(const Shape<Dim>& shape);
     CoarseBody(const Shape<Dim>& shape, SimplicialMesh<Dim> mesh);
-    /// The same body where the same mesh has another material: no place is looked for again.
+    /// Returns this body with another material of the same mesh; reuses all locations.
     std::shared_ptr<const CoarseBody> with(const Material<Dim>& material) const;
 
     const std::shared_ptr<const SimplicialMesh<Dim>>& rest() const { return m_rest; }
     const std::shared_ptr<const Material<Dim>>& material() const { return m_material; }
 
-    /// A point that a handle holds: a combination of the shape's vertices, and one of the body's.
+    /// A point held by a handle, as a combination of vertices of the shape and of the body.
     struct Pin {
         std::vector<std::pair<int, double>> inShape;
         Location<Dim> inBody;
     };
-    /// What a handle holds as a whole: vertices of both.
+    /// The vertices that a handle holds rigidly, in both meshes.
     struct Part {
         std::vector<int> inShape, inBody;
     };
-    /// The shape's handles as handles of the body: what holds many vertices holds those of the body that they
-    /// depend on (of two handles the one that needs one most has it), single points hold points in its cells.
+    /// Handles of the shape mapped to the body. A handle of many vertices holds the body's vertices that they
+    /// depend on (the handle with the largest weight wins); single points are held inside cells.
     struct Held {
         std::vector<Handle<Dim>> handles;
         std::vector<Pin> pins;
         std::vector<Part> parts;
     };
-    /// Nothing where one of them has no place, or two are so near to each other that the body could not move
-    /// one without the other.
+    /// Returns nothing if a handle has no place in the body, or if two of them cannot move independently.
     std::optional<Held> held(const std::vector<Handle<Dim>>& handles) const;
 
-    /// Where body and shape are when a ride begins.
+    /// Poses of body and shape at the start of a drag.
     struct Ride {
         Points<Dim> body, shape;
-        Points<Dim> ahead;  // of the shape's vertices: from where the body's cells have them
+        Points<Dim> ahead;  // offset of each of the shape's vertices from its place in the body
     };
-    /// Nothing where the body would be folded in that pose of the shape, even after its vertices there went
-    /// to where those around have them.
+    /// Returns nothing if the body would be inverted in this pose, even after moving the affected vertices to
+    /// the mean of their neighbours.
     std::optional<Ride> begin(const Points<Dim>& pose) const;
-    /// The shape's pose in a pose of the body: x = Σ w X + F F₀⁻¹ a, with the weights of the cell at rest,
-    /// its gradient F, F₀ at the ride's beginning, and what the vertex was ahead then. That is the pose in
-    /// which the ride began, but for rounding, and turns and shears with the body. What is held is exact: a
-    /// part goes as the body's vertices that it holds do, and the vertices around a pin go so much further
-    /// that it has gone as far as the body's point has.
+    /// Maps a pose of the body to the shape: x = Σ w X + F F₀⁻¹ a, with the rest weights w of the vertex in
+    /// its cell, the cell's deformation gradient F, its value F₀ at the start of the drag, and the vertex's
+    /// offset a at that time. It reproduces the start pose up to rounding and rotates and shears with the
+    /// body. Held points are exact: a rigid part follows the body's vertices that it holds, and vertices
+    /// around a pin are corrected by the remaining error of the pin.
     Points<Dim> carried(const Ride& ride, const Points<Dim>& body, const Held& held = {}) const;
 
   private:

@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// The one thread that meshes and solves for the window. Requests go in through a mailbox; frames come out as
-/// signals in the thread that this object lives in.
+/// The thread that meshes and solves for the window. Requests enter through a mailbox; frames leave as
+/// signals in the thread of this object.
 class ComputeThread : public QObject {
     Q_OBJECT
 
@@ -21,15 +21,15 @@ class ComputeThread : public QObject {
     void post(Request request) { m_mailbox.post(std::move(request)); }
 
   signals:
-    /// Another rest mesh, or the same one again, with what earlier frames are worth.
+    /// Emitted with a rest mesh, new or unchanged, and with how much of the earlier frames remains valid.
     void shapeReady(int revision, std::shared_ptr<const void> shape, wend::KeptFrames kept);
     void frameReady(wend::FramePtr frame);
     void fieldReady(int number, wend::VelocityPtr field);
     void progress(double time, double end);
-    /// The whole motion is there; `problem` is empty, or says what could not be completed.
+    /// Emitted at the end of the motion; `problem` says what could not be completed, or is empty.
     void finished(double time, QString problem);
-    /// The project makes no sense as it is. The last shape stays, unless `shapeless`: its surface bounds no
-    /// solid.
+    /// Emitted if the project is invalid. The last shape stays, unless `shapeless`: the surface bounds no
+    /// volume.
     void failed(int revision, QString reason, bool shapeless);
 
   private:
@@ -43,7 +43,7 @@ class ComputeThread : public QObject {
     HandOver m_out;
     std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone,
     int m_revision = 0;                     // and this: of the newest shape that was asked for
-    std::jthread m_thread;                  // the last member: it stops before the others go
+    std::jthread m_thread;  // last, so that the thread stops before the other members are destroyed
 };
 
 }  // namespace wend

@@ -8,9 +8,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kTick = 1.0 / 60;    // seconds between two samples of a hand that moves
+constexpr double kTick = 1.0 / 60;    // seconds between two samples of a moving pointer
 constexpr double kPause = 3 * kTick;  // longer than that without a sample, it has rested
-constexpr double kLate = 0.02;        // seconds that count as much as the tolerance
+constexpr double kLate = 0.02;        // seconds that weigh as much as the tolerance
 
 }  // namespace
 

@@ -6,41 +6,40 @@
 
 namespace wend {
 
-/// A way, and when it was gone: the seconds since its beginning, which increase.
+/// A path with the time of each point in seconds since its start; times increase strictly.
 struct TimedPath {
     std::vector<Amount> points;
     std::vector<double> seconds;
 };
 
-/// The samples of the pointer while handles are dragged. Where the shape could not follow, the path ends at
-/// what was reached.
+/// The pointer samples of a drag. If the shape could not follow, the path ends where it stopped.
 class DragGesture {
   public:
-    /// `records`: when the samples come matters, too.
+    /// `records`: keep the times of the samples, too.
     DragGesture(std::vector<int> handles, const Grip& grip, bool records = false);
 
     const std::vector<int>& handles() const { return m_handles; }
     const Grip& grip() const { return m_grip; }
     bool records() const { return m_records; }
-    /// The newest sample as it was taken, and its number.
+    /// Returns the newest sample as it was added, whether or not the shape has reached it.
     const Amount& newest() const { return m_newest; }
     int sampleCount() const { return static_cast<int>(m_samples.size()) - 1; }
-    /// That it lasts so far.
+    /// Returns the duration of the drag so far.
     double seconds() const { return m_samples.back().seconds - m_samples.front().seconds; }
 
-    /// Another sample, from the start, and when it was taken by a clock of the caller's; returns its number.
+    /// Adds a sample with its offset from the start and its time on the caller's clock. Returns its index.
     int add(const Amount& amount, double seconds = 0);
     void follow(const ShapeFrame& live);
 
-    /// The newest sample, or what was reached if the shape has stopped short of it.
+    /// Returns the newest sample, or the last reachable one if the shape has stopped.
     Amount amount() const;
     bool isStopped() const { return m_stopped; }
-    /// What was really gone, simplified: begins with zero; a single point if nothing moved.
+    /// Returns the reached path, simplified. It starts at zero and is a single point if nothing moved.
     std::vector<Amount> path(double tolerance) const;
-    /// The same with its times, rests included, simplified in space and time: the hand is nowhere earlier or
-    /// later by more than 20 ms beyond the tolerance. A single point if nothing moved.
+    /// Returns the reached path with its times, including pauses, simplified in space and time: no point is
+    /// off by more than 20 ms beyond the tolerance. A single point if nothing moved.
     TimedPath timedPath(double tolerance) const;
-    /// The straight way to where it has come.
+    /// Returns the straight path to the reached point.
     std::vector<Amount> straight() const;
 
   private:

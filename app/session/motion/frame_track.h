@@ -10,7 +10,7 @@ namespace wend {
 class FrameTrack {
   public:
     void clear() { m_frames.clear(); }
-    /// Gives all another time, and drops what is void.
+    /// Rescales the times of all frames and drops the invalid ones.
     void keep(const KeptFrames& kept);
     void add(FramePtr frame);
     bool isEmpty() const { return m_frames.empty(); }

@@ -16,21 +16,22 @@ namespace {
 
 constexpr double kLongestPiece = 0.06;  // of the size
 constexpr double kMostPieces = 2;       // per sample: the pointer is more urgent than the path
-constexpr double kArm = 0.25;           // of the size: what turning and growing are measured at
+// fraction of the size: the lever arm that converts rotation and scaling to a length
+constexpr double kArm = 0.25;
 // Vertices up to which a factor for every field is quick enough.
 template <int Dim>
 constexpr int kExactVertices = Dim == 2 ? 20000 : 2500;
 constexpr int kSmall = 10000;            // vertices
 constexpr double kStiffestPreview = 16;  // w_r / w_q of which factors still last
 
-/// Of a small shape a field costs about as much as its painting, which takes the other cores: threads that
-/// wait for each other a hundred times in a field are slower there than one alone. A large shape takes all.
+/// Small shapes use one thread: their fields cost about as much as painting, which needs the other cores, and
+/// synchronizing threads a hundred times per field is slower than one thread. Large shapes use all.
 int previewThreads(int vertices) {
     return vertices > kSmall ? 0 : std::max(1, static_cast<int>(std::thread::hardware_concurrency() / 2));
 }
 
-/// On the way to EQUIA every field needs a factor of its own: the preview of a large shape keeps areas and
-/// volumes a little less strictly, so that it keeps up.
+/// Near EQUIA every field needs its own factor, so the preview of a large shape preserves areas and volumes
+/// slightly less strictly.
 template <int Dim>
 std::shared_ptr<const Material<Dim>> previewMaterial(const std::shared_ptr<const Material<Dim>>& material,
                                                      const Shape<Dim>& shape) {
@@ -43,7 +44,7 @@ std::shared_ptr<const Material<Dim>> previewMaterial(const std::shared_ptr<const
     return softer;
 }
 
-/// Of the shape, or of a body in which it rides.
+/// Makes the flow of the shape, or of the body that carries it.
 template <int Dim>
 DragFlow<Dim> flowOf(const Shape<Dim>& shape, const std::shared_ptr<const SimplicialMesh<Dim>>& rest,
                      const std::shared_ptr<const Material<Dim>>& material,
@@ -64,7 +65,7 @@ LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handle
     if (!m_body || !ride()) flowByItself();
 }
 
-/// False if the body cannot be held as the shape is.
+/// Returns false if the body cannot be held as the shape is.
 template <int Dim>
 bool LiveDrag<Dim>::ride() try {
     auto held = m_body->held(m_handles);
@@ -116,7 +117,7 @@ void LiveDrag<Dim>::beginFlow(const Points<Dim>& pose) {
     m_flow->begin(m_ride.body);
 }
 
-/// From where they are at the time so far: M(t₁) ∘ M(t₀)⁻¹, motion after motion.
+/// Composes the motions of the other handles up to the given time: M(t₁) ∘ M(t₀)⁻¹, motion after motion.
 template <int Dim>
 std::vector<typename DragFlow<Dim>::Alongside> LiveDrag<Dim>::othersUntil(double time) const {
     std::vector<typename DragFlow<Dim>::Alongside> others;
@@ -135,7 +136,7 @@ std::vector<typename DragFlow<Dim>::Alongside> LiveDrag<Dim>::othersUntil(double
     return others;
 }
 
-/// Of a change in the domain's units, as far as it can be told.
+/// Returns an estimate of a change as a length in domain units.
 template <int Dim>
 double LiveDrag<Dim>::length(const Amount& change) const {
     return m_grip.kind == Grip::Kind::Move ? change.norm() : kArm * m_size * std::abs(change[0]);

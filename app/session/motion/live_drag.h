@@ -9,9 +9,9 @@
 
 namespace wend {
 
-/// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
-/// all others hold still, or go on as they do when a recording tells the time: a preview, replaced by the
-/// exact motion after the release. A large shape rides in a coarser body meanwhile.
+/// The flow during a drag: dragged handles move straight to the newest target; the others hold still, or
+/// follow their motions while a recording runs. This is a preview; the exact motion replaces it after the
+/// release. Large shapes are carried by a coarse body.
 template <int Dim>
 class LiveDrag {
   public:
@@ -22,21 +22,21 @@ class LiveDrag {
         double pinError = 0;
     };
 
-    /// `handles` hold the shape; their motions do not matter. Analyzes at once, so that a drag begins
-    /// promptly. With a body, which is the shape's, the shape rides in it as far as it can.
+    /// `handles` hold the shape; their motions are ignored. Analyzes immediately, so that a drag starts
+    /// without delay. If a body of the shape is given, it carries the shape where possible.
     LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles,
              std::shared_ptr<const CoarseBody<Dim>> body = nullptr);
 
-    /// True if a drag of these handles can begin without another analysis.
+    /// Returns whether a drag of these handles can start without another analysis.
     bool fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
     /// A drag of some handles, by their index, from a pose that is that of a time. `handles`: all with the
     /// motions that they have now; none: they have none.
     void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose,
                const std::vector<Handle<Dim>>& handles = {}, double time = 0);
-    /// With a time the other handles are where they are then.
+    /// If a time is given, the other handles move to where they are then.
     Step follow(const Amount& amount, std::optional<double> time = {});
     const Points<Dim>& pose() const { return m_body ? m_carried : m_flow->pose(); }
-    /// Whether the shape rides in a body.
+    /// Returns whether a coarse body carries the shape.
     bool rides() const { return m_body != nullptr; }
 
   private:
@@ -50,7 +50,7 @@ class LiveDrag {
     double m_size;
     std::vector<Handle<Dim>> m_handles;
     std::vector<int> m_dragged;
-    std::shared_ptr<const CoarseBody<Dim>> m_body;  // in which the shape rides, or null
+    std::shared_ptr<const CoarseBody<Dim>> m_body;  // the body that carries the shape, or null
     typename CoarseBody<Dim>::Ride m_ride;
     typename CoarseBody<Dim>::Held m_held;
     Points<Dim> m_carried;                // by the body: the shape's pose

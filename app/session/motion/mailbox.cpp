@@ -4,7 +4,7 @@ namespace wend {
 
 namespace {
 
-/// True if `next` says all that is left to do of `last`, the newest request that waits.
+/// Returns whether `next` supersedes `last`, the newest waiting request.
 bool replaces(const Request& next, const Request& last) {
     return next.index() == last.index() &&
            (std::holds_alternative<SetShape>(next) || std::holds_alternative<DragTo>(next) ||

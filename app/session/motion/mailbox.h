@@ -13,45 +13,45 @@
 
 namespace wend {
 
-/// What the window asks of the compute thread.
+/// Requests of the window to the compute thread.
 struct SetShape {
     ShapeInputs inputs;
 };
 struct BeginDrag {
     std::vector<int> handles;
     Grip grip = {};
-    int gesture = 0;   // its number: frames tell what they belong to
+    int gesture = 0;   // number of the drag, which its frames carry
     int revision = 0;  // of the shape that the handles are of
-    FramePtr from;     // what is seen: the drag begins there, whatever is still being computed
+    FramePtr from;     // the shown frame; the drag starts there, whatever is still being computed
     double time = 0;   // of the motion, when it begins
 };
 struct DragTo {
     Amount amount = Amount::Zero();   // from where the drag began
     int sample = 0;                   // its number in the gesture
-    std::optional<double> time = {};  // of the motion: of a recording, to which the others go on
+    std::optional<double> time = {};  // time of a recording, at which the other handles are placed
 };
 struct EndDrag {};
-/// For a velocity field at a frame of the motion: its own, or how far some handles take everything along
-/// (docs/method.md, section 5).
+/// Asks for a field at a frame of the motion: the velocity, or the influence of some handles (docs/method.md,
+/// section 5).
 struct AskField {
     FramePtr frame;
     int revision = 0;
     std::vector<int> influenceOf = {};
     int number = 0;  // of the question, for its answer
 };
-struct CancelWork {};  // what is being made is not wanted any more, and nothing else is
+struct CancelWork {};  // cancels the current work without replacing it
 using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag, AskField, CancelWork>;
 
-/// What waits to be done, in order. Of shapes that follow each other only the newest is kept, and of
-/// questions for a field and targets of a drag as well: the preview goes straight to where the pointer is.
+/// Requests in order. Only the newest of consecutive shapes, field requests and drag targets is kept, so the
+/// preview jumps to the current pointer position.
 class Mailbox {
   public:
     void post(Request request);
-    /// Waits for a request; nothing if there is none and `wait` is false, or when `stop` was requested.
+    /// Waits for a request. Returns nothing if there is none and `wait` is false, or if `stop` was requested.
     std::optional<Request> take(bool wait, std::stop_token stop);
-    /// A token that is stopped as soon as there is a request, or at once if there is one.
+    /// Returns a token that stops as soon as a request is waiting.
     std::stop_token interruption();
-    /// From now on every token is stopped.
+    /// Stops every token from now on.
     void close();
 
   private:

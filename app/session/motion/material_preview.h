@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// A material that is being painted. It stands in for that of the frame which it was painted upon, until a
-/// frame with another one arrives.
+/// A material while it is painted. It replaces the material of its frame until a frame with another material
+/// arrives.
 template <int Dim>
 class MaterialPreview {
   public:
@@ -22,7 +22,7 @@ class MaterialPreview {
     void takeProject() {
         if (!std::exchange(m_lasts, false)) m_painted.reset();
     }
-    /// The frame as it looks with it.
+    /// Returns the frame with the preview's material.
     PosedPtr<Dim> over(const PosedPtr<Dim>& frame) const {
         if (!frame || !m_painted || frame->material != m_upon) return frame;
         if (m_frame != frame || m_shown->material != m_painted) {
@@ -37,7 +37,7 @@ class MaterialPreview {
   private:
     Painted m_upon, m_painted;
     bool m_lasts = false;
-    mutable PosedPtr<Dim> m_frame, m_shown;  // what over() made last
+    mutable PosedPtr<Dim> m_frame, m_shown;  // result of the last call of over()
 };
 
 }  // namespace wend

@@ -71,7 +71,7 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     if (sameFlow) {
         const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
         const double scale = timeScale<Dim>(before, after);
-        // Steps of fixed number lie elsewhere on the way when the clock changes.
+        // Steps of fixed number are placed elsewhere when the clock changes.
         if (scale == 1 || isFree)
             kept = {scale, std::min(firstDifference(before, after, scale),
                                     firstDifference(settlingOf(*m_project), settlingOf(*project), scale))};
@@ -105,7 +105,7 @@ void MotionPass<Dim>::forgetFrom(double time) {
     while (!m_sent.empty() && (!m_cache.last() || m_sent.back() > m_cache.last()->time)) m_sent.pop_back();
 }
 
-/// States stay where they lie on a breakpoint still, to the bit: the integrator begins anew there.
+/// States at breakpoints keep their bits, because the integrator restarts there.
 template <int Dim>
 void MotionPass<Dim>::changeClock(double scale) {
     const std::vector<double> all = breakpoints();
@@ -117,7 +117,7 @@ void MotionPass<Dim>::changeClock(double scale) {
     for (double& time : m_sent) time *= scale;
 }
 
-/// False where the frames that are there lie too far from each other, since the film became longer.
+/// Returns false if the existing frames are too far apart because the film became longer.
 template <int Dim>
 bool MotionPass<Dim>::isDense() const {
     for (std::size_t i = 1; i < m_sent.size(); ++i)
@@ -125,7 +125,7 @@ bool MotionPass<Dim>::isDense() const {
     return true;
 }
 
-/// False if it was stopped.
+/// Returns false if it was stopped.
 template <int Dim>
 bool MotionPass<Dim>::begin(const Sink& sink, const std::stop_token& stop) {
     if (!m_restSent) {
@@ -139,8 +139,8 @@ bool MotionPass<Dim>::begin(const Sink& sink, const std::stop_token& stop) {
     return true;
 }
 
-/// In a thread of its own: what cannot be stopped must not keep a drag waiting. One that was for another
-/// project becomes one for this when it is ready.
+/// Makes the deformer in a thread of its own, so that uninterruptible work does not delay a drag. A deformer
+/// of another project is adapted to this one when it is ready.
 template <int Dim>
 bool MotionPass<Dim>::makeDeformer(const Sink& sink, const std::stop_token& stop) {
     while (true) {
@@ -154,7 +154,7 @@ bool MotionPass<Dim>::makeDeformer(const Sink& sink, const std::stop_token& stop
     }
 }
 
-/// One of the same shape with other handles goes on with its analysis.
+/// Reuses the symbolic factorization if only the handles changed.
 template <int Dim>
 void MotionPass<Dim>::beginMaking() {
     m_makingFor = m_project;
@@ -174,7 +174,8 @@ void MotionPass<Dim>::beginMaking() {
         });
 }
 
-/// When the integrator stops: where motions and handles begin and end, at the start and the end.
+/// Returns the times at which the integrator must stop: the bounds of motions and handles, the start and the
+/// end.
 template <int Dim>
 std::vector<double> MotionPass<Dim>::breakpoints() const {
     std::vector<double> times = {0, m_end};

@@ -20,26 +20,26 @@ class MotionPass {
     struct Sink {
         std::function<void(const State<Dim>&, double pinError)> onFrame;
         std::function<void(double time, double end)> progress;
-        std::function<void()> meanwhile;  // while what cannot be stopped goes on in a thread of its own
+        std::function<void()> meanwhile;  // called while uninterruptible work runs in a thread of its own
     };
 
-    /// The problem from now on; what earlier frames are worth.
+    /// Sets the problem and returns how much of the earlier frames stays valid.
     KeptFrames set(const Shape<Dim>& shape, std::shared_ptr<const Project> project);
     void clear();
 
     bool isSet() const { return m_project != nullptr; }
     bool isFinished() const { return m_result.has_value(); }
-    /// How the motion ended, once finished.
+    /// How the motion ended; valid once it is finished.
     const AdvanceResult& result() const { return *m_result; }
     const State<Dim>& state() const { return *m_cache.last(); }
     double end() const { return m_end; }
 
-    /// Goes on until the end, a fold or a stop; frames come in the order of time.
+    /// Integrates until the end, an inversion or a stop. Frames are emitted in order of time.
     void run(const Sink& sink, std::stop_token stop);
-    /// v̂ for a pose of this motion, solved for exactly; no columns if that fails, or if it was stopped before
-    /// the solver began. Does not touch the motion, whatever it throws.
+    /// Solves for v̂ at a pose of this motion. Returns no columns if that fails, or if it was stopped before
+    /// the solver began. The motion itself stays unchanged, even on exceptions.
     Points<Dim> velocity(double time, const Points<Dim>& pose, std::stop_token stop);
-    /// How far some handles of that time take everything along, in the first row (influenceAt).
+    /// Returns the influence of some handles on all vertices in the first row (influenceAt).
     Points<Dim> influence(const std::vector<int>& handles, double time, const Points<Dim>& pose,
                           std::stop_token stop);
 

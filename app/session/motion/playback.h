@@ -19,11 +19,11 @@ class Playback : public QObject {
     double end() const { return m_end; }
     bool isPlaying() const { return m_timer.isActive(); }
     bool loops() const { return m_loops; }
-    /// Of a film that is shown as fast as it is: 1.
+    /// Playback speed relative to real time.
     double speed() const { return m_speed; }
     bool isAtEnd() const { return m_time >= m_end; }
 
-    /// Another end; the time follows if it was there, or lies beyond.
+    /// Sets the end. The time follows if it was at the old end or is beyond the new one.
     void setEnd(double end);
     /// Frames up to here exist: playing waits there.
     void setReady(double time) { m_ready = time; }

@@ -8,14 +8,15 @@
 
 namespace wend {
 
-/// States by time, from which an integration can go on. Changing a handle at time t keeps what lies up to t.
+/// States by time from which the integration can continue. Changing a handle at time t keeps all states up to
+/// t.
 template <int Dim>
 class PoseCache {
   public:
     void clear() { m_states.clear(); }
     void add(const State<Dim>& state) { m_states.insert_or_assign(state.time, state); }
     void keepUpTo(double time) { m_states.erase(m_states.upper_bound(time), m_states.end()); }
-    /// Gives every state another time, or drops it where there is none.
+    /// Changes the time of every state, or drops it where the function returns nothing.
     void retime(const std::function<std::optional<double>(double)>& timeOf) {
         std::map<double, State<Dim>> states;
         for (auto& [time, state] : m_states) {

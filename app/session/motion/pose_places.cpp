@@ -12,7 +12,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kFlat = 1e-6;  // of the extent: below it points lie in a plane
+constexpr double kFlat = 1e-6;  // fraction of the extent below which points count as coplanar
 
 template <int Dim>
 Mat<Dim> edgesOf(const Points<Dim>& points, const Cell<Dim>& cell) {

@@ -11,11 +11,11 @@ namespace wend {
 /// The barycentric coordinates of a point in a cell of a pose.
 template <int Dim>
 Location<Dim> locationIn(const PosedFrame<Dim>& frame, int cell, const Vec<Dim>& p);
-/// The rotation of a cell from rest to the pose: the polar factor of its deformation gradient.
+/// Returns the rotation of a cell from rest to the pose: the polar factor of its deformation gradient.
 template <int Dim>
 Mat<Dim> cellRotation(const PosedFrame<Dim>& frame, int cell);
 
-/// The vertices of the rest mesh that a region holds, increasing.
+/// Returns the vertices of the rest mesh inside the region, in increasing order.
 template <int Dim>
 std::vector<int> verticesInside(const Region<Dim>& region, const SimplicialMesh<Dim>& rest);
 
@@ -27,15 +27,15 @@ struct CarryingOf {
 
     Vec<Dim> operator()(const Vec<Dim>& x) const { return A * x + b; }
 };
-/// The affine map that takes points from rest to a pose, by least squares; only shifts where they are too few
-/// or lie in a plane (a line). Points that a handle has moved as one are met exactly.
+/// Fits the affine map from rest to pose by least squares; a translation if the points are too few or
+/// coplanar (collinear in the plane). Exact for points that moved as one.
 template <int Dim>
 CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::vector<Vec<Dim>>& posed);
-/// The same for vertices of a frame; from rest to its pose.
+/// Fits that map to vertices of a frame.
 CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices);
 
-/// How large a solid is, or the part of it whose vertices are given: the volume of the cells and the area of
-/// the outer triangles all of whose vertices are among them.
+/// Size of a solid, or of the part with the given vertices: the volume of its cells and the area of the
+/// boundary triangles whose vertices all belong to it.
 struct SolidSize {
     double volume = 0, area = 0;
 };

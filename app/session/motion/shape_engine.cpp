@@ -65,7 +65,7 @@ void ShapeEngineOf<Dim>::work(std::stop_token stop) {
 template <int Dim>
 void ShapeEngineOf<Dim>::build(std::stop_token stop) {
     const Shape<Dim> shape = m_builder.build(m_wanted->inputs, stop);
-    if (!shape.rest) return;  // stopped: again, unless something else is wanted by then
+    if (!shape.rest) return;  // stopped: built again unless something else is requested
     m_wanted.reset();
     const bool recalled = m_shape && shape.rest != m_shape->rest && recall(shape);
     if (!m_shape || shape.rest != m_shape->rest || shape.material != m_shape->material)
@@ -78,7 +78,7 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
     if (m_pass.isFinished()) tellFinished();
 }
 
-/// For another mesh: lays a complete motion aside, and takes up the one that was, if it is of that mesh.
+/// On a mesh change, caches the finished motion and restores a cached one for the new mesh.
 template <int Dim>
 bool ShapeEngineOf<Dim>::recall(const Shape<Dim>& shape) {
     std::optional<Past> past = std::move(m_past);
@@ -99,8 +99,8 @@ bool ShapeEngineOf<Dim>::recall(const Shape<Dim>& shape) {
     return isPast;
 }
 
-/// The exact end of the motion where it is known, otherwise what the window shows. A drag that goes on right
-/// after another begins where that one has come, which the window may not have seen yet.
+/// Returns the exact end of the motion if it is known, otherwise the shown frame. A drag right after another
+/// one starts where that one ended, which the window may not have shown yet.
 template <int Dim>
 typename ShapeEngineOf<Dim>::Seen ShapeEngineOf<Dim>::seen(const BeginDrag& request) const {
     const bool isLast = request.time >= motionEnd(*m_project);
@@ -163,7 +163,7 @@ std::vector<Handle<Dim>> ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, 
     return own;
 }
 
-/// The next one begins promptly. What is wrong with it is told when it is tried.
+/// Prepares the next drag. Errors are reported when it starts.
 template <int Dim>
 void ShapeEngineOf<Dim>::readyDrag() try {
     prepareDrag(m_shape, motionEnd(*m_project));
@@ -171,7 +171,7 @@ void ShapeEngineOf<Dim>::readyDrag() try {
     m_live.reset();
 }
 
-/// Other handles, other ones that act, and other materials ride in the same body.
+/// Reuses the body for other handles, other active handles and other materials.
 template <int Dim>
 std::shared_ptr<const CoarseBody<Dim>> ShapeEngineOf<Dim>::bodyOf(const BuiltPtr& shape) {
     if (!m_bodyOf || m_bodyOf->rest != shape->rest)
@@ -182,7 +182,7 @@ std::shared_ptr<const CoarseBody<Dim>> ShapeEngineOf<Dim>::bodyOf(const BuiltPtr
     return m_body;
 }
 
-/// What cannot be moved, such as a pin within a part that is held, ends this drag only.
+/// Errors, such as a pin inside a held part, end this drag only.
 template <int Dim>
 void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
     if (!m_dragging) return;
@@ -225,7 +225,7 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     if (!stop.stop_requested()) readyDrag();
 }
 
-/// Whatever goes wrong here, the motion is what counts; what is wrong with it is told there.
+/// Errors are ignored here; the motion reports them.
 template <int Dim>
 void ShapeEngineOf<Dim>::answer(std::stop_token stop) {
     const AskField question = *m_asked;

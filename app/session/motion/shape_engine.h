@@ -12,10 +12,10 @@
 
 namespace wend {
 
-/// What the compute thread does with a project, whatever its dimension.
+/// The work of the compute thread on a project, independent of the dimension.
 class ShapeEngine {
   public:
-    /// Where results go; called in the thread of the engine.
+    /// Receives results, in the thread of the engine.
     struct Sink {
         std::function<void(int revision, std::shared_ptr<const void> shape, KeptFrames kept)> shapeReady;
         std::function<void(FramePtr)> frameReady;
@@ -27,21 +27,21 @@ class ShapeEngine {
     virtual ~ShapeEngine() = default;
 
     virtual int dimension() const = 0;
-    /// True if there is nothing to compute without another request.
+    /// Returns whether there is nothing to compute until the next request.
     virtual bool isIdle() const = 0;
-    /// For tests: whether the next drag begins without an analysis.
+    /// For tests: returns whether the next drag starts without an analysis.
     virtual bool isReadyForDrag() const = 0;
-    /// What is to be made; work() makes it.
+    /// Sets what work() computes.
     virtual void setShape(const SetShape& request) = 0;
-    /// Begins at once, from what is seen; what was to be made goes on afterwards.
+    /// Starts at once from the shown frame; interrupted work continues afterwards.
     virtual void beginDrag(const BeginDrag& request) = 0;
     virtual void dragTo(const DragTo& request) = 0;
     virtual void endDrag() = 0;
-    /// Is answered by work(), before the motion goes on, unless the frame is of another shape or motion.
+    /// Answered by work() before the motion continues, unless the frame belongs to another shape or motion.
     virtual void askField(const AskField& request) = 0;
-    /// The mesh, or an answer, or the motion; goes on where it was stopped.
+    /// Computes the mesh, an answer or the motion; continues where it was stopped.
     virtual void work(std::stop_token stop) = 0;
-    /// After a failure, or when it is cancelled: forgets what it was doing.
+    /// Forgets the current work after a failure or a cancellation.
     virtual void giveUp() = 0;
 };
 
@@ -87,13 +87,13 @@ class ShapeEngineOf : public ShapeEngine {
     Sink m_sink;
     ShapeBuilder<Dim> m_builder;
     BuiltPtr m_shape;
-    std::shared_ptr<const Project> m_project;  // the newest, of m_revision: its mesh may be yet to come
+    std::shared_ptr<const Project> m_project;  // of m_revision; its mesh may not exist yet
     int m_generation = 0, m_revision = 0;
     std::optional<SetShape> m_wanted;  // to be built
     std::optional<AskField> m_asked;   // to be answered
     MotionPass<Dim> m_pass;
     FrameTrack m_track;  // its frames so far
-    /// The last complete motion of another mesh: undo and cancelling go back to it at once.
+    /// The last finished motion of another mesh, for undo and cancelling.
     struct Past {
         BuiltPtr shape;
         MotionPass<Dim> pass;
@@ -104,11 +104,11 @@ class ShapeEngineOf : public ShapeEngine {
     std::shared_ptr<const CoarseBody<Dim>> m_body;  // of the shape that was dragged last; null: it needs none
     BuiltPtr m_bodyOf;
     bool m_dragging = false;
-    Seen m_held;            // of the drag that goes on
+    Seen m_held;            // of the current drag
     int m_gesture = 0;      // its number
-    int m_led = 0;          // of the drag that the live one has led; 0: none yet
+    int m_led = 0;          // number of the drag that m_live follows; 0 for none
     std::string m_refusal;  // why it cannot move anything
-    struct Measured {       // of the rest mesh of the last frame
+    struct Measured {       // measures of the last frame's rest mesh
         std::shared_ptr<const SimplicialMesh<Dim>> rest;
         double diagonal = 0, measure = 0;
         int used = 0;

@@ -25,7 +25,7 @@ Points<Dim> VelocityProbe<Dim>::at(double time, const Points<Dim>& pose) {
 
 namespace {
 
-/// The handles that hold at a time; the chosen ones go along coordinate k from k to k + 1.
+/// Keeps the handles that act at a time; the chosen ones move along coordinate k between times k and k + 1.
 template <int Dim>
 Project unitMotions(Project project, const std::vector<int>& chosen, double time) {
     auto& handles = std::get<Design<Dim>>(project.design).handles;

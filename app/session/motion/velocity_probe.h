@@ -7,25 +7,25 @@
 
 namespace wend {
 
-/// Solves for v̂ (docs/method.md, (13)) at poses of a project's motion, as `wend run` does, beside the
-/// motion itself.
+/// Solves for v̂ (docs/method.md, (13)) at poses of a project's motion, as `wend run` does, without changing
+/// the motion.
 template <int Dim>
 class VelocityProbe {
   public:
-    /// Throws InputError for what the deformer refuses.
+    /// Throws InputError if the deformer rejects the shape or its handles.
     VelocityProbe(const Shape<Dim>& shape, const Project& project);
 
-    /// One column per vertex, or none if it cannot be solved for.
+    /// Returns one column per vertex, or none if the field cannot be solved.
     Points<Dim> at(double time, const Points<Dim>& pose);
 
   private:
     Deformer<Dim> m_deformer;
 };
 
-/// How far some handles take each vertex along, held as the project holds the others at that time: with v̂ₖ
-/// the field in which those handles move by one unit along coordinate k and all others rest,
-/// (Σₖ |v̂ₖ|² / Dim)^½ in the first row. 1 at the handles, 0 where others hold; without the memory, which has
-/// a velocity of its own. No columns if it cannot be solved for.
+/// Returns the influence of some handles on each vertex, (Σₖ |v̂ₖ|² / Dim)^½, in the first row: v̂ₖ is the
+/// field for unit motion of those handles along coordinate k while all others that act at that time rest. It
+/// is 1 at the handles and 0 where others hold. The memory is left out, because it has a velocity of its own.
+/// No columns if the field cannot be solved.
 template <int Dim>
 Points<Dim> influenceAt(const Shape<Dim>& shape, const Project& project, const std::vector<int>& handles,
                         double time, const Points<Dim>& pose);

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// True if the last way of the one selected handle can become a Bézier curve.
+/// Returns whether the last path of the single selected handle can become a Bézier curve.
 bool canMakeCurve(const ShapeSession& session);
 /// Makes it one; one undo step.
 void makeCurve(ShapeSession& session);

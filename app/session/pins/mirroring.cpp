@@ -11,7 +11,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kReach = 0.02;  // of the shape's size: how far an image may lie beside the shape
+constexpr double kReach = 0.02;  // fraction of the shape's size that an image may be off the shape
 constexpr double kSame = 1e-3;   // of the shape's size: closer pins are one
 constexpr int kSamples = 500;    // of the vertices
 
@@ -24,7 +24,8 @@ double edgeOf(const SimplicialMesh<Dim>& mesh) {
     return sum / mesh.cellCount();
 }
 
-/// How far mirrored vertices lie from their nearest ones, in the mean; less than an edge tells nothing.
+/// Returns the mean distance of mirrored vertices from their nearest vertices; values below an edge length
+/// are noise.
 template <int Dim>
 double unlikeness(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator,
                   const Mirror<Dim>& mirror) {
@@ -48,7 +49,7 @@ class Imager {
           m_mirror(mirrorOf<Dim>(*frame.rest)),
           m_size(frame.diagonal) {}
 
-    /// Nothing where it would lie beside the shape.
+    /// Returns nothing if the image would be outside the shape.
     std::optional<Handle<Dim>> operator()(const Handle<Dim>& handle) const {
         Handle<Dim> image = handle;
         const bool lies = std::visit([this](auto& at) { return this->move(at); }, image.at);
@@ -58,7 +59,7 @@ class Imager {
         image.traits.colour.reset();
         return lies ? std::optional(image) : std::nullopt;
     }
-    /// True if some handle holds the same place.
+    /// Returns whether a handle already holds the same place.
     bool isTaken(const Handle<Dim>& image, const std::vector<Handle<Dim>>& handles) const {
         const Vec<Dim> own = middleOf(image);
         return std::any_of(handles.begin(), handles.end(), [&](const Handle<Dim>& other) {

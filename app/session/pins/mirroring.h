@@ -5,17 +5,18 @@
 
 namespace wend {
 
-/// Of a picture the upright line through its middle; of a solid the plane through its middle, across the
-/// axis, in which it is most like its own mirror image (of several the first).
+/// Returns the mirror of a shape: for pictures the vertical line through the middle, for solids the
+/// axis-aligned plane through the middle that makes it most similar to its mirror image (the first of
+/// equals).
 template <int Dim>
 Mirror<Dim> mirrorOf(const SimplicialMesh<Dim>& rest);
 
-/// For each selected pin one at its mirror image, with a mirrored motion; they are selected then. A notice
-/// says where there is none.
+/// Adds and selects a mirrored pin with a mirrored motion for each selected pin. Emits a notice where that is
+/// impossible.
 void mirrorPins(ShapeSession& session);
-/// The selected pins move as in a mirror that stands where they begin.
+/// Mirrors the motion of the selected pins at their start.
 void mirrorMotion(ShapeSession& session);
-/// True if a selected pin moves.
+/// Returns whether a selected pin moves.
 bool canMirrorMotion(const ShapeSession& session);
 
 }  // namespace wend

@@ -19,7 +19,7 @@ Vec<Dim> meanOfVertices(const std::vector<int>& vertices, const SimplicialMesh<D
     return points.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : meanOf<Dim>(points);
 }
 
-/// The middle of what a handle holds, at rest.
+/// Returns the centre of a handle's points at rest.
 template <int Dim>
 Vec<Dim> middleOf(const Placement<Dim>& at, const SimplicialMesh<Dim>& rest) {
     if (const auto* points = std::get_if<std::vector<Vec<Dim>>>(&at)) return meanOf<Dim>(*points);
@@ -29,8 +29,7 @@ Vec<Dim> middleOf(const Placement<Dim>& at, const SimplicialMesh<Dim>& rest) {
     return meanOfVertices(verticesInside<Dim>(region, rest), rest);
 }
 
-/// Where a pin holds the shape as a single point: in its middle, or at the vertex nearest to that where the
-/// middle is in a hole.
+/// Returns the single point that represents a handle: its centre, or the nearest vertex if that is in a hole.
 template <int Dim>
 Vec<Dim> pointNear(const Vec<Dim>& middle, const SimplicialMesh<Dim>& rest) {
     if (PointLocator<Dim>(rest.points, rest.cells).find(middle, 1e-9)) return middle;

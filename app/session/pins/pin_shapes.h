@@ -4,16 +4,15 @@
 
 namespace wend {
 
-/// Many points of one handle have one way for all.
+/// Returns one path for all points of a handle.
 template <int Dim>
 std::vector<Vec<Dim>> shownStarts(const std::vector<Vec<Dim>>& starts) {
     constexpr std::size_t kMost = 3;
     return starts.size() <= kMost ? starts : std::vector<Vec<Dim>>{meanOf<Dim>(starts)};
 }
 
-/// A pin becomes all that lies within a circle, or a ball, around it, or with a radius of 0 a single point;
-/// false, with a notice, where that is too small to hold a part. Changes of one `key` that follow each other
-/// are one step.
+/// Widens a pin to a disc or ball, or reduces it to a point for radius 0. Returns false and emits a notice if
+/// the radius is too small to contain a vertex. Consecutive changes with the same `key` merge into one step.
 template <int Dim>
 bool widenPin(ShapeSession& session, int handle, double radius, const QString& key = {});
 

@@ -8,8 +8,7 @@ namespace wend {
 
 struct Domain;
 
-/// What opens the widest gap that a cage closes, as a setting; none would do with few enough cells if all are
-/// 0.
+/// The setting that opens the widest gap of a cage; all zeros if no cage of acceptable size does.
 struct GapOpener {
     int vertices = 0;
     double maxVolume = 0, detail = 0;

@@ -55,7 +55,7 @@ std::string fourDigits(double value) {
     return {text.data(), end.ptr};
 }
 
-/// Up, with two digits.
+/// Rounds up to two digits.
 double roundedUp(double value) {
     const double power = std::floor(std::log10(value)) - 1, unit = std::pow(10, std::abs(power));
     const double digits = std::ceil((power < 0 ? value * unit : value / unit) - 1e-9);

@@ -13,10 +13,10 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
 /// Empty otherwise, and where handles name its vertices by number.
 std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin);
 
-/// What lies in a plane is meant as a mesh of the plane: only who asks for it gets a slab.
+/// Flat surfaces open as 2D meshes; a cage is built only on request.
 bool liesInAPlane(const Skin& skin);
 
-/// Whether there is anything that a cage could be made around.
+/// Returns whether there is a surface to build a cage around.
 bool canBeCaged(const Skin& skin);
 
 }  // namespace wend

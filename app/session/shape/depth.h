@@ -9,14 +9,15 @@
 
 namespace wend {
 
-/// The order that the regions give to every cell, that of the last one which has the cell's centroid; empty
-/// if nothing lies in front of anything. `rest` in the domain's coordinates.
+/// Returns the order of every cell: that of the last region that contains its centroid; empty if no region
+/// changes the order. `rest` is in domain coordinates.
 std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest);
 
-/// For WarpOptions::depth: what the regions say, and in one order the limbs as limbOrder() lays them.
+/// Returns WarpOptions::depth: the orders of the regions, and within one order the limbs as limbOrder() sorts
+/// them.
 std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest);
 
-/// One of the two, made again only for other regions or another mesh.
+/// Cached depths and painting plan, recomputed only for other regions or another mesh.
 class CellDepths {
   public:
     using Values = std::shared_ptr<const std::vector<float>>;
@@ -25,7 +26,7 @@ class CellDepths {
         : m_make(make) {}
     const Values& of(const std::vector<DepthRegion>& regions,
                      const std::shared_ptr<const SimplicialMesh<2>>& rest);
-    /// Of what of() gave last.
+    /// Returns the plan of the last result of of().
     std::shared_ptr<const PaintingPlan> plan();
 
   private:

@@ -30,7 +30,7 @@ bool isHidden(const Layer<Dim>& layer) {
     return std::ranges::all_of(layer, &MaterialRegion<Dim>::hidden);
 }
 
-/// The ball's own edge and both soft edges, beyond a shape: what is less apart may overlap.
+/// Returns whether an eraser may overlap a region, including both soft edges.
 template <int Dim>
 bool mayTouch(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
     const double soft = (eraser.feather + region.feather) / 2;
@@ -41,7 +41,7 @@ bool mayTouch(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
     return true;
 }
 
-/// Nothing is left of the region, on any mesh.
+/// Returns whether nothing is left of the region, on any mesh.
 template <int Dim>
 bool erasesAll(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
     const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
@@ -50,7 +50,7 @@ bool erasesAll(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
     return signedDistance<Dim>(eraser.shape, ball->centre) + reach <= 0;
 }
 
-/// The layer with erasers on top; those that touch nothing of it are left out, and what they erase wholly.
+/// Returns the layer with erasers on top, without erasers that miss it and without fully erased regions.
 template <int Dim>
 std::vector<MaterialRegion<Dim>> erased(const Layer<Dim>& layer, std::span<const Eraser<Dim>> erasers,
                                         const SimplicialMesh<Dim>& rest, const std::string& folder) {

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// Where something is erased, and how much of what was there at a cell.
+/// The place and strength of an eraser.
 template <int Dim>
 struct Eraser {
     Region<Dim> shape;
@@ -17,13 +17,13 @@ struct Eraser {
     int cell = 0;  // that the amount is of; of no account where all is erased
 };
 
-/// What was painted there is taken off all layers that are seen: the shape is there as everywhere, whatever
-/// that will be. No layer is added.
+/// Removes paint from all visible layers, so that the shape behaves as elsewhere, even after later changes.
+/// Adds no layer.
 template <int Dim>
 Design<Dim> withErased(const Design<Dim>& design, std::span<const Eraser<Dim>> erasers,
                        const SimplicialMesh<Dim>& rest, const std::string& folder);
 
-/// Without the layers that are seen and of which erasing has left next to nothing.
+/// Removes visible layers of which erasing has left almost nothing.
 template <int Dim>
 Design<Dim> withoutErasedLayers(const Design<Dim>& design, const SimplicialMesh<Dim>& rest,
                                 const std::string& folder);

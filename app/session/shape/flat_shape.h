@@ -12,7 +12,7 @@ namespace wend {
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
                                          std::vector<std::string>* notices = nullptr);
 
-/// What of a picture is bent.
+/// Returns the outline of the deformed part of a picture.
 Outline domainOutline(const Domain& domain, const Image& picture);
 
 /// The mesh of an outline; points of handles that are there from the start become vertices.
@@ -25,11 +25,12 @@ void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<
 /// The shape of a file's mesh in the plane, without material. Throws InputError that names the file.
 Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder);
 
-/// WarpOptions::restMargin for the domain's outline: what growing it reaches, if it follows alpha.
+/// Returns WarpOptions::restMargin for the domain's outline: the margin that was added to an outline from
+/// alpha.
 int restMarginOf(const Domain& domain);
 
-/// Where the rest mesh lies in the picture: with uv (one per vertex, origin at the bottom left) by them, and
-/// poses through the affine map that fits them best; without uv, coordinates are pixels.
+/// Places the rest mesh in the picture: with uv (one per vertex, origin at the bottom left), by them, and
+/// poses through the best affine map; without uv, coordinates are pixels.
 Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>> rest,
                   const Eigen::Matrix2Xd& uv);
 

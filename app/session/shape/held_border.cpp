@@ -30,7 +30,7 @@ bool takes(const Placement<2>& at, int vertex, const Vec<2>& p, double tolerance
                                [&](const Vec<2>& q) { return (p - q).norm() <= tolerance; });
 }
 
-/// By Side, the vertices there that no handle takes.
+/// Returns for each Side the vertices that no handle holds.
 std::array<std::vector<int>, 4> freeBorder(const std::vector<Handle<2>>& handles,
                                            const SimplicialMesh<2>& rest, const Vec<2>& frame) {
     std::array<std::vector<int>, 4> border;

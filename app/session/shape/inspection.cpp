@@ -120,7 +120,7 @@ void findProblems(const SimplicialMesh<Dim>& mesh, const std::map<Key<Dim>, std:
     add("vertices that no cell uses", unusedVertices<Dim>(mesh), false);
 }
 
-/// By vertices, or by edges.
+/// Adds parts that are connected by vertices or edges only.
 void addHanging(const std::vector<HangingPart>& parts, MeshInspection& inspection) {
     MeshProblem points{"vertices that a part hangs on alone", {}, false},
         lines{"edges that a part hangs on alone", {}, false};
@@ -146,7 +146,7 @@ void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspectio
         addHanging(hangingParts<Dim>(mesh), inspection);
 }
 
-/// Where squares and volumes of lengths leave the range of numbers.
+/// Returns whether squares or volumes of lengths overflow.
 bool isBeyondNumbers(const Points<3>& points) {
     const double spread = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
     return spread > 0 && !(spread > 1e-100 && spread < 1e100);

@@ -12,7 +12,7 @@ namespace wend {
 
 struct MeshFile;
 
-/// One thing that is wrong with a mesh, and all cells (or vertices) that it is wrong with.
+/// A fault of a mesh, with all cells (or vertices) that have it.
 struct MeshProblem {
     std::string what;                            // "cells without area"
     std::vector<int> where;                      // their numbers
@@ -30,10 +30,10 @@ struct MeshInspection {
     QualitySummary quality;  // of a partition
     std::vector<MeshProblem> problems;
     double volume = 0;                     // of a surface that encloses one
-    std::string surface;                   // of a surface: what is wrong with it (SurfaceProblems::summary)
+    std::string surface;                   // of a surface: its faults (SurfaceProblems::summary)
     std::optional<SurfaceFacts> facts;     // of a surface, or of the border of tetrahedra
     std::optional<int> intersectingPairs;  // of a surface; at most 10000 are counted
-    std::vector<FaultKind> faults;         // of a surface: what each suspect has a part in
+    std::vector<FaultKind> faults;         // of a surface: the kind of each fault
     std::vector<int> suspects;  // the cells, or of a surface the triangles, that have a part in a problem
 };
 

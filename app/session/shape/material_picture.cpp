@@ -21,7 +21,7 @@ constexpr double kMostMegapixels = 100;  // of a picture that is read: it is hel
 constexpr int kMeshPixels = 2048;        // the longer side of a picture of a mesh
 constexpr double kLastStop = kEnergyStops - 1;
 
-/// From the domain to a picture's pixels: the box becomes width × height.
+/// Maps domain coordinates to pixels of a picture: the box becomes width × height.
 class ToPixels {
   public:
     ToPixels(const Box<2>& box, bool up, int width, int height)
@@ -35,7 +35,7 @@ class ToPixels {
     Vec<2> m_corner, m_scale;
 };
 
-/// Calls with every pixel of the picture whose centre lies in the triangle.
+/// Calls the function for every pixel whose centre is inside the triangle.
 template <class Take>
 void forPixelsIn(const std::array<Vec<2>, 3>& corners, int width, int height, const Take& take) {
     Vec<2> low = corners[0], high = corners[0];
@@ -61,7 +61,7 @@ std::array<Vec<2>, 3> cornersOf(const SimplicialMesh<2>& rest, const Cell<2>& ce
             toPixels(rest.points.col(cell[2]))};
 }
 
-/// Of an axis, against the horizontal, in [0, 1[ half turns.
+/// Returns the angle of an axis to the horizontal, in [0, 1[ half turns.
 double halfTurns(const Vec<2>& axis, bool up) {
     const double turns = std::atan2(up ? axis.y() : -axis.y(), axis.x()) / kPi;
     return turns - std::floor(turns);
@@ -77,8 +77,8 @@ double grayOf(MaterialPart part, const Material<2>& material, int cell, bool up)
 
 // --- Reading ---
 
-/// What a cell finds in a picture: how much of it is painted, and what is, a number or an angle (on the
-/// circle, twice as large: 0° and 180° are one).
+/// The value of a cell in a picture: the painted fraction and the mean, of numbers or of angles (doubled,
+/// since 0° and 180° are equal).
 struct Found {
     double weight = 0;
     double value = 0;
@@ -101,7 +101,7 @@ class GrayPicture {
     int width() const { return m_width; }
     int height() const { return m_height; }
 
-    /// The mean over a triangle, or around its middle if no pixel's centre lies in it.
+    /// Returns the mean over a triangle, or at its centroid if it contains no pixel centre.
     template <class Mean>
     Found over(const std::array<Vec<2>, 3>& corners, Mean mean) const {
         forPixelsIn(corners, m_width, m_height, [&](int x, int y) { add(mean, x, y, 1); });
@@ -122,7 +122,7 @@ class GrayPicture {
         const float luma =
             image.colours() >= 3 ? 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2] : pixel[0];
         const float gray = image.unassociated || alpha <= 0 ? luma : luma / alpha;
-        m_gray.push_back(std::fmin(std::fmax(gray, 0.0F), 1.0F));  // what is no number is black
+        m_gray.push_back(std::fmin(std::fmax(gray, 0.0F), 1.0F));  // NaN becomes black
         m_alpha.push_back(alpha);
     }
     template <class Mean>
@@ -149,7 +149,7 @@ class MeanOfNumbers {
     double m_sum = 0, m_alpha = 0, m_weight = 0;
 };
 
-/// Of half turns.
+/// Mean of directions, in half turns.
 class MeanOfDirections {
   public:
     void add(double gray, double alpha, double weight) {
@@ -165,7 +165,7 @@ class MeanOfDirections {
     double m_alpha = 0, m_weight = 0;
 };
 
-/// One picture over the cells of a region's box.
+/// A picture placed over the cells of a region's box.
 struct Laid {
     Laid(const std::string& file, const std::string& folder, const MaterialRegion<2>& region)
         : picture(pathIn(folder, file)),

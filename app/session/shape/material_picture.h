@@ -6,25 +6,23 @@
 
 namespace wend {
 
-/// What a picture of the material shows, in gray:
-/// Keep: φ, black Area, a third of white Length, two thirds Rigid, white Angle, and evenly in φ between them.
-/// Stiffness: how many times stiffer, black ×1, white ×1000, evenly in the logarithm.
-/// Direction: that of what is stiff, as an angle against the horizontal, counter-clockwise as one sees it:
-/// black 0°, middle gray 90°, white 180°, which is 0° again.
-/// Numbers are taken as they stand in the file, without gamma or profile. Transparent: as it is there.
+/// Meaning of the grey values of a material picture. Keep: φ, black Area, one third Length, two thirds Rigid,
+/// white Angle, linear in φ between them. Stiffness: black ×1 to white ×1000, logarithmic. Direction: the
+/// counter-clockwise angle to the horizontal, black 0°, mid grey 90°, white 180° (equal to 0°). Values are
+/// read without gamma or profile. Transparent pixels keep the existing material.
 enum class MaterialPart { Keep, Stiffness, Direction };
 inline constexpr double kStiffestGray = 1000;
 
 inline constexpr std::array kMaterialParts{MaterialPart::Keep, MaterialPart::Stiffness,
                                            MaterialPart::Direction};
 
-/// Where the file of a part stands.
+/// Returns the member that names the file of a part.
 std::string MaterialPictures::*fileOf(MaterialPart part);
 
-/// Where pictures of a shape's material lie: over its picture, pixel by pixel, or around its mesh.
+/// Placement of material pictures: over the shape's picture pixel by pixel, or around its mesh.
 struct PictureFrame {
     Box<2> box{Vec<2>::Zero(), Vec<2>::Zero()};
-    bool up = false;  // the first row lies where y is largest
+    bool up = false;  // the first row has the largest y
     int width = 0, height = 0;
 };
 /// `width` and `height`: of the picture that is the domain; 0: of a mesh.

@@ -40,8 +40,8 @@ MaterialSpec<Dim> withCells(MaterialSpec<Dim> spec, const std::string& folder, i
     return spec;
 }
 
-/// Where the cells' values are taken. Neighbours in the list are mostly neighbours in the shape, so that a
-/// box around each few spares asking all of them about a ball.
+/// The points at which cell values are taken. Neighbours in the list are mostly neighbours in the shape, so a
+/// bounding box around every few of them speeds up queries.
 template <int Dim>
 class Centres {
   public:
@@ -103,7 +103,7 @@ class Layers {
             region.erases() ? erase(region) : layRegion(region);
         }
     }
-    /// How much the layer that was laid last covers the cells, if that was asked for.
+    /// Returns how much the last layer covers each cell, if requested.
     const std::vector<double>& cover() const { return m_cover; }
 
   private:
@@ -123,7 +123,8 @@ class Layers {
             m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * B;
         });
     }
-    /// The layer's cover falls to what is left, and with it how far the material is from that below.
+    /// Reduces the layer's cover to what is left, and the material's difference from the layer below
+    /// accordingly.
     void erase(const MaterialRegion<Dim>& region) {
         m_centres.forCellsIn(region, [&](int c, double m) {
             const double before = m_cover[c];

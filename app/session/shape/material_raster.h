@@ -9,18 +9,18 @@
 
 namespace wend {
 
-/// φ and B of every cell, taken at its centroid. On the cells' own values, if the spec has them, each region
-/// in turn lays its φ and B with its membership m: φ + m (φ_region − φ) and (1 − m) B + m B_region, which
-/// stays symmetric positive definite. An eraser takes back what its layer (the regions of its name, up to it)
-/// has done: the layer's cover c, which a region brings to c + m (1 − c), becomes
-/// c' = (1 − m) c + m min(c, leaves), and φ and B go to what lies below the layer, by c'/c. A file with the
-/// cells' values is read from `folder`. Throws InputError that names the key.
+/// Returns φ and B of every cell at its centroid. Starting from the cells' own values, if the spec has them,
+/// each region blends in its φ and B with its membership m: φ + m (φ_region − φ) and (1 − m) B + m B_region,
+/// which stays symmetric positive definite. An eraser reverts its layer (the regions of its name up to it):
+/// the cover c, which a region raises to c + m (1 − c), becomes c' = (1 − m) c + m min(c, leaves), and φ and
+/// B move to those below the layer by c'/c. A file of cell values is read from `folder`. Throws InputError
+/// that names the key.
 template <int Dim>
 std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& spec,
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder = {});
 
-/// Whole layers more upon a material, as rasterizeMaterial() lays each in turn.
+/// Adds whole layers to a material, in the same way as rasterizeMaterial().
 template <int Dim>
 void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
                 const std::string& folder, Material<Dim>& material);
@@ -29,8 +29,8 @@ template <int Dim>
 std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder);
 
-/// B₀ of a stiffness, and the stiffness that comes nearest to a B₀: along its largest eigenvalue, by how
-/// much that is more than the least.
+/// B₀ of a stiffness, and the stiffness nearest to a B₀: along its largest eigenvalue, by the ratio to the
+/// smallest.
 template <int Dim>
 Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness);
 template <int Dim>

@@ -10,7 +10,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kRoom = 1e-3;  // of the extent: so far a region reaches beyond what it holds
+constexpr double kRoom = 1e-3;  // fraction of the extent by which a region exceeds its contents
 
 template <int Dim>
 Box<Dim> boxAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells) {

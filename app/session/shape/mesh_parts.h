@@ -11,7 +11,7 @@ namespace wend {
 template <int Dim>
 std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell);
 
-/// A region around them at rest: in the plane their outer outline, in space a box.
+/// Returns a region around the points at rest: in the plane their outer outline, in space a box.
 template <int Dim>
 Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells);
 

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-/// Of the file, whose cells stay as they are in what is written.
+/// Reports unused vertices of a file; the cells keep their numbers in outputs.
 template <int Dim>
 void tellOfUnused(const SimplicialMesh<Dim>& mesh, std::vector<std::string>& notices) {
     const auto used = usedVertices<Dim>(mesh.vertexCount(), mesh.cells);

@@ -8,13 +8,13 @@
 
 namespace wend {
 
-/// The rest mesh of a file's mesh: parts that touch vertex to vertex are connected. What the user should hear
-/// of vertices that were joined, or that no cell has, is added to the notices.
+/// Returns the rest mesh of a file's mesh, with parts joined that touch vertex to vertex. Notices report
+/// joined and unused vertices.
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
                                                       std::vector<std::string>& notices);
 
-/// What the user should hear of parts that hang on a vertex or an edge only; empty if there are none.
+/// Returns a notice about parts that are connected by a single vertex or edge; empty if there are none.
 template <int Dim>
 std::string hangingNotice(const SimplicialMesh<Dim>& rest);
 

@@ -5,8 +5,8 @@
 
 namespace wend {
 
-/// The picture of a file as Qt draws it, colours not multiplied with alpha; null if it cannot be read. Qt's
-/// own readers are not asked: files of others come in through readImage() alone.
+/// Returns the picture of a file for Qt, with unassociated alpha; null if it cannot be read. Only readImage()
+/// reads foreign files, never Qt's own readers.
 QImage pictureOfFile(const std::string& path);
 
 }  // namespace wend

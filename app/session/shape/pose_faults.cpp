@@ -58,7 +58,7 @@ Facets<Dim> borderOf(const Shape<Dim>& shape) {
     return border;
 }
 
-/// At rest; `faults` gets that of the pose.
+/// Returns the border at rest; `faults` receives the border of the pose.
 template <int Dim>
 Points<Dim> takeBorder(const Shape<Dim>& shape, const Points<Dim>& pose, PoseFaults<Dim>& faults) {
     if constexpr (Dim == 3)
@@ -72,7 +72,7 @@ Points<Dim> takeBorder(const Shape<Dim>& shape, const Points<Dim>& pose, PoseFau
     return shape.rest->points;
 }
 
-/// Facets at a seam, whose vertices lie at one place, are connected there.
+/// Connects facets at a seam, whose vertices coincide.
 template <int Dim>
 Facets<Dim> sewn(const Facets<Dim>& border, const Points<Dim>& rest) {
     const std::vector<int> first = firstAtPlace<Dim>(rest);
@@ -97,7 +97,7 @@ std::vector<Crossed> newCrossings(const PoseFaults<Dim>& faults, const Facets<Di
     return result;
 }
 
-/// What is connected through the vertices of its members, in the order of the first of each.
+/// Groups items that are connected by common vertices, in order of the first member of each group.
 template <class Item, class Join>
 std::vector<std::vector<Item>> connected(const std::vector<Item>& items, int vertices, const Join& vertexOf) {
     DisjointSets sets(vertices);
@@ -139,7 +139,7 @@ void findCrossings(const Shape<Dim>& shape, const Points<Dim>& pose, PoseFaults<
     std::ranges::stable_sort(faults.crossings, std::ranges::greater(), &PosePlace<Dim>::count);
 }
 
-/// How far from its size at rest, as a factor above 1.
+/// Returns the size ratio as a factor of at least 1.
 double excess(double ratio) {
     return ratio > 0 ? std::max(ratio, 1 / ratio) : std::numeric_limits<double>::infinity();
 }

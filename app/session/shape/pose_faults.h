@@ -10,7 +10,7 @@ namespace wend {
 template <int Dim>
 struct Shape;
 
-/// So many times its size at rest, or less than that part of it: a cell has blown up, or all but vanished.
+/// Factor of growth or shrinkage above which a cell counts as blown up.
 inline constexpr double kBlownUp = 10;
 
 /// A connected place of a pose where something is wrong.
@@ -20,12 +20,11 @@ struct PosePlace {
     int count = 0;             // pairs of these facets, or cells
     Vec<Dim> at;               // where the first pair meets, or the middle of the worst cell
     int worstCell = -1;
-    double ratio = 1;  // of the worst cell: its size against that at rest
+    double ratio = 1;  // size of the worst cell relative to rest
 };
 
-/// What is wrong with a pose of a shape. Facets that cross are counted if they have no vertex in common and
-/// did not cross at rest already. Triangles that cross, and cells, are one place where they are connected
-/// over common vertices; outlines cross in points, each is a place.
+/// Faults of a pose. Crossing facets are counted if they have no common vertex and did not cross at rest.
+/// Triangles and cells that share vertices form one place; outlines cross at points, and each is a place.
 template <int Dim>
 struct PoseFaults {
     Points<Dim> points;                        // of the border in the pose …
@@ -45,7 +44,8 @@ PoseFaults<Dim> faultsOf(const Shape<Dim>& shape, const Points<Dim>& pose);
 /// it does not.
 template <int Dim>
 std::string crossingText(const PoseFaults<Dim>& faults);
-/// "3 cells have grown or shrunk more than 10 times, the worst to 0.05 of its size near (x, y, z)"; likewise.
+/// Returns for example "3 cells have grown or shrunk more than 10 times, the worst to 0.05 of its size near
+/// (x, y, z)".
 template <int Dim>
 std::string blownText(const PoseFaults<Dim>& faults);
 

@@ -25,38 +25,39 @@ struct PictureMap {
     Points<2> operator()(const Points<2>& points) const { return (A * points).colwise() + b; }
 };
 
-/// Where a file's mesh in the plane lies in its picture.
+/// Placement of a 2D mesh from a file in its picture.
 struct Texture {
     std::shared_ptr<const SimplicialMesh<2>> rest;  // the rest mesh in pixels of the picture
     PictureMap toPixels;                            // takes poses to the plane that is rendered
 };
 
-/// What is bent, seen and exported: a domain with its files read, its mesh made and the material laid on it.
-/// Immutable once it is built (ShapeBuilder), and shared from there to the screen and to the files.
+/// The shape that is deformed, shown and exported: a domain with its files, mesh and material. Immutable
+/// after ShapeBuilder made it, and shared by views and exports.
 template <int Dim>
 struct Shape {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
     std::shared_ptr<const Material<Dim>> material;
-    std::shared_ptr<const MeshFile> source;  // of a mesh domain what came in, with its fields and uv; of a
-                                             // surface what was made; of a picture nothing
-    std::vector<std::string> notices;        // what the user should hear
-    // In the plane.
+    // of a mesh domain the input with its fields and uv, of a surface the generated mesh, of a picture
+    // nothing
+    std::shared_ptr<const MeshFile> source;
+    std::vector<std::string> notices;  // messages for the user
+    // 2D only.
     std::shared_ptr<const Image> picture;    // may be null
     std::shared_ptr<const Texture> texture;  // of a file's mesh with a picture; null: coordinates are pixels
-    // In space.
+    // 3D only.
     std::shared_ptr<const std::vector<Facet<Dim>>> facets;
-    std::shared_ptr<const Skin> skin;               // the surface that is seen and exported …
-    std::shared_ptr<const Embedding<3>> embedding;  // … and what takes its points along
+    std::shared_ptr<const Skin> skin;               // the surface that is shown and exported …
+    std::shared_ptr<const Embedding<3>> embedding;  // … and its embedding in the mesh
     std::optional<MeshVerdict> verdict;             // on cells that were made
     std::optional<CageFacts> cage;                  // if a cage carries the surface
     bool refineHelps = false;                       // splitting the surface's triangles would help
 
-    /// Whether a surface with points of its own is seen, and the vertices of the mesh are not.
+    /// Returns whether an embedded surface is shown instead of the mesh's vertices.
     bool hidesVertices() const { return embedding && embedding->isFree(); }
 };
 using AnyShape = std::variant<Shape<2>, Shape<3>>;
 
-/// The rest mesh and a pose in pixels of the picture, or in the domain's coordinates if there is none.
+/// Rest mesh and pose in pixels of the picture, or in domain coordinates if there is none.
 const SimplicialMesh<2>& restInPixels(const Shape<2>& shape);
 Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose);
 

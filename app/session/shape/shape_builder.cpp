@@ -82,7 +82,7 @@ bool ShapeBuilder<Dim>::hasMaterial(const Made& made, const ShapeInputs& inputs)
            sameRegionsAndCells(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
 }
 
-/// The outline is kept: most changes leave it as it is.
+/// Caches the outline, which most changes do not affect.
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const ShapeInputs& inputs,
                                                                         const Image& picture,
@@ -97,7 +97,7 @@ std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const Sh
     return meshPicture(domain, designOf<2>(inputs), *m_outline, stop);
 } catch (const InputError& error) {
     if (m_advice == Advice::None) throw;
-    // Polygons stand in the project, whose file the caller names.
+    // Polygons are part of the project; the caller names its file.
     if (domainOf(*inputs.project).outline == OutlineKind::Polygons)
         throw InputError("domain.outline.polygons: " + error.reason());
     throw error.named(pathIn(inputs.folder, domainOf(*inputs.project).path));

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What a shape depends on: immutable values of the document.
+/// The immutable inputs that a shape depends on.
 struct ShapeInputs {
     int generation = 0;  // of the opened file
     int revision = 0;    // of the request
@@ -19,19 +19,18 @@ struct ShapeInputs {
     int dimension() const;
 };
 
-/// True if both make the same solid.
+/// Returns whether both projects produce the same solid.
 bool sameSolid(const Project& a, const Project& b);
 
-/// Outline, mesh and material of a project, made again only where the inputs are neither those of the last
-/// time nor those of the time before, to which one goes back by undo or by cancelling. The project's
-/// dimension must be Dim.
+/// Builds outline, mesh and material of a project, and reuses the results for the last two inputs, because
+/// undo and cancelling return to the previous one. The project's dimension must be Dim.
 template <int Dim>
 class ShapeBuilder {
   public:
     explicit ShapeBuilder(Advice advice = Advice::None) : m_advice(advice) {}
 
-    /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped; what was
-    /// made before is kept then.
+    /// Returns a null rest mesh if stopped, and keeps the earlier results then. Throws InputError
+    /// (SurfaceError if a surface bounds no volume).
     Shape<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
 
   private:
@@ -51,8 +50,8 @@ class ShapeBuilder {
     std::shared_ptr<const Outline> m_outline;  // 2D only
 };
 
-/// From nothing, with words of the command line in what is told. Throws InputError, and Cancelled when
-/// stopped.
+/// Builds a shape without any cache. Messages use the terms of the command line. Throws InputError, and
+/// Cancelled when stopped.
 AnyShape loadShape(const Project& project, const std::string& folder, std::stop_token stop = {});
 
 }  // namespace wend

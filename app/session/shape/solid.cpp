@@ -46,12 +46,12 @@ VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, c
     return options;
 }
 
-/// What a repair did, and what it left that another limit would not.
+/// What a repair did, and what it left undone regardless of the limit.
 struct Repairing {
     std::string done, undone;
 };
 
-/// What a higher limit would do.
+/// Suggests a higher limit for holes.
 std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
     if (report.largerHoles.empty()) return {};
     const int largest = report.largerHoles.back();
@@ -113,7 +113,7 @@ bool surfaceIsTooCoarse(const Surface& surface, const SimplicialMesh<3>& mesh) {
     return ofTriangles > 2 * ofCells;
 }
 
-/// What the mesh could not be, and the key that helps.
+/// Reports which targets the mesh missed, and the key to change.
 void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& volume, Advice advice,
                 Shape<3>& solid) {
     const bool keys = advice == Advice::Keys;

@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// Whether messages name the project's keys and the commands that help: the window has words of its own.
+/// Whether messages name project keys and commands. The window uses its own words.
 enum class Advice { Keys, None };
 
 /// The shape of a project in space, without material (paths relative to `folder`). A surface that bounds no

@@ -7,9 +7,8 @@
 
 namespace wend {
 
-/// Values of cells at the vertices, between which they change linearly: the mean of the cells around, by
-/// their area or volume at rest, x_v = Σ |c| x_c / Σ |c| over the cells c that have the vertex v, and `zero`
-/// where there are none.
+/// Returns vertex values of piecewise constant cell values: the mean over the adjacent cells weighted by rest
+/// area or volume, x_v = Σ |c| x_c / Σ |c| over the cells c of vertex v, and `zero` for unused vertices.
 template <int Dim, class Value>
 std::vector<Value> vertexMeans(const SimplicialMesh<Dim>& rest, const std::vector<Value>& ofCells,
                                const Value& zero) {

@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// The plane that cuts a solid open: an arrow moves it, two rings tilt it. Lies over whatever tool is chosen,
-/// unless that shows a manipulator of its own: in the step in which solids are cut this one comes first.
+/// The cutting plane of a solid: an arrow moves it, two rings tilt it. It is shown over the active tool,
+/// unless that shows its own manipulator; in the step *Mesh* the plane takes precedence.
 class CutTool : public ShapeTool<3> {
   public:
     using Changed = std::function<void(const CutPlane&)>;

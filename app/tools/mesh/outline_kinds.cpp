@@ -1,4 +1,4 @@
-// How the window offers the tools that draw the outline.
+// The entries of the outline tools in the window.
 #include <QCoreApplication>
 
 #include "app/tools/mesh/outline_tool.h"

@@ -23,12 +23,12 @@ namespace wend {
 namespace {
 
 constexpr double kCut = 2;       // pixels of the screen: a cut while it is drawn
-constexpr double kSlit = 0.002;  // pixels of the picture: it parts what touches, and nothing is missing
+constexpr double kSlit = 0.002;  // pixels of the picture: wide enough to separate parts, too thin to be seen
 constexpr double kClose = 8;     // pixels of the screen
-constexpr double kDetail = 0.5;  // pixels of the screen that what is drawn may deviate
+constexpr double kDetail = 0.5;  // pixels of the screen that the drawn outline may deviate
 constexpr double kSmallest = 9;  // pixels² of the picture: parts and holes below it are noise
 constexpr QRgb kAway = 0xB3261E;
-constexpr double kThin = 3;               // pixels of the screen: narrower than this, what is drawn is a line
+constexpr double kThin = 3;               // pixels of the screen below which a shape counts as a line
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
 QString said(const char* text) {
@@ -42,7 +42,7 @@ OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
     QObject::connect(&m_pen, &OutlinePen::changed, &m_listener, [this] { takeAgain(); });
 }
 
-/// All of the picture bends until then.
+/// Returns true while the whole picture is deformed, without an outline of the user.
 bool OutlineTool::isFirst() const {
     const Document& document = session().document();
     return document.picture() && document.domain().outline == OutlineKind::Frame && !m_pen.now().takesAway;
@@ -87,7 +87,7 @@ QString OutlineTool::hint() const {
     return said(QT_TRANSLATE_NOOP("OutlineTool", "Draw a line along which to part the shape; Esc cancels"));
 }
 
-/// The outline is drawn on the shape at rest.
+/// Moves to the rest shape, on which outlines are drawn.
 bool OutlineTool::isReady() {
     const Document& document = session().document();
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
@@ -101,7 +101,7 @@ bool OutlineTool::isReady() {
     return true;
 }
 
-/// Unless the time was changed since.
+/// Restores the time, unless it was changed meanwhile.
 void OutlineTool::dismiss() {
     m_taken.reset();
     const auto left = std::exchange(m_left, {});
@@ -114,7 +114,7 @@ bool OutlineTool::takesAway(Qt::KeyboardModifiers modifiers) const {
     return m_shape == Shape::Cut || m_pen.now().takesAway != bool(modifiers & Qt::ControlModifier);
 }
 
-/// With Shift the next side of a polygon goes along one of eight ways.
+/// Shift constrains the next side of a polygon to eight directions.
 void OutlineTool::takePointer(const QMouseEvent& event) {
     m_at = event.position();
     m_modifiers = event.modifiers();
@@ -205,7 +205,7 @@ void OutlineTool::cancel() {
     m_line.clear();
 }
 
-/// On the screen.
+/// Returns the drawn area on the screen.
 QPainterPath OutlineTool::area() const {
     if (m_line.isEmpty()) return {};
     if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) return insideOf(m_line);
@@ -223,7 +223,7 @@ Outline OutlineTool::inPicture(const QPainterPath& area) const {
     return outline;
 }
 
-/// What is drawn as a band of the width kSlit. A corner's normal is the mean of those of its sides.
+/// Returns the drawn line as a band of width kSlit. The normal of a corner is the mean of its sides' normals.
 Outline OutlineTool::slit(double tolerance) const {
     std::vector<Vec<2>> way;
     for (const QPointF& p : m_line) way.push_back(surface().toShape(p));
@@ -247,7 +247,7 @@ Outline OutlineTool::piece() const {
     return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
 }
 
-/// By its mean width: twice the area by the length of the border.
+/// Judges by the mean width: twice the area divided by the length of the border.
 bool OutlineTool::isThin(const Outline& drawn) const {
     if (m_shape != Shape::Lasso && m_shape != Shape::Polygon) return false;
     double length = 0;
@@ -267,7 +267,7 @@ const Outline& OutlineTool::outlineOf(const Domain& domain) const {
         m_known = Known{document.picture(), domain.outline, domain.alpha, {}};
         try {
             m_known->outline = domainOutline(domain, *document.picture());
-        } catch (const InputError&) {  // nothing is opaque: the outline begins with what is drawn
+        } catch (const InputError&) {  // fully transparent: the drawn area becomes the outline
         }
     }
     return m_known->outline;
@@ -291,12 +291,12 @@ void OutlineTool::takeColour(const QMouseEvent& event) {
     takeAgain();
 }
 
-/// True as long as nothing has changed since the last click of the wand.
+/// Returns true until something else changes after the last click of the wand.
 bool OutlineTool::isLive() const {
     return m_taken && m_taken->after == session().document().project();
 }
 
-/// What the last click takes by the tolerance as it is now, in the step that the click has made.
+/// Repeats the last click with the current tolerance, in the same undo step.
 void OutlineTool::takeAgain() {
     if (!isLive()) return;
     const Outline found =
@@ -351,7 +351,7 @@ void OutlineTool::paintOutline(QPainter& painter) const {
     QPainterPath all;
     all.addRect(
         QRectF(surface().toWidget({0, 0}), surface().toWidget(Vec<2>(picture.width, picture.height))));
-    all.addPath(path);  // by even and odd: what is left out
+    all.addPath(path);  // even-odd rule: removes the area
     painter.setPen(Qt::NoPen);
     painter.setBrush(kLeftOut);
     painter.drawPath(all);
@@ -362,7 +362,7 @@ void OutlineTool::paintOutline(QPainter& painter) const {
     painter.drawPath(path);
 }
 
-/// The outline as the document has it, also before it is meshed, and what is being drawn.
+/// Draws the document's outline, even before it is meshed, and the one being drawn.
 void OutlineTool::paint(QPainter& painter) const {
     if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
     paintOutline(painter);

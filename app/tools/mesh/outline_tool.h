@@ -12,10 +12,10 @@
 
 namespace wend {
 
-/// Draws what bends of a picture: lasso, polygon and brush add to the outline or take away from it, so does
-/// the wand what has the colour under the pointer, which follows its tolerance until something else is done;
-/// a cut parts what touches. Where the whole picture bends, what is drawn first becomes the outline. Works on
-/// the shape at rest: takes the time there, and back when another tool is chosen.
+/// Draws the outline of a picture. Lasso, polygon and brush add or subtract; so does the magic wand with the
+/// colour under the pointer, whose tolerance can be changed until something else happens; a cut separates
+/// touching parts. If the whole picture is deformed, the first drawing becomes the outline. Works on the rest
+/// shape: the tool moves to its time, and back when another tool is activated.
 class OutlineTool : public ShapeTool<2> {
   public:
     enum class Shape { Lasso, Polygon, Brush, Wand, Cut };

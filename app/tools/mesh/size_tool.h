@@ -5,9 +5,8 @@
 
 namespace wend {
 
-/// Paints how fine the mesh is: a stroke makes edges under it longer or shorter by a factor, with Ctrl as
-/// elsewhere again, with Shift the other way round. Shows the mesh of a picture, whose finer and coarser
-/// places are circled, or of a solid the regions that the panel has chosen.
+/// Paints the cell size: a stroke multiplies edge lengths by a factor, with Ctrl resets them, with Shift
+/// divides. Shows the mesh and size regions of a picture, or the selected regions of a solid.
 template <int Dim>
 class SizeTool : public StrokeTool<Dim> {
   public:

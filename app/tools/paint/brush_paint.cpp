@@ -86,7 +86,7 @@ bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
     return region.stiffness && !region.phi && std::abs(region.stiffness->ratio / brush.ratio - 1) < kSame;
 }
 
-/// What is hidden takes nothing: nobody would see it.
+/// Hidden layers are skipped: nobody would see the paint.
 template <int Dim>
 bool takes(const Design<Dim>& design, const std::string& layer, const BrushSettings& brush,
            const ChosenLayer& chosen, const std::string& aim) {

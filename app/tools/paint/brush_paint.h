@@ -10,30 +10,29 @@
 
 namespace wend {
 
-/// What lies under an area that is filled with the brush, `along` being where its direction may come from.
+/// Returns the paint of an area that is filled with the brush; `along` gives its direction.
 template <int Dim>
 MaterialPaint<Dim> paintOf(const BrushSettings& brush, const Vec<Dim>& along = Vec<Dim>::Zero());
-/// What is there becomes what the brush paints.
+/// Copies the material of a place to the brush.
 template <int Dim>
 void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush);
-/// What that is called: "Rigid", "Stiff", "Combed"; where nothing is painted wholly, "Keep".
+/// Returns the name of the paint: "Rigid", "Stiff", "Combed"; "Keep" if the amount is below 1.
 QString brushKind(const BrushSettings& brush, int dimension);
-/// The colour of what it paints.
+/// Returns the colour of the paint.
 QRgb brushColour(const BrushSettings& brush, int dimension);
-/// What the brush is about to paint, as it is compared with what it painted last.
+/// Returns an identifier of the paint, to compare it with the last one.
 std::string brushAim(const BrushSettings& brush);
-/// The layer that takes what is painted: the chosen one if it has what the brush paints, else the topmost if
-/// it has, else a new one, named after its kind.
+/// Returns the layer for the paint: the selected one if it holds this kind, else the topmost that does, else
+/// a new one named after the kind.
 template <int Dim>
 std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, const ChosenLayer& chosen,
                      const std::string& aim, const std::string& kind);
-/// How the user knows a place at rest: by the name that the layer was given, or by that of the nearest pin;
-/// empty far from all of them.
+/// Returns a name for a place at rest: that of its layer or of the nearest pin; empty far from both.
 template <int Dim>
 QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer);
-/// What is coloured while one paints: what the brush changes.
+/// Returns the map that is shown while painting: the property that the brush changes.
 std::optional<Measure> paintedMap(const Workbench& on, int dimension);
-/// The brush would make something as stiff as it is everywhere: what the user can do about it.
+/// Returns whether the brush's stiffness equals that of the whole shape, and what the user can do then.
 bool paintsNothing(const BrushSettings& brush);
 QString nothingToPaint();
 

@@ -37,7 +37,7 @@ double areaOf(const QPolygonF& t) {
     return std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
 }
 
-/// At the origin.
+/// Draws a badge at the origin.
 void paintBadge(QPainter& painter, float order) {
     const QString text = (order > 0 ? QStringLiteral("▲") : QStringLiteral("▼")) +
                          QLocale().toString(std::abs(double(order)), 'g', 3);
@@ -81,7 +81,7 @@ void paintDepths(QPainter& painter, const PosedFrame<2>& frame, const std::vecto
     painter.restore();
     for (const auto& [root, part] : parts) {
         if (part.area < kSmallest) continue;
-        // On the part itself, though its middle may not be.
+        // The centroid of a part may be outside of it.
         const QPointF middle = part.weighted / part.area;
         QPointF best;
         double nearest = std::numeric_limits<double>::infinity();

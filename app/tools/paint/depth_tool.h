@@ -6,9 +6,8 @@
 
 namespace wend {
 
-/// Paints which part of a picture lies in front where the shape covers itself: a stroke brings what it covers
-/// to an order, with Ctrl back to that of what is not painted, with Shift to the other side. What has an
-/// order is hatched, and told by a badge.
+/// Paints the depth of a picture where it overlaps itself: a stroke sets an order, with Ctrl resets it, with
+/// Shift inverts it. Ordered parts are hatched and have a badge.
 class DepthTool : public StrokeTool<2> {
   public:
     using StrokeTool<2>::StrokeTool;

@@ -34,7 +34,7 @@ void FillTool<Dim>::press(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// One region, of which every cell's middle lies inside.
+/// Fills one region that contains the centroid of every cell.
 template <int Dim>
 void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     const SimplicialMesh<Dim>& rest = *surface().shownFrame()->rest;
@@ -62,7 +62,7 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     show(withStroke<Dim>(design, layer, {{{}, shape, 0, paint.phi, paint.stiffness}}),
          QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
     m_brush.layer().set({layer, aim});
-} catch (const InputError& error) {  // a picture of the material is gone
+} catch (const InputError& error) {  // a picture of the material is missing
     emit session().notice(QString::fromStdString(error.what()));
 }
 
@@ -83,7 +83,7 @@ void FillTool<Dim>::move(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// Beside the pointer what would be laid.
+/// Draws the fill's value beside the pointer.
 template <int Dim>
 void FillTool<Dim>::paint(QPainter& painter) const {
     m_cross.paint(painter);

@@ -10,8 +10,8 @@ class Brush;
 
 enum class FillDeed { Fill, Pick };
 
-/// A click on the shape with what the brush paints: fills the connected area there, with Shift the
-/// whole shape; or picks up what is there.
+/// Fills the connected area under a click with the paint of the brush, with Shift the whole shape; or picks
+/// up the material.
 template <int Dim>
 class FillTool : public ShapeTool<Dim> {
   public:

@@ -20,7 +20,7 @@ namespace {
 constexpr double kShortest = 4;  // pixels: less is a click
 constexpr double kReach = 9;     // of a handle
 
-/// Where a place at rest is in the pose; beside the shape as far from the nearest vertex.
+/// Maps a place at rest to the pose; outside the shape by the offset from the nearest vertex.
 template <int Dim>
 Vec<Dim> posedAt(const PosedFrame<Dim>& frame, const PointLocator<Dim>& locator, const Vec<Dim>& rest) {
     if (const auto place = locator.find(rest)) return positionOf<Dim>(*place, *frame.rest, frame.pose);
@@ -43,7 +43,7 @@ QString GradientTool<Dim>::hint() const {
                                        "chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels");
 }
 
-/// Beside a picture's shape it goes with the nearest vertex; beside a solid there is no place.
+/// Outside a picture's shape the end follows the nearest vertex; outside a solid there is none.
 template <int Dim>
 std::optional<typename GradientTool<Dim>::End> GradientTool<Dim>::endAt(const QPointF& at) const {
     const auto touch = surface().touch(at);
@@ -123,7 +123,7 @@ bool GradientTool<Dim>::isCurrent() const {
     return frame && frame->shape == m_frame->shape && session().document().project() == m_project;
 }
 
-/// That stays where it is, on the screen.
+/// Returns the fixed end on the screen.
 template <int Dim>
 QPointF GradientTool<Dim>::otherEnd() const {
     if (m_handle)
@@ -133,7 +133,7 @@ QPointF GradientTool<Dim>::otherEnd() const {
     return surface().toWidget(m_from->seen);
 }
 
-/// Beside a solid the last place on it stays. A hand at the mouse gives up what keys have begun.
+/// Outside a solid the last place is kept. Mouse input cancels a gradient begun by keys.
 template <int Dim>
 void GradientTool<Dim>::move(const QMouseEvent& event) {
     m_cross.hide();
@@ -154,7 +154,7 @@ std::optional<MaterialRegion<Dim>> GradientTool<Dim>::region() const {
     return MaterialRegion<Dim>{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
 }
 
-/// With the end that was moved or the gradient that was drawn; nothing for a click.
+/// Returns the design with the moved end or the new gradient; nothing for a click.
 template <int Dim>
 std::optional<Design<Dim>> GradientTool<Dim>::next() const {
     if (m_handle) return moved();
@@ -171,7 +171,7 @@ bool GradientTool<Dim>::preview(bool lasts) try {
         design ? rasterizeMaterial<Dim>(design->material, *m_frame->rest, folder) : m_frame->material, lasts);
     surface().redraw();
     return design.has_value();
-} catch (const InputError& error) {  // a picture of the material is gone
+} catch (const InputError& error) {  // a picture of the material is missing
     emit session().notice(QString::fromStdString(error.what()));
     return false;
 }
@@ -181,7 +181,8 @@ void GradientTool<Dim>::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_frame) return;
     const bool isBare = !m_handle && region() && paintsNothing(m_brush.now());
     if (isBare) emit session().notice(nothingToPaint());
-    if (isBare || !isCurrent() || !preview(true)) return cancel();  // or a click, or it began on what is gone
+    // or a click, or it began on removed cells
+    if (isBare || !isCurrent() || !preview(true)) return cancel();
     auto design = *next();
     m_frame.reset();
     const QString what = brushKind(m_brush.now(), Dim);

@@ -9,8 +9,8 @@ namespace wend {
 
 class Brush;
 
-/// A drag over the shape: from what is there at its beginning to what the brush paints at its end and beyond.
-/// It is one layer and one undo step. The ends of all gradients are handles, which a drag moves.
+/// Draws a gradient from the existing material at the start of a drag to the paint of the brush at its end
+/// and beyond. It is one layer and one undo step. The ends of all gradients are handles that can be dragged.
 template <int Dim>
 class GradientTool : public ShapeTool<Dim> {
   public:
@@ -50,7 +50,7 @@ class GradientTool : public ShapeTool<Dim> {
 
     Brush& m_brush;
     KeyCross m_cross;
-    bool m_byKeys = false;                     // the drag that goes on
+    bool m_byKeys = false;                     // of the current drag
     PosedPtr<Dim> m_frame;                     // when the drag began, with its material; null without a drag
     std::shared_ptr<const Project> m_project;  // then
     std::optional<End> m_from, m_to;

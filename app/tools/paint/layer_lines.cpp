@@ -35,7 +35,7 @@ void closeInto(std::vector<Line>& lines, Line corners) {
     lines.push_back(std::move(corners));
 }
 
-/// Both sides of the band that the soft edge is.
+/// Adds both sides of the band of the soft edge.
 void addBand(std::vector<Line>& lines, const Line& corners, double width) {
     if (width <= 0) return;
     QPainterPathStroker stroker;
@@ -48,7 +48,7 @@ void addBand(std::vector<Line>& lines, const Line& corners, double width) {
     }
 }
 
-/// Where a ring goes under others, between an angle where it does not and one where it does.
+/// Finds the angle at which a ring becomes covered, between an uncovered and a covered one.
 template <class IsCovered>
 double seam(double open, double covered, const IsCovered& isCovered) {
     for (int i = 0; i < 24; ++i) {
@@ -58,8 +58,8 @@ double seam(double open, double covered, const IsCovered& isCovered) {
     return open;
 }
 
-/// A place belongs to a layer as the last of its regions says that it lies in: it is painted there or erased.
-/// The lines of the cover are within the borders of erasers where they are beyond those of paint.
+/// The last region of a layer that contains a place decides whether it is painted or erased. Lines of the
+/// cover follow erasers inside their borders and paint inside its borders.
 struct Cover {
     const std::vector<MaterialRegion<2>>& layer;
     double feathers;  // so many of a soft edge beyond the borders
@@ -72,7 +72,7 @@ struct Cover {
         const auto* ball = std::get_if<Ball<2>>(&layer[i].shape);
         return ball ? ball->radius + (layer[i].erases() ? -feathers : feathers) * layer[i].feather : 0;
     }
-    /// Beside the border of one, that one makes no difference.
+    /// Ignores the region whose border this is.
     bool hides(const Vec<2>& p, std::size_t own) const {
         for (std::size_t i = layer.size(); i-- > own + 1;)
             if (lies(p, i)) return true;
@@ -111,7 +111,7 @@ void addBalls(std::vector<Line>& lines, const std::vector<MaterialRegion<2>>& la
     for (std::size_t i = 0; i < layer.size(); ++i) addRing(lines, Cover{layer, feathers}, i);
 }
 
-/// Through p along a direction, beyond all of the shape.
+/// Returns a line through p along a direction, across the whole shape.
 Line acrossAll(const Vec<2>& p, const Vec<2>& along, const SimplicialMesh<2>& rest) {
     const double reach = (rest.points.colwise() - p).colwise().norm().maxCoeff();
     const Vec<2> a = along.normalized();
@@ -123,7 +123,7 @@ struct Adder {
     const SimplicialMesh<2>& rest;
     double feather;
 
-    void operator()(const Ball<2>&) const {}  // all at once
+    void operator()(const Ball<2>&) const {}  // balls are added together
     void operator()(const Polygon& polygon) const {
         closeInto(lines.border, polygon.points);
         addBand(lines.soft, polygon.points, feather);

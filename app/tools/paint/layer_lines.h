@@ -9,14 +9,14 @@
 
 namespace wend {
 
-/// Where a layer of a picture's material lies at rest: the border of its regions, and where its soft edge
-/// begins and ends. Of balls that overlap, as those of a stroke, the border of them all.
+/// Outlines of a picture's layer at rest: the border of its regions and the bounds of its soft edge.
+/// Overlapping balls, as in a stroke, have a common border.
 struct RestLines {
     std::vector<std::vector<Vec<2>>> border, soft;
 };
 RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialMesh<2>& rest);
 
-/// The same of a line of the rest shape in a pose; in pieces where it leaves the shape.
+/// Maps a line from the rest shape to a pose; in pieces where it leaves the shape.
 std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, const SimplicialMesh<2>& rest,
                                              const PointLocator<2>& locator, const Points<2>& pose);
 

@@ -19,7 +19,7 @@ namespace wend {
 namespace {
 
 constexpr double kStiff = 1.01;  // less is as everywhere
-constexpr double kSame = 1e-9;   // of what a material has
+constexpr double kSame = 1e-9;   // relative to the material
 constexpr QRgb kEraser = 0xff5c5f69;
 
 QString said(const char* text) {
@@ -101,7 +101,7 @@ void PaintTool<Dim>::begin() {
     m_below.reset();
 }
 
-/// Directions of what is seen are carried back to rest.
+/// Maps directions of the view back to rest.
 template <int Dim>
 Vec<Dim> PaintTool<Dim>::axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) const {
     Vec<Dim> seen = Vec<Dim>::Zero();
@@ -111,7 +111,7 @@ Vec<Dim> PaintTool<Dim>::axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& 
     return cellRotation<Dim>(frame, touch.place.cell).transpose() * seen;
 }
 
-/// The direction of the selected handle's way where it comes nearest; zero without one.
+/// Returns the direction of the selected handle's path at its nearest point; zero without one.
 template <int Dim>
 Vec<Dim> PaintTool<Dim>::wayAt(const Vec<Dim>& p) const {
     const int selected = session().singleHandle();
@@ -129,7 +129,7 @@ Vec<Dim> PaintTool<Dim>::wayAt(const Vec<Dim>& p) const {
     return along;
 }
 
-/// Along the stroke: from the ball before to the one behind, at rest.
+/// Returns the direction of the stroke at rest, from the ball before to the one after.
 template <int Dim>
 Vec<Dim> PaintTool<Dim>::directionOf(const std::vector<Dab>& dabs, std::size_t i) const {
     const StiffAlong along = brush().now().along;
@@ -149,7 +149,7 @@ double PaintTool<Dim>::amountOf(const Dab& dab) const {
     return brush().now().amount * (brush().now().pressure ? dab.pressure : 1);
 }
 
-/// Within the brush; at least the one that was touched.
+/// Returns the cells within the brush, at least the touched one.
 template <int Dim>
 std::vector<int> PaintTool<Dim>::cellsIn(const Dab& dab) const {
     std::vector<int> cells;
@@ -159,7 +159,7 @@ std::vector<int> PaintTool<Dim>::cellsIn(const Dab& dab) const {
     return cells;
 }
 
-/// Between what is there and what is painted, as far apart on the slider.
+/// Blends the existing and the painted φ linearly on the slider.
 template <int Dim>
 double PaintTool<Dim>::phiFor(const Dab& dab) const {
     const BrushSettings& now = brush().now();
@@ -215,7 +215,7 @@ MaterialRegion<Dim> PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::
     return region;
 }
 
-/// A ball's direction is known when the next one is there: the last is told anew each time.
+/// A ball's direction is known once the next one exists, so the last one is recomputed each time.
 template <int Dim>
 Design<Dim> PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
     const auto& design = session().document().template design<Dim>();
@@ -231,7 +231,8 @@ Design<Dim> PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
     return withStroke<Dim>(design, m_layer, std::move(regions));
 }
 
-/// Only what the stroke may change is laid anew. Null, and told, if a picture of the material is gone.
+/// Recomputes only the cells that the stroke may change. Returns null and emits a notice if a picture of the
+/// material is missing.
 template <int Dim>
 std::shared_ptr<const Material<Dim>> PaintTool<Dim>::laid(const Design<Dim>& next) try {
     const SimplicialMesh<Dim>& rest = *m_frame->rest;
@@ -266,7 +267,7 @@ std::string PaintTool<Dim>::layer() const {
                          aim(), kind.toStdString());
 }
 
-/// With where, as far as that has a name: "Paint Rigid on Neck".
+/// Names the step, with its place if that has a name: "Paint Rigid on Neck".
 template <int Dim>
 QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
     const bool erases = deed() == Deed::Erase;
@@ -287,7 +288,7 @@ QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
                            : said(QT_TRANSLATE_NOOP("PaintTool", "Paint %1 on %2")).arg(what, where);
 }
 
-/// What changes nothing is no step, and tells why.
+/// Emits a notice instead of adding a step without effect.
 template <int Dim>
 void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     const bool erases = deed() == Deed::Erase, paints = deed() == Deed::Paint;

@@ -8,15 +8,15 @@ namespace wend {
 
 enum class PaintDeed { Paint, Erase, Smooth };
 
-/// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
-/// in one layer and as one undo step. Ctrl takes away what all layers have painted there, Shift smooths,
-/// Shift-click draws a line from the last place, Alt-click picks up what is there. The eraser takes away
-/// without Ctrl. What is painted is seen at once; the motion follows.
+/// Paints the material: a stroke adds soft balls with the brush's φ, stiffness or direction to one layer, in
+/// one undo step. Ctrl erases on all layers, Shift smooths, Shift-click draws a straight line from the last
+/// place, Alt-click picks up the material. The eraser erases without Ctrl. Paint is shown at once; the motion
+/// follows.
 template <int Dim>
 class PaintTool : public StrokeTool<Dim> {
   public:
     using Deed = PaintDeed;
-    /// Paint: what is held says what it does; Erase: it always does.
+    /// Paint: modifiers choose the operation; Erase: always erases.
     PaintTool(SurfaceOf<Dim>& view, Brush& tip, Deed deed) : StrokeTool<Dim>(view, tip), m_deed(deed) {}
 
     void press(const QMouseEvent& event) override;
@@ -56,10 +56,10 @@ class PaintTool : public StrokeTool<Dim> {
 
     Deed m_deed;
     PosedPtr<Dim> m_frame;                              // when the stroke began, with its material
-    std::string m_layer;                                // that it goes into
+    std::string m_layer;                                // of the stroke
     std::vector<MaterialRegion<Dim>> m_regions;         // as much of the stroke as is settled
     std::size_t m_first = 0;                            // the first region that it may change …
-    std::shared_ptr<const Material<Dim>> m_below = {};  // … and what lies below that
+    std::shared_ptr<const Material<Dim>> m_below = {};  // … and below
 };
 
 extern template class PaintTool<2>;

@@ -38,7 +38,7 @@ void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& s
             const Stiffness<2> stiffness = stiffnessOf<2>(frame->material->anisotropy[cell]);
             if (stiffness.ratio < kStiff) continue;
             const Vec<2> along = cellRotation<2>(*frame, cell) * stiffness.axis;
-            // The view may show the domain turned over.
+            // The view may show the domain mirrored.
             const QPointF way = surface.toWidget(touch->point + along) - surface.toWidget(touch->point);
             const double a = markLength(stiffness.ratio),
                          b = std::max(marked(2.5), a / std::sqrt(stiffness.ratio));

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Ellipses over a picture, one in every square of a grid on the screen where it is stiff: the longer, the
-/// stiffer along that direction. They turn with the shape.
+/// Draws an ellipse in every stiff square of a screen grid: the longer, the stiffer along its axis. They
+/// rotate with the shape.
 void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& size);
 
 /// Half of the long axis of one, in pixels.

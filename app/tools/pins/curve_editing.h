@@ -7,17 +7,19 @@
 
 namespace wend {
 
-/// What the menu does with the curve of the one selected handle, whatever its dimension.
+/// Menu commands for the curve of the single selected handle, of either dimension.
 class CurveEditing {
   public:
     virtual ~CurveEditing() = default;
 
-    /// True if there is a curve whose points are shown.
+    /// Returns whether there is a curve with visible points.
     virtual bool hasCurve() const = 0;
-    /// How the directions at the chosen point go together; nothing where there is only one, or no choice.
+    /// Returns the relation of the directions at the chosen point; nothing if it has only one direction, or
+    /// if no point is chosen.
     virtual std::optional<JointKind> chosenKind() const = 0;
     virtual bool canRemove() const = 0;
-    /// Where the curve was pointed at last; otherwise in the middle of the piece behind the chosen point.
+    /// Inserts a point at the last pointed place of the curve; otherwise in the middle of the piece after the
+    /// chosen point.
     virtual void insertPoint() = 0;
     virtual void removePoint() = 0;
     virtual void setKind(JointKind kind) = 0;

@@ -69,7 +69,7 @@ int CurveEditor<Dim>::chosen() const {
     return m_chosen;
 }
 
-/// From the curve's own place to where the handle really begins to follow it.
+/// Returns the offset from the stored curve to the handle's actual place at its start.
 template <int Dim>
 Vec<Dim> CurveEditor<Dim>::shift() const {
     Handle<Dim> before = m_session.document().template design<Dim>().handles[handle()];
@@ -91,7 +91,7 @@ std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) co
     return kinds;
 }
 
-/// The control points with what is dragged.
+/// Returns the control points, including the dragged one.
 template <int Dim>
 std::vector<Vec<Dim>> CurveEditor<Dim>::moved(const CurveMotion<Dim>& curve) const {
     std::vector<Vec<Dim>> points = curve.points;
@@ -287,7 +287,7 @@ void CurveEditor<Dim>::setKind(JointKind kind) {
     change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
 }
 
-/// The curve as it will be, while a point of it is dragged.
+/// Draws the resulting curve while a point is dragged.
 template <int Dim>
 void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
     auto own = curve();

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What the pointer does on a point of a curve, or on the curve: a line for the status bar.
+/// Returns the hint over a point of a curve, or over the curve.
 QString curveHint(bool onPoint);
 
 /// The points of the curve that the one selected handle follows last: shown, chosen, dragged, added and
@@ -20,21 +20,22 @@ class CurveEditor : public CurveEditing {
 
     /// The point within reach, or −1. The first one is where the handle is when the motion begins: fixed.
     int pointAt(const QPointF& widget) const;
-    /// True if the curve itself is within reach.
+    /// Returns whether the curve itself is within reach.
     bool isOnCurve(const QPointF& widget) const { return placeAt(widget).piece >= 0; }
     bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_session.document().project(); }
     /// Chooses the point and drags it.
     void begin(int point, const QPointF& widget);
-    /// `freely`: the other direction of the joint stays as it is.
+    /// `freely`: the other direction of the joint stays.
     void drag(const QPointF& widget, bool freely = false);
     /// Puts the points into the document.
     void finish();
     void cancel();
-    /// A point where the curve is pointed at; false beside it.
+    /// Inserts a point under the pointer; false if it is not on the curve.
     bool insertAt(const QPointF& widget);
     void choose(int point);
     int chosen() const;
-    /// What the menu is about: the point under the pointer, or the place on the curve. False beside both.
+    /// Chooses the subject of the menu: the point under the pointer, or the place on the curve. Returns false
+    /// if there is neither.
     bool pointAtForMenu(const QPointF& widget);
 
     bool hasCurve() const override { return !points().empty(); }
@@ -54,7 +55,7 @@ class CurveEditor : public CurveEditing {
     };
     int handle() const;
     std::optional<CurveMotion<Dim>> curve() const;
-    /// As they are drawn; empty without a curve.
+    /// Returns the points as drawn; empty without a curve.
     std::vector<Vec<Dim>> points() const;
     Vec<Dim> shift() const;
     Place placeAt(const QPointF& widget) const;
@@ -70,8 +71,9 @@ class CurveEditor : public CurveEditing {
     bool m_freely = false;
     QPointF m_from;
     Vec<Dim> m_by = Vec<Dim>::Zero();
-    std::shared_ptr<const Project> m_draggedOf;  // whose point is dragged: any change ends that
-    // of one handle's curve, as long as it has that many points and begins there
+    // the project whose point is dragged; any change ends the drag
+    std::shared_ptr<const Project> m_draggedOf;
+    // Identifies a chosen point: valid while the curve keeps its number of points and its start
     struct Chosen {
         int handle = -1, count = 0;
         Vec<Dim> start = Vec<Dim>::Zero();

@@ -7,8 +7,7 @@
 
 namespace wend {
 
-/// What stands around the pins that are selected, to be taken hold of: a ring in the plane, a manipulator in
-/// space. Both have the same members.
+/// The gizmo around selected pins: a ring in the plane, a manipulator in space. Both have the same members.
 template <int Dim>
 using Gizmo = std::conditional_t<Dim == 2, PinRing, Manipulator>;
 

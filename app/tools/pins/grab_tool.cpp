@@ -50,8 +50,7 @@ void GrabTool<Dim>::move(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// What of a solid would be held now; nothing where looking whether so many are hidden would keep the pointer
-/// waiting.
+/// Updates what would be held of a solid; nothing if testing visibility would delay the pointer.
 template <int Dim>
 void GrabTool<Dim>::follow() {
     if constexpr (Dim == 3) {

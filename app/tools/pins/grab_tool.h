@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// Takes hold of what is drawn over, as one handle: by rectangle, lasso or brush. Shift adds to the selected
-/// handle, Ctrl takes away from it; on a solid a click does so with one vertex.
+/// Makes one handle of what is drawn over by rectangle, lasso or brush. Shift adds to the selected handle,
+/// Ctrl subtracts from it; on a solid a click does so with one vertex.
 template <int Dim>
 class GrabTool : public ShapeTool<Dim> {
   public:

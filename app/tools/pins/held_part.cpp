@@ -53,7 +53,7 @@ QPolygonF refined(const QPolygonF& outline) {
     return result;
 }
 
-/// On half pixels, so that edges that nearly coincide are the same: of such paths unions lose parts.
+/// Snaps to half pixels, because unions of paths with nearly coincident edges lose parts.
 QPainterPath snapped(const QPainterPath& path) {
     QPainterPath result;
     result.setFillRule(Qt::WindingFill);
@@ -65,7 +65,7 @@ QPainterPath snapped(const QPainterPath& path) {
     return result;
 }
 
-/// Where the outline lies on the shape at rest: beside the shape as far from the nearest vertex as now.
+/// Maps an outline to the rest shape: outside of it by the offset from the nearest vertex.
 Polygon atRest(ToolSurface& surface, const QPolygonF& outline) {
     const auto frame = surface.session().frame<2>();
     const PointLocator<2> locator(frame->pose, frame->rest->cells);
@@ -88,7 +88,7 @@ Polygon atRest(ToolSurface& surface, const QPolygonF& outline) {
     return {points};
 }
 
-/// What the handle is to hold; nothing where that is (nearly) nothing of the shape.
+/// Returns the placement of the handle; nothing if it contains (almost) nothing of the shape.
 std::optional<Placement<2>> placementOf(ToolSurface& surface, const QPainterPath& area) {
     const QPolygonF outline = outlineOf(area);
     const Polygon polygon = outline.size() < 3 ? Polygon() : atRest(surface, outline);
@@ -102,7 +102,7 @@ std::optional<Placement<3>> placementOf(SolidSurface& surface, const std::vector
     return surface.session().placementOf(vertices);
 }
 
-/// What the one selected handle holds; nothing without one, or in the plane where that is no part.
+/// Returns what the single selected handle holds; nothing without one, or in the plane if that is no region.
 std::optional<QPainterPath> selectedPart(ToolSurface& surface) {
     ShapeSession& session = surface.session();
     const auto frame = session.frame<2>();

@@ -24,7 +24,7 @@ constexpr double kLine = 1.5;                  // pixels
 constexpr double kLineStrength = 3.5;          // of an outline, against the tint
 constexpr std::size_t kMostTriangles = 60000;  // of an embedded surface; of a finer one the solid is shown
 
-constexpr double kSeen = 0.5;  // of the alpha of what is drawn
+constexpr double kSeen = 0.5;  // alpha above which a pixel counts as drawn
 
 /// Closed lines along the edges of a boundary, each edge once.
 std::vector<std::vector<int>> loopsOf(const std::vector<Facet<2>>& edges) {
@@ -42,7 +42,7 @@ std::vector<std::vector<int>> loopsOf(const std::vector<Facet<2>>& edges) {
     return loops;
 }
 
-/// Without the margin that has been given to it; empty where all of the picture is opaque.
+/// Returns the drawing's outline without the margin; empty if the picture is opaque.
 Outline drawingOf(const Image& picture) {
     Outline drawing;
     if (!picture.alpha) return drawing;
@@ -64,7 +64,7 @@ double lengthOf(const std::vector<Vec<2>>& loop) {
     return length;
 }
 
-/// With points so close that it can bend as the shape does.
+/// Appends points close enough to follow the deformation.
 void appendDense(std::vector<Vec<2>>& points, const std::vector<Vec<2>>& loop, double step) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec<2> way = loop[(i + 1) % loop.size()] - loop[i];
@@ -121,7 +121,7 @@ void OnionSkin<Dim>::takeBoundary(const PosedFrame<Dim>& frame) {
     }
 }
 
-/// What of the picture is opaque within the boundary takes its place.
+/// Replaces the mesh boundary by the opaque part of the picture inside it.
 template <int Dim>
 void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
     m_drawn.reset();
@@ -154,8 +154,7 @@ void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
     }
 }
 
-/// In the plane the boundary or what is drawn; of a solid the edges between what faces the viewer and what
-/// does not.
+/// Returns in the plane the outline of the drawing or the boundary, in space the silhouette edges.
 template <int Dim>
 std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const {
     Points<Dim> points = frame.pose;

@@ -12,17 +12,18 @@ namespace wend {
 template <int Dim>
 class Embedding;
 
-/// What the shape was a little before and will be a little after what is shown: three each way, a tenth of
-/// the film apart, in two colours, fainter the farther. Of a picture what is drawn: not the transparent
-/// margin that bends with it. Nothing while it plays.
+/// Ghosts of the shape before and after the shown time: three each way, a tenth of the film apart, in two
+/// colours, fading with distance. Of a picture they show the drawing without the transparent margin. Hidden
+/// during playback.
 template <int Dim>
 class OnionSkin {
   public:
     void setShown(bool shown) { m_shown = shown; }
-    /// Below a picture; a solid has outlines only.
+    /// Drawn below a picture; solids have outlines only.
     void paintFills(QPainter& painter, SurfaceOf<Dim>& surface);
     void paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface);
-    /// Around what is shown, whether or not the skins are: drawn below it, only its outer half is seen.
+    /// Draws a rim around the shown shape, even without the skins; drawn below it, only the outer half is
+    /// visible.
     void paintRim(QPainter& painter, SurfaceOf<Dim>& surface, const PosedFrame<Dim>& frame);
 
   private:
@@ -42,10 +43,10 @@ class OnionSkin {
     std::vector<QPolygonF> outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const;
 
     bool m_shown = false;
-    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;  // whose boundary it is:
+    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;  // owner of the boundary
     std::vector<Loop> m_loops;                          // in the plane closed lines,
     std::shared_ptr<const Embedding<Dim>> m_drawn;      // of the points of these, if they are no vertices;
-    std::vector<std::array<int, 3>> m_triangles;        // of a solid what is seen of it
+    std::vector<std::array<int, 3>> m_triangles;        // visible triangles of a solid
     std::vector<Edge> m_edges;
     bool m_isEmbedded = false;  // those of the surface embedded in it
 };

@@ -67,7 +67,7 @@ int PenTool<Dim>::pinAt(const QPointF& widget) const {
     return pick.handle();
 }
 
-/// In space on the plane through the last point that faces the viewer.
+/// In space, projects on the plane through the last point that faces the viewer.
 template <int Dim>
 Vec<Dim> PenTool<Dim>::placeAt(const QPointF& widget) const {
     return acrossTheScreen(surface(), m_joints.back().at, widget);
@@ -83,14 +83,14 @@ bool PenTool<Dim>::isOnLast(const QPointF& widget) const {
     return distance(last(), widget) <= marked(kSame);
 }
 
-/// True if a path begins: at the pin that is pointed at, or at those that are selected.
+/// Begins a path at the pin under the pointer, or at the selected ones; returns false if there is none.
 template <int Dim>
 bool PenTool<Dim>::begin(const QPointF& at) {
     m_joints.clear();
     if (const int pin = pinAt(at); pin >= 0) {
         session().selection().set({pin});
         if (!beginAt({pin})) return false;
-        emit session().notice({});  // of a click beside all pins
+        emit session().notice({});  // about a click outside all pins
         return true;
     }
     if (beginAt(session().selection().handles())) return true;
@@ -98,7 +98,7 @@ bool PenTool<Dim>::begin(const QPointF& at) {
     return false;
 }
 
-/// In the middle of the handles that hold the shape now.
+/// Begins at the centre of the handles that act now.
 template <int Dim>
 bool PenTool<Dim>::beginAt(const std::vector<int>& handles) {
     session().playback().setPlaying(false);
@@ -120,7 +120,7 @@ void PenTool<Dim>::takePointer(const QMouseEvent& event) {
     m_over = true;
 }
 
-/// As far as it was dragged: where Shift put the point the pointer may be beside it.
+/// Sets the directions from the length of the drag; Shift may have put the point beside the pointer.
 template <int Dim>
 void PenTool<Dim>::pullDirections(bool oneOnly) {
     const QPointF way = m_at - m_from;
@@ -201,7 +201,7 @@ void PenTool<Dim>::cancel() {
     m_pressed = false;
 }
 
-/// With what a click would add.
+/// Also draws what a click would add.
 template <int Dim>
 void PenTool<Dim>::paint(QPainter& painter) const {
     if (!isDrawing()) return;

@@ -7,10 +7,9 @@
 
 namespace wend {
 
-/// Draws the path of the selected pins, or of the pin that is clicked, from where it is: a click sets a
-/// corner, a drag a smooth point; Shift keeps both to steps of 45°, with Alt a drag leaves the direction
-/// behind the point as it is. In space every point lies as deep as the one before. One step when it ends;
-/// before, any other change gives it up.
+/// Draws the path of the selected pins, or of a clicked pin: a click adds a corner, a drag a smooth point.
+/// Shift constrains both to steps of 45°; with Alt a drag changes only the direction after the point. In
+/// space every point has the depth of the one before. The path is one undo step; other changes cancel it.
 template <int Dim>
 class PenTool : public ShapeTool<Dim> {
   public:
@@ -47,11 +46,11 @@ class PenTool : public ShapeTool<Dim> {
     void paintJoints(QPainter& painter) const;
 
     std::vector<DrawnJoint<Dim>> m_joints;  // the first one is where the pins are
-    std::shared_ptr<const Project> m_of;    // whose pins they are …
+    std::shared_ptr<const Project> m_of;    // the project of these pins …
     double m_time = 0;                      // … at that time
     bool m_pressed = false;                 // the last joint's direction follows the pointer
     bool m_over = false;
-    bool m_steps = false;  // of 45° that a way keeps to
+    bool m_steps = false;  // constrains to 45°
     QPointF m_from, m_at;
 };
 

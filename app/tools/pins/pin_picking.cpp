@@ -13,12 +13,13 @@ namespace {
 constexpr double kReach = 9;       // pixels of the screen
 constexpr double kPointReach = 5;  // of single points of a handle of many
 constexpr double kWayReach = 5;
-constexpr double kGhostReach = 5;  // of handles that do not hold now: a new pin may be wanted there
-constexpr double kSame = 1e-3;     // of the shape's size: what is seen there is the place itself
+constexpr double kGhostReach = 5;  // smaller for inactive handles, because a new pin may be intended
+// fraction of the shape's size within which a visible point is the place itself
+constexpr double kSame = 1e-3;
 
 }  // namespace
 
-/// In the plane what is seen there is another place of the shape at rest.
+/// In the plane, covered means that another place of the rest shape is visible there.
 template <>
 bool isCovered<2>(ToolSurface& surface, const PinView<2>& pin, std::size_t point) {
     const auto frame = surface.session().frame<2>();
@@ -63,7 +64,7 @@ int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through) {
 
 namespace {
 
-/// Of regions that lie over each other one that is seen there, of several the smallest.
+/// Returns the visible region under the pointer, the smallest of several.
 int regionUnder(ToolSurface& surface, const QPointF& widget) {
     ShapeSession& session = surface.session();
     const auto frame = session.frame<2>();

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// True if something of the shape is seen in front of the pin's point.
+/// Returns whether something of the shape is in front of the pin's point.
 template <int Dim>
 bool isCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin, std::size_t point);
 template <>
@@ -12,12 +12,11 @@ bool isCovered<2>(ToolSurface& surface, const PinView<2>& pin, std::size_t point
 template <>
 bool isCovered<3>(SolidSurface& surface, const PinView<3>& pin, std::size_t point);
 
-/// True if its mark is drawn faintly: what it holds is covered, or all of an area is cut away.
+/// Returns whether the mark is faint: what it holds is covered, or a whole area is cut away.
 template <int Dim>
 bool isMarkCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin);
 
-/// Of marks that lie within reach of the pointer the one that is picked: what is seen in front comes before
-/// what the shape covers, then the nearest.
+/// Picks one of the marks within reach of the pointer: visible ones before covered ones, then the nearest.
 class PinPick {
   public:
     void offer(int handle, double distance, bool covered) {
@@ -36,17 +35,17 @@ class PinPick {
     bool m_covered = false;
 };
 
-/// The handle whose mark is within reach of a point of the widget, if need be one that does not hold now, or
-/// −1. `through`: what lies in front does not matter.
+/// Returns the handle whose mark is within reach of a point of the widget, including inactive handles, or −1.
+/// `through`: ignores what is in front.
 template <int Dim>
 int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through);
 
-/// The handle of which that is a part: of many points one is within reach, of a region in the plane the point
-/// lies inside; or −1.
+/// Returns the handle with a point within reach, or in the plane with a region that contains the point; or
+/// −1.
 template <int Dim>
 int partUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through);
 
-/// The handle whose way is within reach of a point of the widget, or −1.
+/// Returns the handle whose path is within reach of a point of the widget, or −1.
 template <int Dim>
 int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget);
 

@@ -26,7 +26,7 @@ std::optional<PinRing::Part> PinRing::anywhere() const {
     return m_kind == Grip::Kind::Move ? std::nullopt : std::optional(Part{m_kind});
 }
 
-/// The dot is at the upper right at rest, the square at the lower right.
+/// The dot starts at the upper right, the square at the lower right.
 QPointF PinRing::spot(Grip::Kind kind, const QPointF& centre) const {
     const double angle = kind == Grip::Kind::Turn ? m_turned - std::numbers::pi / 4 : std::numbers::pi / 4;
     return centre + marked(kRadius) * QPointF(std::cos(angle), std::sin(angle));
@@ -60,7 +60,7 @@ void PinRing::begin(const Part& part, const ToolSurface& surface, const QPointF&
     m_lead = m_startDistance - radius;
 }
 
-/// Of the pointer around the middle; nothing where it is too near.
+/// Returns the pointer's angle around the centre; nothing if it is too close.
 std::optional<double> PinRing::angleAt(const ToolSurface& surface, const QPointF& widget) const {
     if (distance(surface.toWidget(m_centre), widget) < kMiddle) return {};
     const Vec<2> arm = surface.toShape(widget) - m_centre;

@@ -8,11 +8,11 @@
 
 namespace wend {
 
-/// The ring around what is selected in a picture, of constant size on the screen: its dot is dragged to
-/// rotate, its square to scale. Around a single point, which can do neither, it is dotted.
+/// The ring around the selection in a picture, of constant size on the screen: its dot rotates, its square
+/// scales. It is dotted around a single point, which can do neither.
 class PinRing : public GizmoBase<2> {
   public:
-    /// Pins that lie under a part come first.
+    /// Pins take precedence over parts above them.
     static constexpr bool kComesFirst = false;
 
     void place(const Vec<2>& centre, bool canTurn) {
@@ -20,23 +20,23 @@ class PinRing : public GizmoBase<2> {
         m_turned = 0;
     }
     void setGrip(Grip::Kind kind) { m_kind = kind; }
-    /// What a drag does that begins anywhere: pins are moved by themselves.
+    /// Returns the part that a drag from anywhere uses; none if pins are moved directly.
     std::optional<Part> anywhere() const;
     std::optional<Part> partAt(const ToolSurface& surface, const QPointF& widget) const;
-    /// True where who pulls at the dotted ring of a point wants to turn it.
+    /// Returns true if a drag from here would rotate a single point.
     bool isRefusedAt(const ToolSurface& surface, const QPointF& widget) const;
-    /// What the pointer does on a part, in words.
+    /// Returns the hint over a part.
     static QString hint();
 
     void begin(const Part& part, const ToolSurface& surface, const QPointF& widget);
     Grip grip(const ToolSurface& surface) const;
-    /// How far the pointer has brought it; `snaps`: by 15°.
+    /// Returns the amount of the drag; `snaps`: to 15°.
     Amount drag(const ToolSurface& surface, const QPointF& widget, bool snaps = false);
     /// Degrees, a factor, or a length along the axis or where it went last.
     Amount typed(double number, const ToolSurface& surface) const;
 
     void paint(QPainter& painter, const ToolSurface& surface, const std::optional<Part>& lit) const;
-    /// While it is dragged; pins that move have none.
+    /// Draws the ring during a drag; moving pins have none.
     void paintDragged(QPainter& painter, const ToolSurface& surface, const Amount& amount) const;
 
   private:

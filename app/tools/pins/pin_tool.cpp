@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
-constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
+constexpr double kTurnDetail = 0.005;  // radians, or a factor: tolerance of recorded rotations and scalings
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
 constexpr double kDrag = 3;            // pixels: less is a click
 
@@ -20,7 +20,7 @@ double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
 
-/// What an arrow key moves by: pixels of the picture, whose axes are those of the screen …
+/// Returns the step of an arrow key: pixels of the picture, whose axes are those of the screen …
 Vec<2> nudgeOf(ToolSurface& surface, const Vec<2>&, const QPointF& by) {
     const double down = surface.toShape({0, 1}).y() - surface.toShape({0, 0}).y();
     return surface.session().pixel() * Vec<2>(by.x(), std::copysign(by.y(), down * by.y()));
@@ -55,7 +55,7 @@ int PinTool<Dim>::handleAt(const QPointF& widget) const {
     return pin >= 0 ? pin : partUnder<Dim>(surface(), widget, takesHidden());
 }
 
-/// The end of the curve lies under its pin, which comes first until that point is chosen.
+/// The end of a curve is below its pin, which takes precedence until that point is chosen.
 template <int Dim>
 int PinTool<Dim>::curvePointAt(const QPointF& at) const {
     const int point = m_curve.pointAt(at);
@@ -68,7 +68,7 @@ std::optional<GizmoPart> PinTool<Dim>::partAt(const QPointF& at) const {
     return looks ? m_gizmo.partAt(surface(), at) : std::nullopt;
 }
 
-/// That a drag would take hold of.
+/// Returns the part that a drag would use.
 template <int Dim>
 std::optional<GizmoPart> PinTool<Dim>::litPart() const {
     return m_part ? m_part : m_gizmo.anywhere();
@@ -80,7 +80,7 @@ bool PinTool<Dim>::wants(const QPointF& at) const {
            wayUnder<Dim>(surface(), at) >= 0 || partAt(at);
 }
 
-/// In the middle of what is selected; false if nothing is.
+/// Places the gizmo at the centre of the selection; false if nothing is selected.
 template <int Dim>
 bool PinTool<Dim>::placeGizmo() const {
     if (m_gesture == Gesture::Drag) return true;
@@ -152,7 +152,7 @@ void PinTool<Dim>::move(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// What was pressed decides: a part of the gizmo, a pin, the bare shape, or nothing of these.
+/// Starts the gesture of the pressed item: a part of the gizmo, a pin, the bare shape, or none.
 template <int Dim>
 void PinTool<Dim>::begin() {
     const bool onPin = isSelected(m_pressed);
@@ -164,7 +164,7 @@ void PinTool<Dim>::begin() {
     const bool isPlaced = placeGizmo();
     if (isPlaced) m_part = litPart();
     if (m_part && refuse(*m_part)) return;
-    // Who pulls at the dotted ring of a point wants to turn it.
+    // A pull at the dotted ring of a point attempts a rotation.
     const bool wantsTurn = isPlaced && !onPin && m_gizmo.isRefusedAt(surface(), m_from);
     if (wantsTurn && refuse({Grip::Kind::Turn})) return;
     if (m_part || onPin || setPin())
@@ -173,7 +173,7 @@ void PinTool<Dim>::begin() {
         m_gesture = Gesture::Marquee;
 }
 
-/// A new pin is dragged at once: both are one step.
+/// Adds and drags a pin in one step.
 template <int Dim>
 bool PinTool<Dim>::setPin() {
     const bool isPlain = !(m_with & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier));
@@ -186,7 +186,7 @@ bool PinTool<Dim>::setPin() {
     return m_sets;
 }
 
-/// What a single point cannot do.
+/// Refuses what a single point cannot do, with a notice.
 template <int Dim>
 bool PinTool<Dim>::refuse(const Part& part) {
     if (part.kind == Grip::Kind::Move || m_gizmo.canTurn()) return false;
@@ -214,7 +214,7 @@ void PinTool<Dim>::drag(bool snaps) {
     session().dragBy(m_amount, m_seconds);
 }
 
-/// Another axis for the gesture that goes on: it begins again from where it began.
+/// Restarts the gesture from its beginning along another axis.
 template <int Dim>
 void PinTool<Dim>::lock(int axis) {
     Part part = m_gizmo.part();
@@ -222,7 +222,7 @@ void PinTool<Dim>::lock(int axis) {
     part.plane = false;
     m_gizmo.begin(part, surface(), m_from);
     m_part = part;
-    session().cancelDrag();  // what was gone so far is no part of the way
+    session().cancelDrag();  // drops the path so far
     session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
     drag();
 }
@@ -241,7 +241,7 @@ void PinTool<Dim>::finishDrag() {
     if (std::exchange(m_sets, false)) session().document().endStep();
 }
 
-/// From the middle of the pin to the pointer, in the domain's units.
+/// Returns the distance from the pin's centre to the pointer in domain units.
 template <int Dim>
 double PinTool<Dim>::widenedTo(const QPointF& at) const {
     for (const auto& pin : session().template pins<Dim>())
@@ -270,7 +270,7 @@ void PinTool<Dim>::release(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// What is there is selected, or a pin is set.
+/// Selects what is under the pointer, or adds a pin.
 template <int Dim>
 void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
     const int handle = handleAt(at);
@@ -280,8 +280,8 @@ void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
     if (added < 0 && !extend) session().selection().clear();
 }
 
-/// Where something is seen, or at the nearest corner of its cell if that is seen; −1, with a notice, beside
-/// the shape.
+/// Adds a pin at the visible place, or at the nearest corner of its cell if that is visible. Returns −1 and
+/// emits a notice outside the shape.
 template <int Dim>
 int PinTool<Dim>::addPin(const QPointF& at) {
     auto touched = surface().touch(at);
@@ -293,7 +293,7 @@ int PinTool<Dim>::addPin(const QPointF& at) {
     return session().template addPin<Dim>(std::optional(touched->place));
 }
 
-/// If its mark lies inside, or any point of it; of a solid only what is seen, unless through.
+/// Returns whether the mark or any point of the pin is inside; in a solid only visible ones, unless through.
 template <int Dim>
 bool PinTool<Dim>::isTaken(const PinView<Dim>& pin) const {
     const bool many = pin.points.size() > 1;

@@ -10,13 +10,12 @@
 
 namespace wend {
 
-/// Selects pins and drags, rotates, scales and widens them, with a ring around them in the plane, with a
-/// manipulator in space. With `adds` a click on the free shape makes a new one, a drag from there one that
-/// goes along.
+/// Selects, drags, rotates, scales and widens pins, with a ring in the plane and a manipulator in space. With
+/// `adds`, a click on the bare shape adds a pin, and a drag from there moves it.
 template <int Dim>
 class PinTool : public ShapeTool<Dim> {
   public:
-    /// What is drawn beside pins to select all in it.
+    /// Shape of the marquee beside pins.
     using Outline = DrawnOutline::Kind;
     PinTool(SurfaceOf<Dim>& view, PinChoice& choice, bool adds);
 
@@ -71,7 +70,7 @@ class PinTool : public ShapeTool<Dim> {
     bool setPin();
     bool refuse(const Part& part);
     void beginDrag(const Part& part);
-    /// Where the pointer is; by `steps` where it would be on one of eight ways from where it was pressed.
+    /// Returns the pointer's place; with `steps` constrained to eight directions from the pressed place.
     QPointF reached(bool steps) const { return steps ? m_from + inSteps(m_at - m_from) : m_at; }
     void drag(bool snaps = false);
     void lock(int axis);
@@ -101,7 +100,7 @@ class PinTool : public ShapeTool<Dim> {
     double m_seconds = 0;          // of the pointer's last event
     int m_pressed = -1, m_hovered = -1;
     std::optional<Part> m_part;  // pressed, or under the pointer
-    bool m_leaves = false;       // what is selected does no more, once it was clicked and not dragged
+    bool m_leaves = false;       // deselects on a click without a drag
     bool m_sets = false;         // the pin that is dragged is new
     Amount m_amount = Amount::Zero();
     TypedNumber m_typed;

@@ -1,4 +1,4 @@
-// What the pin tool says and draws, which pointer it shows, and how the window offers it.
+// Hints, drawing, cursor and menu entry of the pin tool.
 #include <QCoreApplication>
 
 #include "app/session/colours.h"
@@ -44,7 +44,7 @@ QString PinTool<Dim>::hint() const {
                                                                       : besideHint();
 }
 
-/// Of a drag that turns or scales.
+/// Returns the hint of a rotating or scaling drag.
 template <int Dim>
 QString PinTool<Dim>::gripHint() const {
     const Grip::Kind kind = m_gizmo.anywhere()->kind;
@@ -59,7 +59,7 @@ QString PinTool<Dim>::gripHint() const {
                                        "the number"));
 }
 
-/// What a single point cannot do.
+/// Explains what a single point cannot do.
 template <int Dim>
 QString PinTool<Dim>::refusal(Grip::Kind kind) {
     return kind == Grip::Kind::Grow
@@ -67,7 +67,7 @@ QString PinTool<Dim>::refusal(Grip::Kind kind) {
                : said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
 }
 
-/// What a press beside all pins would begin.
+/// Returns the hint for a press outside all pins.
 template <int Dim>
 QString PinTool<Dim>::besideHint() const {
     if (m_outline.kind() == Outline::Lasso)

@@ -49,7 +49,7 @@ void RegionTool::move(const QMouseEvent& event) {
     surface().redraw();
 }
 
-/// Around the place in the rest shape, as large as it was drawn in the pose.
+/// Returns the region around the place in the rest shape, with the size drawn in the pose.
 Region<3> RegionTool::region() const {
     const Vec<3> way = m_turn.transpose() * (acrossTheScreen(surface(), m_centre, m_at) -
                                              acrossTheScreen(surface(), m_centre, m_from));

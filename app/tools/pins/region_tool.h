@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Takes hold of a region of a solid as one handle: of a ball or a block around a point of the surface, or of
-/// the half of space beyond it. Shift adds what is in it to the selected handle, Ctrl takes it away.
+/// Makes a handle of a region of a solid: a ball or block around a point of the surface, or the half-space
+/// behind it. Shift adds its contents to the selected handle, Ctrl subtracts them.
 class RegionTool : public ShapeTool<3> {
   public:
     enum class Shape { Ball, Block, Side };
@@ -34,7 +34,7 @@ class RegionTool : public ShapeTool<3> {
     std::function<void()> m_done;
     bool m_active = false;
     QPointF m_from, m_at;
-    // where it begins, in the pose and in the rest shape, and how the solid is turned there
+    // centre in the pose and at rest, and the solid's rotation there
     Vec<3> m_centre = Vec<3>::Zero(), m_restCentre = Vec<3>::Zero();
     Mat<3> m_turn = Mat<3>::Identity();
 };

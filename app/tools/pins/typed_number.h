@@ -5,10 +5,10 @@
 
 namespace wend {
 
-/// A number that is typed while something is dragged, in place of what the pointer says.
+/// A number typed during a drag, which replaces the pointer's amount.
 class TypedNumber {
   public:
-    /// True if the key belongs to a number.
+    /// Returns whether the key belongs to a number.
     bool take(const QKeyEvent& key);
     bool isEmpty() const { return m_text.isEmpty(); }
     double value() const { return m_text.toDouble(); }

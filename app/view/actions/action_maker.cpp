@@ -22,7 +22,7 @@ QAction* ActionMaker::addToggle(const Words& words, const QKeySequence& keys, co
     return action;
 }
 
-/// Why it can do nothing now stands first.
+/// The reason for a disabled action is the first line of its tooltip.
 void ActionMaker::describe(QAction* action) {
     const QString help = helpOf(*action), extra = action->property("whyNot").toString();
     const QString name = withoutKey(action->text());

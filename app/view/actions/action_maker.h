@@ -5,7 +5,7 @@
 
 namespace wend {
 
-/// Makes actions with name, shortcut and explanation. What a disabled action waits for stands in its tooltip.
+/// Makes actions with name, shortcut and help. The tooltip of a disabled action gives the reason.
 class ActionMaker : public QObject {
     Q_OBJECT
 
@@ -14,9 +14,9 @@ class ActionMaker : public QObject {
     void setIcons(const QPalette& palette);
     /// The actions that were made here, in that order.
     QList<QAction*> own() const { return m_own; }
-    /// What an action does, in a sentence; empty for what is not made here.
+    /// Returns the help of an action; empty for actions not made here.
     static QString helpOf(const QAction& action) { return action.property("help").toString(); }
-    /// The keys that it has where no other action that is more at hand wants them.
+    /// Returns the keys of an action that apply unless another action needs them.
     static QList<QKeySequence> keysOf(const QAction& action);
 
   protected:
@@ -29,7 +29,7 @@ class ActionMaker : public QObject {
     static void reword(QAction* action, const Words& words);
     void enable(QAction* action, bool enabled, const QString& whyNot);
     static void setKeysOf(QAction* action, const QList<QKeySequence>& keys);
-    /// Those of them that it has now.
+    /// Assigns the keys that currently apply.
     static void useKeys(QAction* action, const QList<QKeySequence>& keys);
 
   private:

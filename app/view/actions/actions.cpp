@@ -136,7 +136,7 @@ void Actions::makeMotion() {
     settle = add({tr("Rela&x"), tr("Let the shape relax at the end, with the pins where they are")}, {});
 }
 
-/// One of them holds, at first the usual one.
+/// Adds a menu of factors, of which one is checked, initially the default.
 void Actions::fillFactors(QMenu& menu, const QList<int>& percents) {
     auto* group = new QActionGroup(&menu);
     for (const int percent : percents) {
@@ -202,7 +202,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     new MenuReasons(&window);
 }
 
-/// The steps, and under the name of each what belongs to it first.
+/// Lists the steps, and under each the tools that belong to it first.
 void Actions::fillTools(QMenu& menu) const {
     for (const Mode mode : kModes) menu.addAction(m_tools.modeAction(mode));
     for (const Mode mode : kModes)
@@ -225,7 +225,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportView, has && isSolid, has ? tr("For a picture, export the picture itself.") : why);
     enable(exportFrames, has, why);
     enable(exportStMap, has && hasPicture, has ? noPicture : why);
-    const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // what one sees
+    const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // exports the shown view
     setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);
     setKeysOf(exportView, isSolid ? key : QList<QKeySequence>());
 }

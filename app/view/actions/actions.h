@@ -14,8 +14,8 @@ class BackdropChoice;
 class LanguageChoice;
 class Toolbox;
 
-/// Everything that can be done in the window beside its tools, with name, shortcut and explanation. What a
-/// disabled action waits for stands in its tooltip.
+/// All actions of the window besides its tools, with name, shortcut and help. The tooltip of a disabled
+/// action gives the reason.
 class Actions : public ActionMaker {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ class Actions : public ActionMaker {
     QAction *open, *save, *saveAs, *closeFile, *quit;
     QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
-    QAction *selectTool, *pinTool;  // of the tools, what others come back to
+    QAction *selectTool, *pinTool;  // tools that others return to
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
@@ -34,17 +34,16 @@ class Actions : public ActionMaker {
     const std::unique_ptr<QMenu> recent, samples, exports;
     BackdropChoice* const backdrop;
     LanguageChoice* const languages;
-    /// Of playing and recording, and of marks; the factor is the data of their actions.
+    /// Menus of factors for playback speed and size of marks; the factor is the action's data.
     const std::unique_ptr<QMenu> speed, markSizes;
 
-    /// Menus of the whole program, in the order of the work.
-    /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `edits`
-    /// within Edit.
+    /// Fills the menu bar in the order of the work. `more` is inserted between View and Motion, `curve` into
+    /// Motion, `edits` into Edit.
     void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& edits);
-    /// What needs a shape, a selection, a motion.
+    /// Enables what needs a shape, a selection or a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);
-    /// What is shown of a document, and the tool, as at the start: another document is seen as it is.
+    /// Resets view options and the tool for another document.
     void resetView();
     void setHasMotion(bool has);
     void setSpeed(double factor);

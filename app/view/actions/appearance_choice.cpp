@@ -33,7 +33,7 @@ void AppearanceChoice::restoreMarks() {
     setMarkSize(chosen ? kept : 1);
 }
 
-/// In all views, at once.
+/// Updates all views at once.
 void AppearanceChoice::enlargeMarks(double factor) {
     QSettings().setValue("markSize", factor);
     setMarkSize(factor);

@@ -17,11 +17,11 @@ class AppearanceChoice : public QObject {
 
   public:
     AppearanceChoice(Actions& actions, QWidget& window);
-    /// As it was last.
+    /// Restores the stored choice.
     void restore();
 
   signals:
-    /// The window has another palette: what was drawn in its colours is to be drawn anew.
+    /// Emitted when the palette changed, so that cached drawings must be renewed.
     void changed();
 
   private:

@@ -10,8 +10,8 @@ class QActionGroup;
 
 namespace wend {
 
-/// What the shape is seen on: checks behind a picture and the workspace behind a solid, or a colour on which
-/// its edges are judged; remembered for other days. What is exported does not know of it.
+/// The background of the shape: checks behind a picture and the workspace behind a solid, or a colour for
+/// judging edges; stored in the settings. It does not affect exports.
 class BackdropChoice : public ActionMaker {
     Q_OBJECT
 

@@ -11,8 +11,8 @@ namespace wend {
 
 class Toolbox;
 
-/// What the brush paints and how it does, beside the name of its tool; and by a key each of the four stops of
-/// what is kept: a tool that does not paint gives way to the brush.
+/// The brush's target and tip beside the name of its tool, and a shortcut for each of the four stops; a tool
+/// that does not paint is replaced by the brush.
 class BrushActions : public ActionMaker {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ class BrushActions : public ActionMaker {
 
     QAction *keep = nullptr, *stiffness = nullptr, *direction = nullptr;
     NumberAction *amount = nullptr, *size = nullptr, *hardness = nullptr;
-    NumberAction *order = nullptr, *edges = nullptr;  // that the depth and the detail brush lay down
+    NumberAction *order = nullptr, *edges = nullptr;  // values of the depth and the detail brush
     QAction* pressure = nullptr;
 
     QMenu* menu() const { return m_menu.get(); }

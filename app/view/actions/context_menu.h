@@ -14,7 +14,7 @@ class DepthActions;
 class PinActions;
 class ShapeSession;
 
-/// The menu that a right click opens: what can be done with the pin, the curve or the canvas that lies there.
+/// The context menu for a pin, a curve or the canvas.
 class ContextMenu : public QObject {
     Q_OBJECT
 

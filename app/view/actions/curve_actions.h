@@ -11,7 +11,7 @@ namespace wend {
 
 class ShapeSession;
 
-/// What can be done with the curve that a handle follows, of pictures and of solids.
+/// Commands for the curve of a handle, in pictures and solids.
 class CurveActions : public ActionMaker {
     Q_OBJECT
 
@@ -25,9 +25,9 @@ class CurveActions : public ActionMaker {
     QMenu* menu() const { return m_menu.get(); }
 
   public slots:
-    /// What is possible now.
+    /// Updates which commands are possible.
     void refresh();
-    /// The menu for what is under the pointer.
+    /// Shows the menu for the item under the pointer.
     void popUp(const QPoint& global);
 
   private:

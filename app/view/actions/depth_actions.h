@@ -9,7 +9,7 @@ namespace wend {
 
 class ShapeSession;
 
-/// Which part lies in front, for what is around the selected pins of a picture.
+/// Sets the depth of the surroundings of selected pins.
 class DepthActions : public ActionMaker {
     Q_OBJECT
 

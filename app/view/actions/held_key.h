@@ -6,8 +6,8 @@ class QWidget;
 
 namespace wend {
 
-/// While a key is held anywhere in a window, whichever of its widgets has the focus, something is so. Where
-/// text is typed the key is a letter.
+/// A state that is active while a key is held anywhere in a window, whatever has the focus; not in text
+/// fields.
 class HeldKey : public QObject {
     Q_OBJECT
 

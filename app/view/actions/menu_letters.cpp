@@ -10,14 +10,14 @@ namespace wend {
 
 namespace {
 
-/// Null without one.
+/// Returns the mnemonic; null if there is none.
 QChar letterOf(const QString& text) {
     static const QRegularExpression letter(QStringLiteral("&([^&\\s])"));
     const auto found = letter.match(QString(text).remove(QStringLiteral("&&")));
     return found.hasMatch() ? found.captured(1)[0].toUpper() : QChar();
 }
 
-/// With a letter that is free; languages that are not written with letters have one in brackets at the end.
+/// Assigns a free letter; languages without an alphabet have one in brackets at the end.
 QString withFreeLetter(const QString& text, const QSet<QChar>& taken) {
     static const QRegularExpression bracket(QStringLiteral("\\(&.\\)"));
     if (text.contains(bracket)) {

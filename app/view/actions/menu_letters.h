@@ -4,8 +4,8 @@ class QMenu;
 
 namespace wend {
 
-/// Sees to it that a letter opens one entry of a menu and does not go round among several, whatever the
-/// language: where a letter is taken already, the entry gets another one of its text. So in the menus below.
+/// Makes mnemonics of a menu and its submenus unique in any language: an entry whose letter is taken gets
+/// another letter of its text.
 void makeLettersUnique(QMenu& menu);
 
 }  // namespace wend

@@ -4,13 +4,13 @@
 
 namespace wend {
 
-/// While the pointer rests on an entry of a menu that cannot be chosen, why is told beside it; of those the
-/// status line hears nothing.
+/// Shows why a menu entry is disabled while the pointer rests on it, because status tips do not cover
+/// disabled entries.
 class MenuReasons : public QObject {
     Q_OBJECT
 
   public:
-    /// Of all menus.
+    /// Watches all menus.
     explicit MenuReasons(QObject* parent);
 
   private:

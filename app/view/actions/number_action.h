@@ -6,12 +6,12 @@ class QSpinBox;
 
 namespace wend {
 
-/// A number beside a tool's name.
+/// A number field beside a tool's name.
 class NumberAction : public QWidgetAction {
   public:
     NumberAction(const QString& name, const QString& help, const QString& unit, QObject* parent);
     QSpinBox& box() const { return *m_box; }
-    /// Tells nobody.
+    /// Sets the number without a signal.
     void put(double value);
 
   private:

@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// What stands beside the tools that draw the outline of a picture.
+/// Options beside the outline tools.
 class PictureActions : public ActionMaker {
     Q_OBJECT
 

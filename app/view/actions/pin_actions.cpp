@@ -84,7 +84,7 @@ void PinActions::makeOutlines() {
             [this](int across) { m_choice.change(&PinSettings::radius, across / 2.0); });
 }
 
-/// What a switch of several chooses.
+/// Connects a switch of a group with the value that it selects.
 template <class Value>
 void PinActions::choose(Value PinSettings::*value,
                         std::initializer_list<std::pair<QAction*, Value>> choices) {
@@ -169,7 +169,7 @@ void PinActions::connectActions() {
             [this] { wend::holdThroughout(m_session, selected()); });
     connect(&m_session, &ShapeSession::pinsChanged, this, &PinActions::refresh);
     connect(&m_session, &ShapeSession::frameChanged, this, &PinActions::refresh);
-    // Another file begins with what a click does everywhere.
+    // Another file starts with the usual meaning of a drag.
     connect(&m_session.document(), &Document::opened, this, [this] { move->setChecked(true); });
 }
 
@@ -203,7 +203,7 @@ void PinActions::refresh() {
     link->setChecked(has && linked == all);
 }
 
-/// For a new group a name is offered, so that Enter will do; those that are there can be chosen.
+/// Proposes a name for a new group, so that Enter suffices; existing groups can be chosen.
 void PinActions::askGroup() {
     const auto taken = groupNames(m_session.document().design());
     const std::string& own = traitsOf(m_session.document().design(), selected().front()).group;

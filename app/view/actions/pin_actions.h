@@ -11,7 +11,7 @@ namespace wend {
 class NumberAction;
 class ShapeSession;
 
-/// What can be done with the selected pins, of pictures and of solids; among it what a drag does with them.
+/// Commands for the selected pins of pictures and solids, including the effect of a drag.
 class PinActions : public ActionMaker {
     Q_OBJECT
 
@@ -19,9 +19,9 @@ class PinActions : public ActionMaker {
     PinActions(ShapeSession& session, QObject* parent);
 
     QAction *move, *turn, *grow;
-    QAction *selectRectangle, *selectLasso, *selectBrush;  // what is drawn beside pins
+    QAction *selectRectangle, *selectLasso, *selectBrush;  // shape of the marquee
     QAction* snap;
-    NumberAction* brushSize;  // of the brush that takes hold of what it covers
+    NumberAction* brushSize;  // of the brush that grabs an area
     QAction *lock, *hide, *showAll;
     QAction *group, *ungroup, *link;
     QAction *mirror, *mirrorMotion;
@@ -29,7 +29,7 @@ class PinActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
     PinChoice& choice() { return m_choice; }
-    /// What a pin's own menu holds of it.
+    /// Adds these commands to a pin's context menu.
     void fill(QMenu& menu) const;
 
   private:

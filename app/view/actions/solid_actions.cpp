@@ -6,7 +6,7 @@ namespace wend {
 
 namespace {
 
-/// Of the digits at the right: those above the letters choose a step of the work.
+/// Returns a shortcut on the numeric keypad; the digits of the main keyboard switch steps.
 QKeySequence keypad(const char* keys) {
     return QKeySequence(QString::fromLatin1(keys), QKeySequence::PortableText);
 }

@@ -12,7 +12,7 @@ namespace wend {
 
 class Toolbox;
 
-/// What can be done with solids only; hidden while something flat is open.
+/// Commands for solids, hidden for pictures.
 class SolidActions : public ActionMaker {
     Q_OBJECT
 
@@ -30,14 +30,14 @@ class SolidActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
     void setShown(bool shown);
-    /// Whether the solid has a surface of its own, beside its tetrahedra.
+    /// Sets whether the solid has a surface besides its tetrahedra.
     void setHasDetail(bool has);
-    /// Whether that is one that was chosen for it.
+    /// Sets whether that surface was chosen by the user.
     void setHasChosenDetail(bool has);
-    /// Whether its tetrahedra are made here.
+    /// Sets whether the tetrahedra are generated.
     void setMeshed(bool meshed);
     void setUpAxis(UpAxis axis);
-    /// What is shown of a solid, as at the start.
+    /// Resets the view options of a solid.
     void resetView();
 
   private:

@@ -31,7 +31,7 @@ SpaceTap::SpaceTap(QWidget& window) : QObject(&window), m_window(window) {
     qApp->installEventFilter(this);
 }
 
-/// What is not taken goes on to the parents: only the first counts.
+/// Events that are not accepted propagate to parents: only the first one counts.
 bool SpaceTap::isOurs(const QObject* watched) const {
     const QWidget* focus = QApplication::focusWidget();
     return watched == focus && focus->window() == &m_window && !QApplication::activePopupWidget() &&

@@ -5,9 +5,8 @@
 
 namespace wend {
 
-/// The space bar tapped in a window: pressed and let go with nothing in between, by a hand that is not at the
-/// mouse. Held until it repeats it is no tap, nor where the focus is on what has a use of its own for it: a
-/// text, a button, a list.
+/// A tap of the space bar in a window: pressed and released without anything in between. Holding it until it
+/// repeats is no tap, nor is it where the focused widget uses the key: a text, a button, a list.
 class SpaceTap : public QObject {
     Q_OBJECT
 

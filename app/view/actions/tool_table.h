@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// All tools, in the order of the tool bar.
+/// Returns all tools in the order of the tool bar.
 const std::vector<ToolKind>& toolTable();
 
 }  // namespace wend

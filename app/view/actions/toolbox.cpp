@@ -90,7 +90,7 @@ void Toolbox::choose(const ToolKind& kind) {
     show();
 }
 
-/// What it had last, what it begins with, or the tool that selects.
+/// Returns the step's last tool, its first tool, or the select tool.
 QAction* Toolbox::toolFor(Mode mode) const {
     if (const auto last = m_last.find(mode); last != m_last.end() && last->second->isEnabled())
         return last->second;

@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// The tools of the window as actions, one of which is chosen, and the steps of the work, one of which is
-/// current and remembers its tool. A tool that does not belong to the current step brings its own.
+/// The tools as actions, one of which is active, and the steps of the work, one of which is current and
+/// remembers its tool. Activating a tool of another step switches to that step.
 class Toolbox : public ActionMaker {
     Q_OBJECT
 
@@ -23,10 +23,10 @@ class Toolbox : public ActionMaker {
     int dimension() const { return m_dimension; }
     /// 0: nothing is open. A shape begins with its pins.
     void setDimension(int dimension);
-    /// The tool that is chosen; null if it does nothing with what is open.
+    /// Returns the active tool; null if it does not apply to the document.
     const ToolKind* current() const;
     bool isChosen(const char* id) const;
-    /// What the tool bar of a step holds for what is open.
+    /// Returns the tools of a step for the open document.
     QList<QAction*> toolsOf(Mode mode) const;
     /// Tools under the step that they are first of, for a menu.
     QList<QAction*> toolsFirstIn(Mode mode) const;
@@ -34,7 +34,7 @@ class Toolbox : public ActionMaker {
     void shareKeysWith(const QList<ActionMaker*>& others);
 
   signals:
-    /// Another tool, another step, or another dimension.
+    /// Emitted when the tool, the step or the dimension changed.
     void changed();
 
   private:

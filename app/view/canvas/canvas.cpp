@@ -20,7 +20,7 @@ constexpr int kRefineInDrag = 400;
 constexpr int kMarksEvery = 20;       // without a frame
 constexpr double kSeenBeyond = 0.01;  // of the picture
 
-/// A picture at rest on two triangles.
+/// Returns a picture at rest as two triangles.
 PosedPtr<2> unbent(const Image& picture) {
     auto rest = std::make_shared<SimplicialMesh<2>>();
     rest->points.resize(2, 4);
@@ -59,7 +59,7 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent)
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
-/// Also what the shape leaves out.
+/// Returns whether parts outside the outline are shown, too.
 bool ShapeCanvas::showsPicture() const {
     return m_viewport.tool() && m_viewport.tool()->showsPicture() && !m_viewport.looks().hidden;
 }
@@ -70,7 +70,7 @@ bool ShapeCanvas::isSettled() const {
            m_drawn->request.plan == plan() && m_drawn->request.allOfPicture == showsPicture();
 }
 
-/// Of cells that lie over one another the one that is seen.
+/// Returns the visible one of overlapping cells.
 std::optional<Touch<2>> ShapeCanvas::touch(const QPointF& widget) const {
     const auto frame = m_session.frame<2>();
     if (!frame) return {};
@@ -123,7 +123,7 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
     });
 }
 
-/// A mesh may bring its picture; y points down where its coordinates are pixels.
+/// A mesh may bring its picture; y points down if its coordinates are pixels.
 void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
     const auto& texture = frame.built->texture;
     if (!texture || frame.built->picture == m_source) return;
@@ -137,7 +137,7 @@ PosedPtr<2> ShapeCanvas::drawnFrame() const {
     return frame ? frame : m_unbent;
 }
 
-/// Of the frame that is drawn; null before the first mesh.
+/// Returns the depths of the drawn frame; null before the first mesh.
 CellDepths::Values ShapeCanvas::depths() const {
     const auto frame = m_session.frame<2>();
     if (!frame) return nullptr;
@@ -156,7 +156,7 @@ QRectF ShapeCanvas::frameRect() const {
     return frame ? boxOf(frame->rest->points) : QRectF();
 }
 
-/// With a shape that has been bent beyond its picture; a margin of the mesh is not seen.
+/// Includes a shape that was bent beyond its picture, without the mesh's margin.
 QRectF ShapeCanvas::fittedRect() const {
     const QRectF rest = frameRect();
     const auto frame = m_session.frame<2>();
@@ -212,7 +212,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 
 QImage ShapeCanvas::smallView(const QSize& size) const {
     const auto frame = m_session.frame<2>();
-    if (!frame || !m_picture || m_viewport.looks().standIn) return {};  // whose mesh the plan is of
+    if (!frame || !m_picture || m_viewport.looks().standIn) return {};  // owner of the plan
     RenderRequest small = request(Filter::Ewa);
     small.frame = frame;
     small.mesh = small.map = small.allOfPicture = false;
@@ -254,7 +254,7 @@ void ShapeCanvas::fitTo(Fitted what) {
     fitView();
 }
 
-/// To the picture alone, as it was opened: the shape may be about to change.
+/// Fits the original picture if a new one was opened: the shape may be about to change.
 void ShapeCanvas::fitView() {
     m_view.fit(m_fitted == Fitted::Pose ? fittedRect() : frameRect(), size(), kMargin);
     showView();

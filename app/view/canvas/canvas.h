@@ -19,23 +19,23 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
   public:
     explicit ShapeCanvas(ShapeSession& session, QWidget* parent = nullptr);
 
-    /// Its tool, and what is seen of the shape.
+    /// Returns the part that handles tools and looks.
     Viewport& viewport() { return m_viewport; }
     const ViewTransform& view() const { return m_view; }
     /// The same part of the domain as another canvas of that size shows.
     void takeView(const ShapeCanvas& other);
-    /// It takes the view of another one, and has none of its own when its size changes.
+    /// Shows the view of another canvas, without adapting to its own size.
     void followOther() { m_follows = true; }
-    /// The document's picture, or that of a file's mesh, as it is drawn; null where there is none, or not
-    /// yet.
+    /// Returns the drawn picture of the document or of a file's mesh; null if there is none, or not yet.
     const std::shared_ptr<const ScreenPicture>& screenPicture() const { return m_picture; }
-    /// The document's picture is not ready to be drawn yet: of a large one that takes a while.
+    /// Returns whether the document's picture is not ready to be drawn yet, which takes a while for large
+    /// ones.
     bool isPreparing() const { return m_source && !m_picture; }
-    /// What was drawn last; null before.
+    /// Returns the last drawing; null before.
     const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
-    /// True if what was drawn last is what there is to show, at full quality.
+    /// Returns whether the last drawing is current and of full quality.
     bool isSettled() const;
-    /// The whole shape as large as fits, without what lies over it; null before there is one.
+    /// Returns the whole shape as large as fits, without overlays; null before there is one.
     QImage smallView(const QSize& size) const;
 
     // ToolSurface
@@ -61,14 +61,15 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     /// Draws the border of other regions; none: of none.
     void setDetailRegions(const std::vector<wend::MaterialRegion<2>>& regions);
     void setDepthRegions(const std::vector<wend::MaterialRegion<2>>& regions);
-    /// What is bent, too: also whenever the window's size changes, until one looks elsewhere.
+    /// Fits the view to the shape, and again whenever the window's size changes, until the user moves the
+    /// view.
     void fit() { fitTo(Fitted::Pose); }
     void zoomTo(double zoom);
     void zoomBy(double factor);
     void showWorst();
     /// Brings a place into the middle.
     void showPlace(const wend::Vec<2>& at);
-    /// What is marked in the map, of the session's frame; null: nothing.
+    /// Sets the faults that the map marks, for the session's frame; null for none.
     void setFaults(const std::shared_ptr<const wend::PoseFaults<2>>& faults);
 
   signals:
@@ -108,7 +109,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
     std::shared_ptr<const ScreenPicture> m_picture;
     std::shared_ptr<const PoseFaults<2>> m_faults;
-    PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
+    PosedPtr<2> m_unbent;  // the original picture, before the first mesh
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
     RegionLines m_detailRegions, m_depthRegions;
@@ -116,14 +117,14 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
     mutable DrawingPace m_pace;
-    QTimer m_refine;  // draws at full quality once nothing has moved for a while
+    QTimer m_refine;  // starts a drawing of full quality once nothing has moved for a while
     mutable CellDepths m_depths;
     Ground m_ground;
     Fitted m_fitted = Fitted::No;  // the view follows the window's size until the user changes it
     bool m_follows = false;
     bool m_panning = false;
     QPointF m_lastPan;
-    RenderThread m_renderer;  // the last member: it stops before the others go
+    RenderThread m_renderer;  // last, so that the thread stops before the other members are destroyed
 };
 
 }  // namespace wend

@@ -1,4 +1,4 @@
-// What is drawn of a picture.
+// Drawing of pictures.
 #include "app/panels/look/smooth_map.h"
 #include "app/session/shape/shape.h"
 #include "app/tools/paint/stiffness_marks.h"
@@ -10,7 +10,7 @@ namespace wend {
 
 void ShapeCanvas::paintShape(QPainter& painter) {
     if (!m_drawn) return;
-    // While another view is being drawn, the last one stands in for it, moved and scaled.
+    // Until the new view is drawn, shows the last one, moved and scaled.
     const RenderRequest& request = m_drawn->request;
     const double scale = m_view.zoom() / request.view.zoom();
     const QPointF origin = m_view.toWidget(request.view.toShape({0, 0}));
@@ -27,7 +27,7 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     painter.restore();
 }
 
-/// A film that plays is seen without pins.
+/// Pins are hidden during playback.
 void ShapeCanvas::paintOver(QPainter& painter) {
     const auto frame = m_session.frame<2>();
     const Looks& looks = m_viewport.looks();

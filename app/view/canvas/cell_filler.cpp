@@ -12,12 +12,12 @@ namespace {
 constexpr int kBandRows = 32;
 constexpr int kPlaces = 64;  // in a pixel of the outline
 
-/// First pixel whose centre is at or after x.
+/// Returns the first pixel whose centre is at or after x.
 int firstCentre(double x, int size) {
     return static_cast<int>(std::ceil(std::clamp(x - 0.5, 0.0, static_cast<double>(size))));
 }
 
-/// Two components of 8 bits at a time, times part / 255.
+/// Multiplies two 8-bit components at a time by part / 255.
 QRgb scaled(QRgb pair, QRgb part) {
     const QRgb product = (pair & 0xFF00FF) * part;
     return ((product + ((product >> 8) & 0xFF00FF) + 0x800080) >> 8) & 0xFF00FF;
@@ -41,7 +41,7 @@ Vec<2> middleOf(std::uint64_t samples) {
     return (sum / std::popcount(samples) + Vec<2>(0.5, 0.5)) / 8;
 }
 
-/// All of the points that may be seen, in whole pixels.
+/// Returns the bounds of the visible points in whole pixels.
 QRect boxOf(const Points<2>& points, const QSize& size) {
     if (points.cols() == 0) return {};
     const auto bounded = [](double x, int most) { return std::clamp(x, -1.0, most + 1.0); };
@@ -51,7 +51,7 @@ QRect boxOf(const Points<2>& points, const QSize& size) {
     return QRectF(first, last).toAlignedRect().adjusted(0, 0, 1, 1) & QRect(QPoint(), size);
 }
 
-/// What of a pixel is covered, and the sum of its places' colours, the last pieces on top.
+/// The covered part of a pixel, and the sum of its samples' colours, where later pieces are on top.
 class Mix {
   public:
     void add(std::uint64_t samples, QRgb colour) {
@@ -61,9 +61,9 @@ class Mix {
         m_open &= ~seen;
         m_count += count;
     }
-    /// From 0 to 255.
+    /// Returns the coverage from 0 to 255.
     QRgb coverage() const { return (m_count * 255 + kPlaces / 2) / kPlaces; }
-    /// Of what is covered.
+    /// Returns the mean colour of the covered samples.
     QRgb colour() const {
         QRgb mean = 0;
         if (m_count == 0) return mean;
@@ -95,7 +95,7 @@ CellFiller::CellFiller(const QSize& size, const PaintingPlan& plan, const Points
     m_outline = OutlinePixels(plan, m_points, box.width(), box.height(), kBandRows);
 }
 
-/// Calls run(y, x, first, last) for the pixels of each row, from x on, whose centres lie in the triangle.
+/// Calls run(y, x, first, last) for the pixels of each row, from x on, whose centres are in the triangle.
 template <class Run>
 void CellFiller::forRows(const TriangleRows& rows, const Run& run) {
     auto* const first = reinterpret_cast<QRgb*>(m_layer.bits());
@@ -134,7 +134,7 @@ void CellFiller::fill(const Cell<2>& cell, const std::array<Colour, 3>& colours)
     });
 }
 
-/// Rounding may lead a place out of the corners' range.
+/// Rounding may move a sample out of the corners' range.
 void CellFiller::fill(const Cell<2>& cell, const std::array<double, 3>& places,
                       const std::vector<QRgb>& ramp) {
     const double last = static_cast<double>(ramp.size() - 1);
@@ -170,9 +170,9 @@ void CellFiller::fillBetween(const Cell<2>& cell, const std::array<Value, 3>& co
     });
 }
 
-/// With coverage k the image has k i there, i being what the shape shows of the picture, and beside it what
-/// it has more than that: the layer's colour c with its alpha a makes of it k (c + (1 - a) i). In the extent
-/// of the picture c counts as far as i is opaque.
+/// With coverage k the image becomes k i, where i is what the shape shows of the picture, and beside it the
+/// excess; the layer's colour c with alpha a makes it k (c + (1 - a) i). In the extent of the picture c
+/// counts as far as i is opaque.
 void CellFiller::layOutline(QImage& image, Extent extent) {
     std::ranges::stable_sort(m_pieces, {}, [](const Piece& p) { return std::pair(p.band, p.pixel); });
     auto piece = m_pieces.cbegin();

@@ -11,31 +11,29 @@
 
 namespace wend {
 
-/// A layer of triangles in colours, which is laid over an image: every pixel has the colour of the last
-/// triangle that covers its centre, so that neighbours share none and leave none open; those that the outline
-/// passes through have as much of each as is seen there. QPainter makes a path of each triangle, which takes
-/// several times as long.
+/// A layer of coloured triangles over an image. Every pixel has the colour of the last triangle that covers
+/// its centre, so that neighbours neither overlap nor leave gaps; pixels on the outline have the visible
+/// share of each. QPainter's paths take several times as long.
 class CellFiller {
   public:
-    /// For an image of that size; `points` are brought to its pixels by `toPixels`.
+    /// For an image of that size; `toPixels` maps `points` to its pixels.
     CellFiller(const QSize& size, const PaintingPlan& plan, const Points<2>& points,
                const QTransform& toPixels);
 
     /// The colour is not premultiplied.
     void fill(const Cell<2>& cell, QRgb colour);
-    /// The same in colours of the corners (red, green, blue, alpha, premultiplied, from 0 to 255) and what
-    /// lies between them.
+    /// Fills with interpolated colours of the corners (premultiplied red, green, blue, alpha from 0 to 255).
     using Colour = Eigen::Array4d;
     void fill(const Cell<2>& cell, const std::array<Colour, 3>& colours);
     /// The same in the colours of a ramp (premultiplied), in which the corners have places from 0 to 1.
     void fill(const Cell<2>& cell, const std::array<double, 3>& places, const std::vector<QRgb>& ramp);
 
-    /// On the whole shape, or where the image, which shows a picture on it, has something already.
+    /// The extent of the layer: the whole shape, or only opaque places of the image that shows the picture.
     enum class Extent { Shape, Picture };
     void layOver(QImage& image, Extent extent);
 
   private:
-    /// What of one of the outline's pixels a triangle covers.
+    /// The part of an outline pixel that a triangle covers.
     struct Piece {
         int band, pixel;
         std::uint64_t samples;

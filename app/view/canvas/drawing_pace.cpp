@@ -6,8 +6,8 @@ namespace {
 
 constexpr double kEasy = 1.5e6;       // pixels that are always drawn
 constexpr double kUnknown = 3e6;      // and so many while nothing is known
-constexpr double kTime = 14;          // milliseconds: with the rest of the way to the screen 30 a second
-constexpr double kFinerMargin = 0.7;  // of the time, so that it does not go to and fro
+constexpr double kTime = 14;          // milliseconds: with the rest of the pipeline 30 frames per second
+constexpr double kFinerMargin = 0.7;  // fraction of the time: hysteresis
 constexpr double kNewest = 0.3;       // weight of the last picture
 constexpr int kCoarsest = 4;
 

@@ -2,13 +2,12 @@
 
 namespace wend {
 
-/// How coarsely a shape is drawn while it moves: as finely as it can be for a picture in time, as the last
-/// ones tell.
+/// Adapts the resolution of a moving shape so that frames are drawn in time, based on the last ones.
 class DrawingPace {
   public:
     /// Device pixels per side of a drawn one, for a view of so many device pixels.
     int coarseness(double pixels);
-    /// So many drawn pixels took so long.
+    /// Records how long a number of drawn pixels took.
     void learn(double drawnPixels, double milliseconds);
 
   private:

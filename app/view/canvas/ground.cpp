@@ -14,7 +14,7 @@ QPixmap checker(const Theme& theme) {
     return tile;
 }
 
-/// With a soft shadow, where the paper does not cover it.
+/// Draws the paper with a soft shadow outside it.
 void drawPaper(QPainter& painter, const QRect& paper, const QColor& colour, const Theme& theme) {
     painter.save();
     painter.setPen(Qt::NoPen);
@@ -41,7 +41,7 @@ void fillWithChecks(QPainter& painter, const QRectF& paper, const Theme& theme) 
 void Ground::draw(QPainter& painter, const Look& look, const Theme& theme) {
     painter.fillRect(QRect(QPoint(), look.size), theme.workspace);
     if (!look.paper) return;
-    // Pixels that the picture hardly covers are no paper, or a bright line would run beside dark ones.
+    // Pixels that the picture hardly covers are left out, to avoid a bright line beside dark ones.
     drawPaper(painter, look.view.matrix().mapRect(*look.paper).toRect(), look.colour, theme);
 }
 

@@ -9,10 +9,10 @@
 
 namespace wend {
 
-/// Under a picture that lets something through, from the corner of its paper on.
+/// Fills with checks, starting at the corner of the paper.
 void fillWithChecks(QPainter& painter, const QRectF& paper, const Theme& theme);
 
-/// What lies under the shape: the workspace and, of a picture, the paper on it.
+/// The background of a shape: the workspace and, for a picture, its paper.
 class Ground {
   public:
     struct Look {

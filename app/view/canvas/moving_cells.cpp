@@ -12,10 +12,10 @@ namespace wend {
 
 namespace {
 
-constexpr int kMany = 8000;        // cells from which on drawing them is what takes the time
+constexpr int kMany = 8000;        // number of cells above which drawing them dominates
 constexpr int kFirst = 2000;       // vertices to begin with at most, the outline's not counted,
 constexpr int kFirstPart = 6;      // and at most this part of them
-constexpr int kWorthwhile = 3;     // more than a third of the shape's vertices are not worth their while
+constexpr int kWorthwhile = 3;     // a coarse mesh is not used above a third of the shape's vertices
 constexpr int kRounds = 6;         // for one pose
 constexpr double kAnotherTry = 2;  // times the tolerance with which all cells had to be drawn
 constexpr double kAhead = 0.5;     // of the tolerance: from there on a vertex is taken along with others
@@ -101,7 +101,7 @@ void MovingCells::make() {
     m_drawn = std::move(drawn);
 }
 
-/// In each cell the vertex that is farthest from where it would be drawn. False if none is too far.
+/// Adds in each cell the vertex with the largest error. Returns false if none exceeds the tolerance.
 bool MovingCells::add(const Points<2>& pose, double tolerance) {
     std::vector<std::pair<double, int>> worst(m_drawn->cells.size(), {0, -1});
     double most = 0;

@@ -9,9 +9,9 @@
 
 namespace wend {
 
-/// With which cells a shape of many is drawn while it moves: fewer of the same vertices, as many as it takes
-/// for nothing to be drawn farther than a tolerance from where it is. The outline, and edges of parts that
-/// lie nearer than others, are the shape's own, so nothing opens or jumps there when it rests.
+/// A coarse mesh for drawing a large moving shape: as many of its vertices as are needed to keep every point
+/// within a tolerance. Outlines and edges between depths are kept, so that nothing opens or jumps when it
+/// comes to rest.
 class MovingCells {
   public:
     struct Drawn {
@@ -20,8 +20,9 @@ class MovingCells {
     };
     using DrawnPtr = std::shared_ptr<const Drawn>;
 
-    /// For a pose; null where the shape's own are to be drawn. `plan`: of the shape's cells, or null as in
-    /// WarpOptions. `tolerance` in the domain's units. Learns from pose to pose where more are needed.
+    /// Returns the mesh for a pose; null if the shape's own cells are to be drawn. `plan`: of the shape's
+    /// cells, or null as in WarpOptions. `tolerance` in domain units. Vertices are added from pose to pose
+    /// where needed.
     DrawnPtr of(const std::shared_ptr<const SimplicialMesh<2>>& rest,
                 const std::shared_ptr<const PaintingPlan>& plan, const Points<2>& pose, double tolerance);
 
@@ -39,8 +40,8 @@ class MovingCells {
     std::vector<int> m_used;           // vertices that cells have
     std::vector<int> m_vertices;       // that are drawn
     std::vector<bool> m_taken;         // by vertex
-    std::vector<Location<2>> m_where;  // by vertex, in what is drawn
-    DrawnPtr m_drawn;                  // null: not worth its while
+    std::vector<Location<2>> m_where;  // per vertex its location in the drawn mesh
+    DrawnPtr m_drawn;                  // null: not worth it
     double m_triedWith = 0;            // the newest tolerance, or the greatest while it is not
 };
 

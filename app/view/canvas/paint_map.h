@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// As long as a brush is chosen the map of what it paints is shown, afterwards what was shown before,
-/// unless the user has chosen another map meanwhile. One that the user has switched off stays off.
+/// Shows the map of the painted property while a brush is active, and restores the earlier map afterwards,
+/// unless the user has chosen another one. A map that the user switched off stays off.
 class PaintMap {
   public:
     PaintMap(DistortionPanel& panel, QAction& showMap);

@@ -21,7 +21,7 @@ std::shared_ptr<const SimplicialMesh<2>> restOf(const RenderRequest& request) {
     return std::make_shared<const SimplicialMesh<2>>(SimplicialMesh<2>{rest->points, request.cells->cells});
 }
 
-/// In the picture's pixels, or in those of the screen.
+/// Returns the pose in pixels of the picture or of the screen.
 Points<2> poseOf(const RenderRequest& request) {
     if (!request.texture) return request.frame->pose;
     Points<2> pose = request.frame->pose;
@@ -44,7 +44,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     options.stop = stop;
     options.plan = request.cells ? request.cells->plan : request.plan;
     if (request.allOfPicture) options.outside = Outside::Original;
-    if (request.texture) {  // whose domain may be turned over: the pixels of the screen are not
+    if (request.texture) {  // the domain may be mirrored, unlike the screen's pixels
         view.origin.setZero();
         view.scale = 1;
     }
@@ -62,8 +62,7 @@ int alphaAt(const RenderRequest& request, double position) {
     return static_cast<int>(std::lround(255 * paintOpacity(request.opacity) * part));
 }
 
-/// What is painted has edges as soft as it: corners have the mean colour of their cells, but where it is
-/// sharp.
+/// Fills paint with soft edges: corners have the mean colour of their cells, except at sharp edges.
 template <class ColourOf>
 void fillPaint(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
                const std::vector<double>& values, const ColourOf& colourOf) {
@@ -81,7 +80,7 @@ void fillPaint(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vec
     }
 }
 
-/// Without the edges of the cells.
+/// Fills without cell borders.
 void fillSmoothly(CellFiller& filler, const RenderRequest& request, const std::vector<int>& order,
                   const std::vector<double>& ofCells) {
     const SimplicialMesh<2>& rest = *request.frame->rest;
@@ -135,9 +134,8 @@ void fillCells(QImage& image, const RenderRequest& request) {
     filler.layOver(image, request.picture && request.cutOut ? Extent::Picture : Extent::Shape);
 }
 
-/// How light an image is at each of its pixels, on a ground: what is opaque counts as light as the mean of
-/// what is opaque around it, so that neither the grain of a picture nor its outline breaks lines that go by
-/// it.
+/// The lightness of an image over a background, smoothed so that neither the grain of a picture nor its
+/// outline interrupts lines.
 class Lightness {
   public:
     Lightness(const QImage& image, const QColor& ground)
@@ -147,7 +145,7 @@ class Lightness {
                                Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
                        .scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)),
           m_ground(qGray(ground.rgb())) {}
-    /// From 0 to 255.
+    /// Returns the lightness from 0 to 255.
     int at(int x, int y) const {
         const QRgb mean = line(m_smooth, y)[x];
         const int alpha = qAlpha(line(m_image, y)[x]), around = std::max(1, qAlpha(mean));
@@ -221,7 +219,8 @@ RenderThread::~RenderThread() {
 void RenderThread::post(RenderRequest request) {
     {
         const std::lock_guard lock(m_mutex);
-        // A better picture of the same thing gives way; a moving one is finished, or it would never be seen.
+        // A drawing of higher quality is interrupted; one of a moving shape is finished, or none would ever
+        // be shown.
         if (!m_next && request.filter == Filter::Bilinear) m_current.request_stop();
         m_next = std::move(request);
     }
@@ -239,7 +238,7 @@ void RenderThread::loop(std::stop_token stop) {
             result->request = std::move(*m_next);
             m_next.reset();
             m_current = std::stop_source();
-            // Only fine pictures can be interrupted.
+            // Only drawings of full quality can be interrupted.
             if (result->request.filter != Filter::Bilinear) token = m_current.get_token();
         }
         const auto begin = std::chrono::steady_clock::now();

@@ -19,11 +19,11 @@
 
 namespace wend {
 
-/// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
+/// A drawing request of the canvas: the picture with a frame, and the layers over it.
 struct RenderRequest {
-    int document = 0;  // its generation: what is drawn of another one comes too late
+    int document = 0;                              // its generation: drawings of another one are outdated
     std::shared_ptr<const ScreenPicture> picture;  // may be null
-    std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
+    std::shared_ptr<const Texture> texture;        // of a file's mesh: its placement in the picture; or null
     PosedPtr<2> frame;
     std::shared_ptr<const PaintingPlan> plan;  // of the frame's mesh; null: all cells are equally deep
     MovingCells::DrawnPtr cells;               // of that mesh, in the place of its own; or null
@@ -32,8 +32,8 @@ struct RenderRequest {
     double ratio = 1;    // device pixels per widget pixel
     int coarseness = 1;  // device pixels per side of a drawn one
     Filter filter = Filter::Bilinear;
-    bool allOfPicture = false;  // also what the shape leaves out
-    bool cutOut = false;        // the outline is the picture's own: a map is seen on what that shows
+    bool allOfPicture = false;  // also outside the outline
+    bool cutOut = false;        // the outline is that of the picture: a map covers what the picture shows
     bool mesh = false;
     bool map = false;
     Measure measure = Measure::Length;
@@ -43,8 +43,8 @@ struct RenderRequest {
     Points<2> velocity;            // of the vertices, for the map of their speed; or none
     std::optional<double> plain;   // of the map: where it has this value the picture is not coloured
     QColor fill, line;             // of the mesh and, without a picture, of the shape
-    QColor lightLine = QColor(236, 238, 244);  // of the mesh on what is dark …
-    QColor ground = Qt::white;                 // … which this may be, below what is transparent
+    QColor lightLine = QColor(236, 238, 244);  // mesh lines over dark places …
+    QColor ground = Qt::white;                 // … including this background below transparent places
 
     /// Drawn pixels per widget pixel.
     double scale() const { return ratio / coarseness; }
@@ -82,7 +82,7 @@ class RenderThread : public QObject {
     std::optional<RenderRequest> m_next;
     std::stop_source m_current;
     MovingCells m_moving;
-    std::jthread m_thread;  // the last member: it stops before the others go
+    std::jthread m_thread;  // last, so that the thread stops before the other members are destroyed
 };
 
 }  // namespace wend

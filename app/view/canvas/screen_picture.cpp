@@ -12,12 +12,12 @@ namespace {
 
 constexpr PixelLayout kLayouts[] = {{PixelType::UInt8, 4, true, false}, {PixelType::UInt8, 4, true, true}};
 
-/// What is no number is black.
+/// NaN becomes black.
 float bounded(float value) {
     return std::fmin(std::fmax(value, 0.0F), 1.0F);
 }
 
-/// Scene-linear light (half and float files) as the screen wants it.
+/// Encodes scene-linear light (half and float files) as sRGB.
 float encoded(float linear) {
     const float x = bounded(linear);
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
@@ -52,7 +52,7 @@ std::shared_ptr<const Image> forScreen(const std::shared_ptr<const Image>& from)
     return to;
 }
 
-/// Of a picture that went through forScreen().
+/// Converts a result of forScreen().
 QImage toQImage(const Image& pixels) {
     const auto format = pixels.unassociated ? QImage::Format_RGBA8888 : QImage::Format_RGBA8888_Premultiplied;
     const QImage borrowed(reinterpret_cast<const uchar*>(pixels.data.data()), pixels.width, pixels.height,

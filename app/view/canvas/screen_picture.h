@@ -11,10 +11,8 @@ namespace wend {
 struct View;
 struct WarpOptions;
 
-/// A picture in the colours of the screen: red, green, blue and alpha in 8 bits, whatever the file holds;
-/// light of half and float files is encoded as in sRGB. Alpha stays associated or not, so that a warp of it
-/// is a warp of the original. The way from a picture to the screen leads through here alone: who draws meets
-/// no other number of channels.
+/// A picture for the screen: always RGBA8, with light of half and float files encoded as sRGB. Alpha keeps
+/// its association, so that warping it equals warping the original. This is the only conversion for display.
 class ScreenPicture {
   public:
     explicit ScreenPicture(const std::shared_ptr<const Image>& picture);

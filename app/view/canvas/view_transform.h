@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// Between the domain's coordinates and the widget's: zoom is widget pixels per unit; y may point up (meshes
-/// without a picture).
+/// Maps between domain and widget coordinates: zoom is widget pixels per unit; y may point up (meshes without
+/// a picture).
 class ViewTransform {
   public:
     double zoom() const { return m_zoom; }
@@ -21,9 +21,9 @@ class ViewTransform {
     QTransform matrix() const;
 
     void pan(const QPointF& by) { m_origin += by; }
-    /// Changes the zoom; what lies under `fixed` stays there.
+    /// Changes the zoom around the fixed widget point `fixed`.
     void setZoom(double zoom, const QPointF& fixed);
-    /// Shows a rectangle of the domain as large as it fits, with a margin in widget pixels.
+    /// Fits a rectangle of the domain into the widget, with a margin in pixels.
     void fit(const QRectF& shape, const QSizeF& widget, double margin);
     void setZoomLimits(double minimum, double maximum);
 

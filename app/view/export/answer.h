@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// What came of work in the background. (Futures would slice the exception.)
+/// The result of background work, or its error. (Futures would slice the exception.)
 template <class Value>
 struct Answer {
     Value value{};

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// The box gives its buttons the style at once: what it goes by has to be told anew.
+/// The box styles its buttons at once, so the style must be refreshed after the property is set.
 QPushButton* addExportButton(QDialogButtonBox& box) {
     const QString text = QCoreApplication::translate("wend::ExportDialog", "E&xport…");
     QPushButton* button = box.addButton(text, QDialogButtonBox::AcceptRole);

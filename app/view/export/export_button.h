@@ -5,7 +5,7 @@ class QPushButton;
 
 namespace wend {
 
-/// The button that a dialog of exports is there for, beside what else its box has.
+/// Adds the main button of an export dialog.
 QPushButton* addExportButton(QDialogButtonBox& box);
 
 }  // namespace wend

@@ -73,7 +73,7 @@ void ExportForm::setSubject(const ExportSubject& subject) {
     if (shape()->picture() && !m_subject.picture) preparePicture();
 }
 
-/// What was seen last stays, as far as it is no other document's.
+/// Keeps the last preview unless it belongs to another document.
 void ExportForm::setNothing(const QString& why) {
     m_previewStop.request_stop();
     m_previewTimer.stop();
@@ -88,7 +88,7 @@ bool ExportForm::isReady() const {
     return shape() && m_problem->text().isEmpty();
 }
 
-/// A rectangle that was just drawn is what is wanted; one that is gone is not.
+/// A newly drawn crop becomes the choice; a removed one is no longer offered.
 void ExportForm::showPart() {
     if (m_subject.part == m_part) return;
     m_part = m_subject.part;
@@ -102,7 +102,7 @@ void ExportForm::showPart() {
     canvas->setValue(choices.last().toStdString());
 }
 
-/// Of the kind; what was chosen last stays chosen.
+/// Lists the formats of the kind and keeps the last choice.
 void ExportForm::showFormats() {
     const QSignalBlocker quiet(m_format);
     const QString before = m_formats[kind()];
@@ -136,7 +136,7 @@ OptionField* ExportForm::field(const char* flag) const {
     return nullptr;
 }
 
-/// Whether the option says something about what is written now.
+/// Returns whether the option applies to the current export.
 bool ExportForm::takes(const std::string& flag) const {
     const std::string file = "mesh" + extension().toStdString();
     if (flag == "--count" || flag == "--fps") return kind() == ExportKind::Frames;
@@ -166,7 +166,7 @@ void ExportForm::tieRate(const OptionField& changed) {
     if (&changed == count) rate->setNumber((count->number() - 1) / shape()->seconds());
 }
 
-/// What belongs to the format.
+/// Shows the options of the format.
 void ExportForm::adapt() {
     if (!shape()) return;
     showFields();
@@ -177,7 +177,7 @@ void ExportForm::adapt() {
     askPreview();
 }
 
-/// None before there is something to write.
+/// Hides options while there is nothing to export.
 void ExportForm::showFields() {
     m_form->setRowVisible(m_format, m_format->count() > 0);
     for (OptionField* field : m_fields) m_form->setRowVisible(field, shape() && takes(field->flag()));
@@ -235,7 +235,7 @@ QString ExportForm::pixels() const {
             tr("%1 × %2 pixels").arg(locale.toString(view.width), locale.toString(view.height));
         return kind() == ExportKind::Frames ? tr("%n pictures of %1", nullptr, count).arg(one) : one;
     } catch (const InputError&) {
-        return {};  // the preview tells why
+        return {};  // the preview shows the reason
     }
 }
 
@@ -255,7 +255,7 @@ void ExportForm::preparePicture() {
     });
 }
 
-/// Soon; an answer that is under way is to another question. A solid's picture has come with it.
+/// Starts a preview soon and cancels pending ones. The picture of a solid came with the subject.
 void ExportForm::askPreview() {
     if (shape()->dimension() == 3) return;
     m_previewStop.request_stop();

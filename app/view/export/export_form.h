@@ -14,43 +14,43 @@ namespace wend {
 
 class OptionField;
 
-/// What is to be written, and what the screen has of it already.
+/// What is exported, and what the screen already has of it.
 struct ExportSubject {
     ExportKind kind = ExportKind::Picture;
     std::shared_ptr<const FrameExport> shape = {};
-    QImage solidView = {};  // stands for a solid in the preview; null of a picture
-    std::shared_ptr<const ScreenPicture> picture = {};  // made when it is needed if there is none
+    QImage solidView = {};                              // preview of a solid; null for a picture
+    std::shared_ptr<const ScreenPicture> picture = {};  // made on demand if null
     std::optional<PixelRect> part = {};                 // of the picture that was chosen to be kept
 };
 
-/// How something is written: the options that `wend run` has for it, a preview of what comes out, its size in
-/// pixels, and what would be cut off.
+/// The options of an export, as `wend run` has them, with a preview, the size in pixels, and a warning about
+/// what would be cut off.
 class ExportForm : public QWidget {
     Q_OBJECT
 
   public:
-    /// Where the fields are: beside the preview, or below it in a narrow column.
+    /// Placement of the fields: beside the preview, or below it in a narrow column.
     enum class Fields { Beside, Below };
     explicit ExportForm(Fields place, QWidget* parent = nullptr);
     ~ExportForm() override;
 
-    /// What has been chosen stays chosen, as far as this can be written so.
+    /// Sets the subject and keeps the choices that still apply.
     void setSubject(const ExportSubject& subject);
-    /// There is nothing to be written, and why.
+    /// Clears the subject and shows the reason.
     void setNothing(const QString& why);
     ExportKind kind() const { return m_subject.kind; }
 
-    /// Of the format, with its dot.
+    /// Returns the extension with its dot.
     QString extension() const;
-    /// For a file dialog.
+    /// Returns the filter for a file dialog.
     QString filter() const;
-    /// Whether one file holds all frames.
+    /// Returns whether one file holds all frames.
     bool isFilm() const;
-    /// What was chosen, of the options that the format knows.
+    /// Returns the chosen values of the format's options.
     OptionValues values() const;
-    /// What a file would get as an option's control: null if this kind of export has none.
+    /// Returns the field of an option; null if this kind of export does not have it.
     OptionField* field(const char* flag) const;
-    /// Whether it can be written as it is chosen.
+    /// Returns whether the current choice can be written.
     bool isReady() const;
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -84,7 +84,7 @@ class ExportForm : public QWidget {
     ExportSubject m_subject;
     std::map<ExportKind, QString> m_formats;  // chosen last, by name
     std::optional<PixelRect> m_part;          // that is offered as canvas
-    double m_seconds = 0;                     // of the motion that number and rate of frames were told for
+    double m_seconds = 0;                     // duration for which count and rate were computed
     ExportPreview* m_preview;
     QComboBox* m_format;
     QFormLayout* m_form;

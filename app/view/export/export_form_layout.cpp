@@ -1,4 +1,4 @@
-// What the form consists of, and where it stands.
+// The widgets of the form and their layout.
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kNumberWidth = 140;  // of all: they stand below each other
+constexpr int kNumberWidth = 140;  // common width, since they are in one column
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void ExportForm::makeCropNote(Fields place) {
     m_crop->hide();
 }
 
-/// A box to tick has its words beside it.
+/// A check box shows its own label.
 void ExportForm::addRow(OptionField& field, bool hasKey) {
     if (field.option().kind == OptionKind::Flag) {
         field.sayLabel(hasKey);
@@ -57,8 +57,7 @@ void ExportForm::addRow(OptionField& field, bool hasKey) {
     m_form->addRow(hasKey ? field.label() : withoutKey(field.label()), &field);
 }
 
-/// Below, what is too long for its line has the next one for itself, and the menus of the window have the
-/// keys.
+/// Below the preview, long fields get a line of their own, and mnemonics are left to the menus.
 void ExportForm::lay(Fields place) {
     const bool beside = place == Fields::Beside;
     if (!beside) m_form->setHorizontalSpacing(4);

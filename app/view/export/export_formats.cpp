@@ -16,7 +16,7 @@ const Formats kPictures{
     {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
 const Formats kFilms{{"Animated WebP", ".webp", true}};
 const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
-/// Surfaces first in the plane, in space what holds the solid itself.
+/// Lists surfaces first in the plane, and formats of tetrahedra first in space.
 Formats meshFormats(bool solid, bool film) {
     Formats formats, others;
     for (const MeshFormatFacts& format : meshFormatFacts()) {
@@ -31,7 +31,7 @@ Formats meshFormats(bool solid, bool film) {
     return formats + others;
 }
 
-/// Who brought a surface wants it back as it came.
+/// Lists the input's own format first.
 void putOwnFirst(Formats& formats, const FrameExport& shape) {
     const auto solid = posed<3>(shape.frame());
     if (!solid || !solid->built->skin) return;

@@ -12,7 +12,7 @@ struct ExportFormat {
     bool film = false;        // all frames in one file
 };
 
-/// What a shape can be written as, what suits it best first.
+/// Returns the formats for a shape, the most suitable first.
 QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape);
 
 }  // namespace wend

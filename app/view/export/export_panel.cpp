@@ -15,7 +15,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kSoon = 120;  // milliseconds: of what moves only the place where it rests is looked at
+constexpr int kSoon = 120;  // milliseconds: a moving shape is previewed once it rests
 
 }  // namespace
 

@@ -15,8 +15,7 @@ class Actions;
 class Exporter;
 class ShapeSession;
 
-/// The step Export: what is written, as it will be while it is chosen. It asks about what is shown, and
-/// follows it.
+/// The panel of the step Export, which previews the shown shape and follows it.
 class ExportPanel : public QWidget {
     Q_OBJECT
 

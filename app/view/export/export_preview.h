@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// A small picture of what an export will write, on paper or, where it is transparent, on squares.
+/// A preview of an export on paper, or on checks where it is transparent.
 class ExportPreview : public QWidget {
     Q_OBJECT
 
@@ -22,9 +22,9 @@ class ExportPreview : public QWidget {
     /// The image answers another question than the one that is asked now; the next image answers it.
     void setOutdated() { m_current = false; }
     bool isCurrent() const { return m_current; }
-    /// In pixels of the screen.
+    /// Returns the available size in device pixels.
     QSize room() const;
-    /// Where the image is seen: in the middle, smaller if it is larger than the room.
+    /// Returns the rectangle of the image: centred, and scaled down if necessary.
     QRectF place() const;
     QSize sizeHint() const override { return m_wanted; }
 
@@ -37,7 +37,7 @@ class ExportPreview : public QWidget {
     bool m_current = false;
 };
 
-/// What that picture is made of.
+/// The parameters of a preview.
 struct PreviewRequest {
     ExportKind kind = ExportKind::Picture;
     std::string extension;
@@ -47,8 +47,8 @@ struct PreviewRequest {
     QColor fill, line;  // of a mesh
 };
 
-/// Drawn by the code that exports, smaller. For any thread; null if stopped. `picture`: as
-/// the screen shows it. Throws InputError for what cannot be written.
+/// Draws a small version by the code that exports. Thread-safe; null if stopped. `picture`: prepared for the
+/// screen. Throws InputError if it cannot be written.
 QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const ScreenPicture>& picture,
                      const PreviewRequest& request, std::stop_token stop);
 

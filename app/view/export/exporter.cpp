@@ -22,9 +22,9 @@ namespace wend {
 
 namespace {
 
-constexpr QSize kSolidPreview(640, 640);  // of which what is empty is left out
+constexpr QSize kSolidPreview(640, 640);  // empty parts are left out
 
-/// Without the rows and columns in which nothing is seen.
+/// Crops empty rows and columns.
 QImage seenPart(const QImage& image) {
     QRect seen;
     for (int y = 0; y < image.height(); ++y) {
@@ -45,7 +45,7 @@ QString suffixOf(const ExportForm& form) {
     return (numbered ? QStringLiteral("_####") : QStringLiteral("-bent")) + form.extension();
 }
 
-/// With a place for the number of every frame.
+/// Inserts a place for the frame number.
 QString withNumber(QString path) {
     if (!path.isEmpty() && !QFileInfo(path).fileName().contains('#'))
         path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
@@ -90,13 +90,13 @@ Exporter::Exporter(ShapeSession& session, QWidget& window)
     connect(&session.document(), &Document::opened, this, [this] { m_crop.set({}); });
 }
 
-/// What runs in the background reports to this object.
+/// Waits, because background work reports to this object.
 Exporter::~Exporter() {
     if (m_stop) m_stop->request_stop();
     m_running.wait();
 }
 
-/// One at a time: the window is not blocked before the progress has been shown for a while.
+/// Only one export runs at a time. Until its progress is shown, the window stays usable.
 bool Exporter::isFree() {
     if (!m_running.isRunning()) return true;
     emit failed(tr("Another export is still being written. Try again in a moment."));

@@ -17,7 +17,7 @@ class QWidget;
 
 namespace wend {
 
-/// Asks how and where, and writes what is shown, in the background, with progress and a way to cancel.
+/// Asks for options and file, and exports what is shown in the background, with progress and cancellation.
 class Exporter : public QObject {
     Q_OBJECT
 
@@ -25,27 +25,25 @@ class Exporter : public QObject {
     Exporter(ShapeSession& session, QWidget& window);
     ~Exporter() override;
 
-    /// What the screen has of the shape, for previews: a picture of the solid, and the picture of a shape in
-    /// the plane, null while there is none.
+    /// Pictures for previews: of the solid, and of the picture's screen version; null if there is none.
     struct Looks {
         std::function<QImage(const QSize&)> solid;
         std::function<std::shared_ptr<const ScreenPicture>()> picture;
     };
     void setLooks(Looks looks) { m_looks = std::move(looks); }
 
-    /// What is kept of a picture; of another document all of it again.
+    /// The crop of the picture; reset for another document.
     Crop& crop() { return m_crop; }
     /// Why nothing can be written now; empty if it can be.
     QString whyNot() const;
-    /// What is shown, to be asked about; only where whyNot() is empty.
+    /// Returns the current subject; requires whyNot() to be empty.
     ExportSubject subject(ExportKind kind) const;
     /// Asks for the name and writes. False if it was not to be.
     bool writeAs(const ExportForm& form);
-    /// What the slots write once all is chosen, by extension. Of a sequence the name has ####, which is added
-    /// if it is missing, or it is one film (see isAnimation()). Tells with failed() or done(), later.
+    /// Writes what the slots have asked for, by extension. A sequence needs #### in its name, which is added
+    /// if it is missing, or is a film (see isAnimation()). Reports with failed() or done() later.
     void write(ExportKind kind, QString path, const RunOptions& options = {});
-    /// Whether this may be written there: asks if it would replace one of the document's own files, or frames
-    /// that are there.
+    /// Asks before one of the document's files or existing frames are replaced.
     bool mayReplace(ExportKind kind, const QString& path, int count);
     void writeMaterial(MaterialPart part, const QString& path);
 
@@ -54,14 +52,14 @@ class Exporter : public QObject {
     void exportMesh() { ask(ExportKind::Mesh); }
     void exportFrames() { ask(ExportKind::Frames); }
     void exportStMap() { ask(ExportKind::StMap); }
-    /// The material at rest as a gray picture.
+    /// Exports the material at rest as a grey picture.
     void exportMaterial(MaterialPart part);
 
   signals:
-    /// What the preview of a solid shows is another view of it.
+    /// Emitted when the preview of a solid shows another view.
     void viewTurned();
     void failed(QString text);
-    /// Something else is to be done, or has been: what failed before no longer counts.
+    /// Emitted when another export starts, so that an earlier failure no longer matters.
     void begun();
     void done(QString text);
 
@@ -84,7 +82,7 @@ class Exporter : public QObject {
     QWidget& m_window;
     Looks m_looks;
     Crop m_crop;
-    std::shared_ptr<std::stop_source> m_stop;  // of what runs
+    std::shared_ptr<std::stop_source> m_stop;  // of the running export
     HandOver m_out;
     BackgroundWork m_running;
 };

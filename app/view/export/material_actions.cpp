@@ -99,7 +99,7 @@ void MaterialActions::askCells() {
     if (!path.isEmpty()) takeCells(path);
 }
 
-/// It holds what the layers make of the material, too: they would do so twice.
+/// The values include those of the layers, which would apply twice.
 void MaterialActions::takeCells(const QString& path) {
     Document& document = m_session.document();
     document.changeDesign(tr("Import %1").arg(QFileInfo(path).fileName()),

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSmallest = 16, kLargest = 20000;  // pixels; drawn in tiles
 constexpr int kFilmRole = Qt::UserRole + 1;      // of a format's entry: whether it is a film
-constexpr int kTyped = 9999999;                  // what may be written and is then told to be too large
+constexpr int kTyped = 9999999;                  // larger numbers can be typed and are then rejected
 
 bool fits(const QSpinBox* box) {
     return box->value() >= kSmallest && box->value() <= kLargest;

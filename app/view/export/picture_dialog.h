@@ -15,11 +15,11 @@ class QSpinBox;
 
 namespace wend {
 
-/// What a picture of a view is to be.
+/// The choices for a picture of a view.
 struct PictureChoice {
     QSize size;
     bool transparent = true;
-    bool marks = false;   // pins, paths and axes, as they are seen
+    bool marks = false;   // pins, paths and axes
     bool legend = false;  // of the map, if one is shown
     bool lossy = false;   // of WebP
     int frames = 0;       // of a film; 0: a picture
@@ -36,12 +36,12 @@ class PictureDialog : public QDialog {
   public:
     using Draw = std::function<QImage(const PictureChoice&)>;
 
-    /// `seconds`: of the motion; 0 if there is none to be filmed.
+    /// `seconds`: duration of the motion; 0 if there is none.
     PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {}, double seconds = 0);
     PictureChoice choice() const;
-    /// Of the format, with its dot.
+    /// Returns the extension with its dot.
     QString extension() const;
-    /// For a file dialog.
+    /// Returns the filter for a file dialog.
     QString filter() const;
 
   protected:

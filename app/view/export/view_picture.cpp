@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kStripRows = 512;
 
-/// What lies over the view, as large against the solid as in the window: there the height decides.
+/// Draws the overlays at the window's scale relative to the solid, which depends on the height.
 void paintMarks(QImage& rows, int top, SolidCanvas& canvas, const PictureChoice& choice) {
     QPainter painter(&rows);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
@@ -53,14 +53,14 @@ Image headerOf(const PictureChoice& choice) {
     return image;
 }
 
-/// Null rows: there was no memory for them.
+/// Throws bad_alloc for null rows.
 void copyRows(QImage rows, Image& strip) {
     rows.convertTo(QImage::Format_RGBA8888);
     if (rows.width() != strip.width || rows.height() != strip.height) throw std::bad_alloc();
     for (int y = 0; y < strip.height; ++y) std::memcpy(strip.row(y), rows.constScanLine(y), strip.rowBytes());
 }
 
-/// Has the view's thread, which is not this one, draw something, and tell how far that is.
+/// Draws in the view's thread, which is not this one, and updates the progress.
 QImage drawnByView(SolidCanvas& canvas, QProgressDialog& dialog, int progress,
                    const std::function<QImage()>& draw) {
     auto promise = std::make_shared<std::promise<QImage>>();
@@ -73,7 +73,7 @@ QImage drawnByView(SolidCanvas& canvas, QProgressDialog& dialog, int progress,
             promise->set_exception(std::current_exception());
         }
     });
-    return answer.get();  // throws if the view is gone
+    return answer.get();  // throws if the view was destroyed
 }
 
 QString tooLittleMemory(const PictureChoice& choice) {
@@ -82,7 +82,7 @@ QString tooLittleMemory(const PictureChoice& choice) {
         .arg(choice.size.height());
 }
 
-/// What went wrong, if anything did. (What work in the background throws is lost.)
+/// Returns the exception of a job, if any. (Background work drops exceptions.)
 std::exception_ptr failureOf(const std::function<void()>& job) {
     try {
         job();
@@ -92,7 +92,7 @@ std::exception_ptr failureOf(const std::function<void()>& job) {
     }
 }
 
-/// In another thread, while this one goes on with events; throws what the job throws.
+/// Runs a job in another thread while this one processes events; rethrows its exception.
 void runBeside(const std::function<void()>& job) {
     QObject context;
     std::exception_ptr failure;
@@ -107,8 +107,7 @@ void runBeside(const std::function<void()>& job) {
     if (failure) std::rethrow_exception(failure);
 }
 
-/// What runs beside the window, in steps, and can be stopped. Modal from the start: while something is drawn
-/// nobody turns the view.
+/// Progress of a cancellable job. Modal from the start, so that nobody changes the view meanwhile.
 class Progress {
   public:
     Progress(const QString& what, int steps, SolidCanvas& canvas)
@@ -143,7 +142,7 @@ void writeStrips(const std::string& path, SolidCanvas& canvas, const PictureChoi
     runBeside([&] { writeImage(path, headerOf(choice), kStripRows, makeRows, choice.lossy); });
 }
 
-/// The time that is shown is again what it was when this goes.
+/// Restores the shown time.
 class TimeKeeper {
   public:
     explicit TimeKeeper(Playback& playback) : m_playback(playback), m_time(playback.time()) {}
@@ -154,8 +153,8 @@ class TimeKeeper {
     double m_time;
 };
 
-/// Drawn frame by frame in the window's thread, which between them goes on with events; what takes longer is
-/// done beside it.
+/// Draws each frame in the window's thread, which processes events in between; encoding runs in the
+/// background.
 void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
     Progress progress(SolidCanvas::tr("Writing the film …"), choice.frames, canvas);
     Playback& playback = canvas.session().playback();
@@ -181,7 +180,7 @@ void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoi
     });
 }
 
-/// What is seen stays as it is while this lives.
+/// Freezes the shown frame for its lifetime.
 class Hold {
   public:
     explicit Hold(SolidCanvas& canvas) : m_canvas(&canvas) { canvas.setHeld(true); }

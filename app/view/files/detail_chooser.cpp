@@ -15,7 +15,7 @@ namespace wend {
 
 namespace {
 
-/// What is wrong with the file; empty if nothing is.
+/// Returns the problem of a file; empty if it is usable.
 QString problemOf(const QString& path) try {
     const Skin skin = readSkin(path.toStdString());
     if (skin.triangles.empty()) throw InputError(path.toStdString(), "has no triangle");
@@ -50,7 +50,7 @@ void DetailChooser::ask() {
     read(QFileInfo(path).absoluteFilePath());
 }
 
-/// In the background: it may be large.
+/// Reads in the background, because the file may be large.
 void DetailChooser::read(const QString& path) {
     const int ticket = ++m_ticket, generation = m_document.generation();
     const auto look = [path] { return problemOf(path); };

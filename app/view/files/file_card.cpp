@@ -22,10 +22,10 @@ QString titleOf(const QString& path) {
 }
 
 struct Sample {
-    const char *name = nullptr, *lesson = nullptr;  // what there is to be learnt from it
+    const char *name = nullptr, *lesson = nullptr;  // what it demonstrates
 };
 
-/// Without both if it is not known here.
+/// Returns empty strings for an unknown sample.
 Sample sampleOf(const QString& path) {
     static const QMap<QString, Sample> samples = {
         {"frog", {QT_TRANSLATE_NOOP("FileCard", "Frog"), QT_TRANSLATE_NOOP("FileCard", "Eyes stay round")}},
@@ -100,7 +100,7 @@ void FileCard::paintPicture(QPainter& painter) const {
     painter.drawImage(QRectF(space.center() - QPointF(size.width(), size.height()) / 2, size), m_picture);
 }
 
-/// At the top right.
+/// Draws the badge at the top right.
 void FileCard::paintBadge(QPainter& painter) const {
     const QString text = tr("Solid");
     const int wide = painter.fontMetrics().horizontalAdvance(text) + 14;

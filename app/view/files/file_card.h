@@ -5,17 +5,17 @@
 
 namespace wend {
 
-/// A file as a picture with its name and a line below: a sample with what it teaches, what was open before
-/// with its folder, or unsaved changes with their time. A click opens it. The picture is read in the
-/// background once the card is seen.
+/// A file as a picture with its name and a line below: a sample with its lesson, a recent file with its
+/// folder, or unsaved changes with their time. A click opens it. The picture is read in the background once
+/// the card is visible.
 class FileCard : public QAbstractButton {
     Q_OBJECT
 
   public:
     enum class Kind { Sample, Recent, Lost };
-    /// `line`: below the name; if empty, what the kind has.
+    /// `line`: text below the name; if empty, that of the kind.
     FileCard(const QString& path, Kind kind, QWidget* parent, const QString& line = {});
-    /// For its title and its line, in pixels.
+    /// Returns the width for title and line in pixels.
     int room() const { return width() - 2 * 8; }
     QSize sizeHint() const override { return {132, 172}; }
     const QString& path() const { return m_path; }

@@ -36,13 +36,13 @@ QString words(const std::exception& error) {
 
 }  // namespace
 
-/// What came of reading a file in the background. (Futures would slice the exception.)
+/// The result of reading a file in the background, or its error. (Futures would slice the exception.)
 struct Reading {
     QString path;
     OpenedFile file;
-    QByteArray stamp;  // of the file as it was read
+    QByteArray stamp;  // of the file when it was read
     QString error;
-    QStringList missing;   // what the project names and is not there
+    QStringList missing;   // missing files that the project names
     bool isBlank = false;  // the picture is transparent everywhere
 };
 
@@ -124,7 +124,7 @@ void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader)
     });
 }
 
-/// Why it could not be opened, with what the user can do about it.
+/// Explains why a file could not be opened, and what the user can do.
 void FileWorkflow::tellOf(const Reading& reading) {
     const QString path = reading.path;
     if (!reading.missing.isEmpty()) {
@@ -160,7 +160,7 @@ void FileWorkflow::guardWork(const QString& folder) {
             {{tr("Save"), [this] { save(); }}});
     });
     connect(m_recovery, &Recovery::written, this, [this] { say(Topic::Copy, {}); });
-    // The copy that was recovered goes when there is a new one, or when the work is saved.
+    // Removes the recovered copy once there is a new one or the work is saved.
     const auto discardRecovered = [this] {
         if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
         m_recoveredFrom.clear();
@@ -217,7 +217,7 @@ void FileWorkflow::take(const Reading& reading) {
     if (!file.warnings.isEmpty()) say(Topic::Remark, file.warnings.join('\n'));
 }
 
-/// What was said of saving, or for want of it, holds no more.
+/// Withdraws messages about saving.
 void FileWorkflow::takeBackSaved() {
     m_watch->watch(m_document.path(), stampOf(m_document.path()));
     for (const Topic topic : {Topic::Saving, Topic::Disk, Topic::Copy}) say(topic, {});
@@ -250,7 +250,7 @@ void FileWorkflow::reload() {
     read(path, [path] { return openFile(path); });
 }
 
-/// The project's file holds what somebody else wrote.
+/// Asks, because another program has changed the project's file.
 bool FileWorkflow::mayOverwrite() {
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
                     tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
@@ -286,7 +286,7 @@ bool FileWorkflow::save() {
     return isSaved || saveTo(m_document.path());
 }
 
-/// Beside the project's or the picture's file, but not among the samples.
+/// Proposes a path beside the project or picture, but never among the samples.
 QString FileWorkflow::proposedPath() const {
     if (!m_document.path().isEmpty()) return m_document.path();
     return QDir(proposedFolder(m_document))
@@ -300,7 +300,7 @@ bool FileWorkflow::saveAs() {
     return !path.isEmpty() && mayTakePlace(path) && write(path);
 }
 
-/// False while something is unsaved.
+/// Returns false if something is still unsaved.
 bool FileWorkflow::saveTo(const QString& path) {
     if (m_watch->isChanged() && !mayOverwrite()) return !m_document.isModified();
     return write(path);
@@ -323,8 +323,8 @@ void FileWorkflow::close() {
     m_document.close();
 }
 
-/// What is still being typed is a change, too: a number, or the name of what a list shows, which is taken
-/// once its editor has closed.
+/// Applies text that is still being typed: a number, or a name in a list, which is applied when its editor
+/// closes.
 void FileWorkflow::takeTyped() {
     QWidget* const field = m_window.focusWidget();
     if (auto* number = qobject_cast<QAbstractSpinBox*>(field)) number->interpretText();
@@ -360,7 +360,7 @@ QStringList FileWorkflow::recent() const {
     return existing;
 }
 
-/// Not the samples, nor their pictures.
+/// Ignores the samples and their pictures.
 void FileWorkflow::addRecent(const QString& path) {
     const QString folder = QFileInfo(path).absolutePath();
     const QStringList samples = samplePaths();

@@ -27,29 +27,28 @@ class FileWorkflow : public QObject {
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
 
-    /// From now on unsaved changes are copied to this folder. What crashed programs have left there is
-    /// lost().
+    /// Copies unsaved changes to this folder from now on. Copies of crashed programs are returned by lost().
     void guardWork(const QString& folder);
     QList<LostWork> lost() const;
-    /// What may be left without a question: nobody made it to keep it.
+    /// Sets a test for practice work, which is closed without a question.
     void setPractice(std::function<bool()> isPractice) { m_isPractice = std::move(isPractice); }
-    /// Says so beside the next file that is opened, where nobody sees the start page.
+    /// Offers recovery beside the next opened file, when the start page is not shown.
     void tellLostWhenOpened();
 
   public slots:
     void askOpen();
     void recover(const wend::LostWork& work);
-    /// For good, once the user has said so twice.
+    /// Deletes the copy after the user confirmed twice.
     void discard(const wend::LostWork& work);
     void open(const QString& path);
     bool save();
     bool saveAs();
     void close();
-    /// False if the user wants to go on after all.
+    /// Returns false if the user cancelled.
     bool mayLeave();
 
   signals:
-    /// For the banner; an empty text withdraws what was said of that.
+    /// Emits a message for the banner; an empty text withdraws the last one of that topic.
     void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
     void openingChanged(QString fileName);
     void recentChanged();
@@ -83,7 +82,7 @@ class FileWorkflow : public QObject {
     QString m_copies;         // the folder of unsaved changes
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     std::function<bool()> m_isPractice;
-    int m_ticket = 0;  // of the newest opening; older ones come too late
+    int m_ticket = 0;  // of the newest opening; results of older ones are ignored
 };
 
 }  // namespace wend

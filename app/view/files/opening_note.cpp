@@ -5,7 +5,7 @@
 
 namespace wend {
 
-/// What was read is taken in the same turn of the event loop: the note does not go in between.
+/// The file is opened in the same turn of the event loop, so the note stays visible in between.
 OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over)
     : BusyNote(over), m_canvas(canvas) {
     connect(&files, &FileWorkflow::openingChanged, this, [this](const QString& name) {

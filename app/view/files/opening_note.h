@@ -9,8 +9,7 @@ namespace wend {
 class FileWorkflow;
 class ShapeCanvas;
 
-/// Says which file is being opened, until its picture can be seen; what is computed then is told by the work
-/// note.
+/// Names the file that is being opened until its picture is visible; later work is shown by WorkNote.
 class OpeningNote : public BusyNote {
     Q_OBJECT
 

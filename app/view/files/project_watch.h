@@ -6,8 +6,7 @@
 
 namespace wend {
 
-/// What a file holds, to tell whether it is still the same: not its time, which may stay or change for
-/// nothing. Empty if it cannot be read.
+/// Returns a hash of a file's contents, since times may be misleading. Empty if it cannot be read.
 QByteArray stampOf(const QString& path);
 
 /// Watches the project's file: another program, or another window, may write it too.
@@ -17,15 +16,15 @@ class ProjectWatch : public QObject {
   public:
     explicit ProjectWatch(QObject* parent = nullptr);
 
-    /// From now on that file, which held this when it was read or written; an empty path: none.
+    /// Watches a file with the stamp that it had when it was read or written; an empty path stops watching.
     void watch(const QString& path, const QByteArray& stamp);
-    /// True if the file holds something else now. One that is gone does not: saving brings it back.
+    /// Returns whether the contents differ. A deleted file does not count: saving restores it.
     bool isChanged() const;
-    /// What it holds now is known, too.
+    /// Accepts the current contents.
     void accept() { watch(m_path, stampOf(m_path)); }
 
   signals:
-    /// It holds something else, or again what was known.
+    /// Emitted when the contents differ from the known ones, or match them again.
     void changed(bool isOther);
 
   private:

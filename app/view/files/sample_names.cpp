@@ -8,7 +8,7 @@ namespace wend {
 
 namespace {
 
-// What the samples name.
+// Names in the samples.
 [[maybe_unused]] constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("SampleNames", "back"),
     QT_TRANSLATE_NOOP("SampleNames", "body"),

@@ -6,8 +6,7 @@
 
 namespace wend {
 
-/// A sample whose pins and layers are named in the language of the window. The same project where that is
-/// English.
+/// Returns a sample with translated names of pins and layers; the same project in English.
 std::shared_ptr<const Project> withSpokenNames(const std::shared_ptr<const Project>& sample);
 
 }  // namespace wend

@@ -139,7 +139,7 @@ void StartPage::serve(FileWorkflow& files) {
     connect(this, &StartPage::openRequested, &files, &FileWorkflow::askOpen);
     connect(this, &StartPage::fileChosen, &files, &FileWorkflow::open);
     connect(this, &StartPage::recoverRequested, &files, &FileWorkflow::recover);
-    // The card goes with its work: not while it is pressed.
+    // The card is destroyed with its work, so this is queued until the click has ended.
     connect(this, &StartPage::discardRequested, &files, &FileWorkflow::discard, Qt::QueuedConnection);
     connect(&files, &FileWorkflow::recentChanged, this, [this, &files] { setRecent(files.recent()); });
     connect(&files, &FileWorkflow::lostChanged, this, [this, &files] { setLost(files.lost()); });

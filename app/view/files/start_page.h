@@ -10,18 +10,18 @@ namespace wend {
 
 class FileWorkflow;
 
-/// What is seen before a file is open: where to drop one, what was open last, and samples to try.
+/// The page without a file: a drop area, recent files and samples.
 class StartPage : public QWidget {
     Q_OBJECT
 
   public:
     explicit StartPage(QWidget* parent = nullptr);
-    /// From now on its cards are those files, and what is pressed is done by them.
+    /// Shows the files of `files` and forwards clicks to it.
     void serve(FileWorkflow& files);
     void setRecent(const QStringList& paths);
-    /// Work of programs that have ended without asking comes first.
+    /// Shows recovered work first.
     void setLost(const QList<LostWork>& lost);
-    /// A file hangs over the window.
+    /// Highlights the drop area while a file is dragged over the window.
     void setDropHighlighted(bool highlighted);
 
   signals:

@@ -32,14 +32,14 @@ QImage smallPictureOf(const QImage& image) {
     return small.copy(opaquePart(small)).scaled(kLargest, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
-/// Another one when the file changes.
+/// Returns a key that changes with the file.
 QByteArray stampOf(const QString& file) {
     const QFileInfo info(file);
     return file.toUtf8() + '\n' + QByteArray::number(info.size()) + '\n' +
            QByteArray::number(info.lastModified().toMSecsSinceEpoch()) + '\n';
 }
 
-/// Where that of a file is kept.
+/// Returns the path of a file's thumbnail.
 QString placeOf(const QString& path, const ProjectLook& look, const QString& folder) {
     const QByteArray name =
         QCryptographicHash::hash(stampOf(path) + stampOf(look.picture), QCryptographicHash::Sha1);
@@ -52,7 +52,7 @@ void makeRoomIn(const QString& folder) {
     for (const QString& old : kept.mid(kMostKept)) QFile::remove(QDir(folder).filePath(old));
 }
 
-/// A cache: where it cannot be written, the thumbnail is made anew the next time.
+/// Stores a thumbnail in the cache; if that fails, it is drawn again the next time.
 void keep(const QImage& picture, const QString& path) {
     const QString folder = QFileInfo(path).path();
     constexpr auto kPrivate = QFile::ReadOwner | QFile::WriteOwner;

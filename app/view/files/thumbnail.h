@@ -5,19 +5,19 @@
 
 namespace wend {
 
-/// What is shown of a file that is not open.
+/// The preview of a file that is not open.
 struct Thumbnail {
     QImage picture;  // without a transparent border; null if there is nothing to be shown
     bool isSolid = false;
 };
 
-/// Where thumbnails are kept, in the user's cache.
+/// Returns the folder of thumbnails in the user's cache.
 QString thumbnailFolder();
 
 /// The thumbnail of a picture or a project, made when it is asked for first and kept in `folder`, which only
 /// its owner may read, until the file or the picture in it changes. Runs in any thread.
 Thumbnail thumbnailOf(const QString& path, const QString& folder = thumbnailFolder());
-/// From now on, until the file changes, that of a project is this picture: what was last seen of its shape.
+/// Stores the last view of a project's shape as its thumbnail until the file changes.
 void keepThumbnail(const QString& project, const QImage& seen, const QString& folder = thumbnailFolder());
 
 }  // namespace wend

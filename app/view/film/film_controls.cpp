@@ -49,7 +49,7 @@ void FilmControls::showPlaying(bool playing) {
     play.setText(playing ? tr("&Pause") : tr("&Play"));
 }
 
-/// In the step that is about time.
+/// Shows the tracks in the step Animate.
 void FilmControls::showTracks() {
     m_parts.tracks.setVisible(!m_parts.session.document().isEmpty() && m_parts.tools.mode() == Mode::Animate);
 }

@@ -10,8 +10,7 @@ class TimeStrip;
 class Toolbox;
 class TrackView;
 
-/// What plays, records and shows the time: the actions of the film, the strip below the canvas and the
-/// tracks.
+/// Playback, recording and time: the film's actions, the strip below the canvas and the tracks.
 class FilmControls : public QObject {
     Q_OBJECT
 

@@ -149,7 +149,7 @@ void TimeStrip::paintEvent(QPaintEvent*) {
     painter.fillRect(QRectF(0, 0, width() * part, 2), Theme::of(palette()).accent);
 }
 
-/// Where the shape settles, a band behind the slider.
+/// Draws a band behind the slider where the shape relaxes.
 void TimeStrip::paintSettling(QPainter& painter, double end) {
     QColor band = Theme::of(palette()).accent;
     band.setAlphaF(0.25);

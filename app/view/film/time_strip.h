@@ -25,7 +25,7 @@ class TimeStrip : public QWidget {
     QToolButton* loopButton() const { return m_loop; }
     QSlider* slider() const;
     ExactBox* length() const { return m_length; }
-    /// Where its slider begins and ends, in its own coordinates.
+    /// Returns the range of the slider in the strip's coordinates.
     QRect way() const;
     void setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop);
 

@@ -1,4 +1,4 @@
-// What mouse and keys do to the bars of the tracks.
+// Mouse and key gestures on the bars of the tracks.
 
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -27,7 +27,7 @@ QString seconds(double time) {
 
 }  // namespace
 
-/// The nearest end of a bar that does not go along, or what is shown, within reach.
+/// Snaps to the nearest end of another bar, or to the shown time, within reach.
 double TrackView::snapped(double time, const std::vector<MotionId>& own) const {
     std::vector<double> marks = {0, end(), m_session.playback().time()};
     for (const Row& row : m_rows)
@@ -39,7 +39,7 @@ double TrackView::snapped(double time, const std::vector<MotionId>& own) const {
     return best;
 }
 
-/// It reaches over its motions.
+/// The hold covers the handle's motions.
 MotionTime TrackView::draggedHold(const Grabbed& grabbed, double time) const {
     const Bar& bar = grabbed.bar;
     const auto& bars = m_rows[static_cast<std::size_t>(bar.handle)].bars;
@@ -52,7 +52,7 @@ MotionTime TrackView::draggedHold(const Grabbed& grabbed, double time) const {
     return {bar.time.start, std::clamp(snapped(to + way), std::min(earliest, end()), end())};
 }
 
-/// What is grabbed follows the pointer. By its end all that go along are scaled, from the other end of all.
+/// Moves grabbed bars with the pointer; by an end, scales all of them from the opposite end.
 MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     if (grabbed.bar.motion == kHold) return draggedHold(grabbed, time);
     const auto& [start, end] = grabbed.bar.time;
@@ -84,7 +84,7 @@ void TrackView::move(const std::vector<MotionId>& motions, const MotionTime& spa
     document.change(what, withMotionSpan(*document.project(), motions, span), key);
 }
 
-/// With their pins.
+/// Also selects the handles of the bars.
 void TrackView::choose(std::vector<MotionId> bars) {
     m_chosen = std::move(bars);
     std::vector<int> pins;
@@ -93,7 +93,7 @@ void TrackView::choose(std::vector<MotionId> bars) {
     viewport()->update();
 }
 
-/// Those chosen whose pins are not locked.
+/// Returns the chosen bars whose pins are not locked.
 std::vector<MotionId> TrackView::changeable() const {
     std::vector<MotionId> motions = m_chosen;
     std::erase_if(motions, [this](const MotionId& id) { return !m_session.mayChange(id.handle); });
@@ -144,7 +144,7 @@ void TrackView::grab(const Bar& bar, Part part, double at, bool alone) {
     m_grabbed = Grabbed{bar, part, at, motions, span, span, alone};
 }
 
-/// What it touches joins what was chosen.
+/// Adds touched bars to the earlier choice.
 void TrackView::stretchBand(const QPointF& to) {
     m_band->to = to;
     m_chosen = m_band->others;
@@ -221,7 +221,7 @@ void TrackView::showMenu(const Bar& bar, const QPoint& global) {
 void TrackView::removeChosen() {
     const auto motions = changeable();
     if (motions.empty()) return;
-    if (m_chosen.size() > 1) m_chosen.clear();  // else the next one comes in its place
+    if (m_chosen.size() > 1) m_chosen.clear();  // a single one is replaced by the next
     change(motions.size() > 1 ? tr("Remove motions") : tr("Remove motion"),
            withoutMotions(m_session.document().design(), motions));
 }
@@ -236,7 +236,7 @@ bool TrackView::event(QEvent* event) {
     return QAbstractScrollArea::event(event);
 }
 
-/// Left and Right move the chosen bars with Alt, else what is shown.
+/// Left and Right move the chosen bars with Alt, otherwise the shown time.
 bool TrackView::nudge(const QKeyEvent& event) {
     const double way = event.key() == Qt::Key_Left ? -kStep : event.key() == Qt::Key_Right ? kStep : 0;
     if (way == 0) return false;
@@ -270,7 +270,7 @@ void TrackView::keyPressEvent(QKeyEvent* event) {
     m_chosen.assign(bars.begin(), bars.begin() + (bars.empty() ? 0 : 1));
 }
 
-/// What a bar is, and when.
+/// Shows the name and times of a bar.
 bool TrackView::viewportEvent(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QAbstractScrollArea::viewportEvent(event);
     const auto* help = static_cast<QHelpEvent*>(event);

@@ -1,4 +1,4 @@
-// How the tracks look.
+// Drawing of the tracks.
 #include <QLocale>
 #include <QPainter>
 #include <QScrollBar>
@@ -101,7 +101,7 @@ void TrackView::paintBand(QPainter& painter) const {
     painter.drawRect(QRectF(m_band->from, m_band->to).normalized());
 }
 
-/// Full where it goes evenly, lighter where it begins or ends softly.
+/// Full opacity at constant speed, lighter where the motion eases.
 void TrackView::paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const {
     const Theme theme = Theme::of(palette());
     const QRectF box = barRect(bar).adjusted(0.5, 0, -0.5, 0);

@@ -85,7 +85,7 @@ void TrackView::arrange() {
     verticalScrollBar()->setSingleStep(static_cast<int>(kRowHeight));
 }
 
-/// A film begins with what moves in view.
+/// Scrolls to the first motion of a new film.
 void TrackView::showFirstMotion() {
     const int generation = m_session.document().generation();
     if (end() <= 0 || !isVisible() || std::exchange(m_generation, generation) == generation) return;
@@ -127,7 +127,7 @@ QRectF TrackView::rowRect(int row) const {
             kRowHeight};
 }
 
-/// Within the film, and where it is dragged.
+/// Returns the interval of a bar, clipped to the film, or its dragged one.
 MotionTime TrackView::timeOf(const Bar& bar) const {
     MotionTime time = bar.time;
     if (m_grabbed && bar.motion == kHold && m_grabbed->bar == bar) time = m_grabbed->time;
@@ -152,7 +152,7 @@ QRectF TrackView::barOf(int handle, int motion) const {
                                                   : QRectF();
 }
 
-/// The end of the line along which the pin holds; where both are, the one that can go further.
+/// Returns the end of a pin's hold within reach; of two, the one that can move further.
 std::optional<TrackView::Part> TrackView::endAt(const Bar& bar, const QPointF& at) const {
     const MotionTime time = timeOf(bar);
     const double toStart = std::abs(at.x() - xOf(time.start)), toEnd = std::abs(at.x() - xOf(time.end));
@@ -186,7 +186,7 @@ void TrackView::resizeEvent(QResizeEvent*) {
     arrange();
 }
 
-/// As soon as it has its room.
+/// Deferred until the first layout.
 void TrackView::showEvent(QShowEvent*) {
     QMetaObject::invokeMethod(this, &TrackView::showFirstMotion, Qt::QueuedConnection);
 }

@@ -10,20 +10,19 @@
 
 namespace wend {
 
-/// A row for each pin, with a bar for each of its motions along the time: what happens when, and what happens
-/// together. Bars and their ends are dragged to other times, also several that are chosen together, and so
-/// are the ends of the line along which the pin holds; the ruler is scrubbed; a menu on a bar tells how it
-/// begins and ends.
+/// A row per pin with a bar per motion over time. Bars and their ends can be dragged, also several at once,
+/// and so can the ends of a pin's hold; the ruler scrubs; a menu on a bar sets its easing.
 class TrackView : public QAbstractScrollArea {
     Q_OBJECT
 
   public:
     explicit TrackView(ShapeSession& session, QWidget* parent = nullptr);
 
-    /// Between which the time goes, in its own coordinates: those of the slider below.
+    /// Sets the horizontal range of time in this widget's coordinates: that of the slider below.
     void setWay(const QRect& way);
     static constexpr int kHold = -1;  // in the place of a motion: the line along which the pin holds
-    /// Where a motion's bar is, or that line, in coordinates of the viewport; empty if there is none.
+    /// Returns the rectangle of a motion's bar, or of a hold, in viewport coordinates; empty if there is
+    /// none.
     QRectF barOf(int handle, int motion) const;
     QSize sizeHint() const override { return {400, int(kRuler + kRowsAtFirst * kRowHeight)}; }
     QSize minimumSizeHint() const override { return {200, 80}; }
@@ -60,8 +59,8 @@ class TrackView : public QAbstractScrollArea {
         Bar bar;
         Part part;
         double at;                      // the time that was pressed
-        std::vector<MotionId> motions;  // that go along; none with the end of a line
-        MotionTime span, time;          // of them: as it is, and as it would be
+        std::vector<MotionId> motions;  // the dragged motions; none for the end of a hold
+        MotionTime span, time;          // of them: before and during the drag
         bool alone;                     // a click chooses it alone
     };
     /// A frame is drawn around bars.
@@ -113,7 +112,7 @@ class TrackView : public QAbstractScrollArea {
     std::optional<Grabbed> m_grabbed;
     std::optional<Band> m_band;
     bool m_scrubbing = false;
-    int m_generation = -1;  // of the document whose first motion was brought into view
+    int m_generation = -1;  // of the document that was scrolled to its first motion
 };
 
 }  // namespace wend

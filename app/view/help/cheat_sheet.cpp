@@ -36,7 +36,7 @@ QString keysOf(const QAction& action) {
     return QKeySequence::listToString(own.isEmpty() ? action.shortcuts() : own, QKeySequence::NativeText);
 }
 
-/// Submenus stand with the menu that they are in, what has a key in a section under the name of that.
+/// Submenus are listed with their menu; shortcuts are grouped under its name.
 void collect(const QMenu& menu, Group& group) {
     QString section;
     for (const QAction* action : menu.actions()) {

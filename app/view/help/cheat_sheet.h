@@ -6,14 +6,14 @@ class QMenuBar;
 
 namespace wend {
 
-/// All keys, made from the menus as they are now, and what the pointer does.
+/// All shortcuts, collected from the current menus, and the mouse gestures.
 class CheatSheet : public QDialog {
     Q_OBJECT
 
   public:
     CheatSheet(const QMenuBar& menus, int dimension, QWidget* parent);
 
-    /// As rich text.
+    /// Returns rich text.
     static QString text(const QMenuBar& menus, int dimension);
 };
 

@@ -27,7 +27,7 @@ constexpr int kWidest = 800, kTallest = 520;  // pixels: a picture that fits wit
 constexpr int kBeside = 340, kSpace = 16;     // pixels: width of a picture beside text, and its distance
 constexpr int kMargin = 20;                   // pixels around a page
 
-/// What a page says; empty if there is none.
+/// Reads a page; empty if there is none.
 void readPage(const QUrl& page, QTextDocument& into) {
     QFile file(':' + page.path());
     if (file.open(QIODevice::ReadOnly)) into.setMarkdown(QString::fromUtf8(file.readAll()));
@@ -135,7 +135,7 @@ class ManualPages : public QTextBrowser {
     }
 };
 
-/// Those behind a page, then those before it, at last itself.
+/// Returns the pages after a page, then those before it, then itself.
 QList<QUrl> pagesAfter(const QUrl& page) {
     QList<QUrl> pages;
     for (const QString& name : QDir(QLatin1String(kFolder)).entryList({QStringLiteral("*.md")}))
@@ -145,7 +145,7 @@ QList<QUrl> pagesAfter(const QUrl& page) {
     return pages;
 }
 
-/// As the window would find it, in what is read rather than in how it is written.
+/// Searches the rendered text, as the window does.
 bool isOn(const QUrl& page, const QString& words) {
     QTextDocument text;
     readPage(page, text);
@@ -199,7 +199,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     m_pages->setSource(QUrl(QString::fromLatin1(kFirstPage)));
 }
 
-/// Behind the last place on the page, and on from page to page.
+/// Finds the next place on the page, then on the following pages.
 void ManualWindow::find() {
     const QString words = m_search->text();
     if (words.isEmpty() || m_pages->find(words)) return;

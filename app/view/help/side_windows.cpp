@@ -20,7 +20,7 @@ SideWindows::SideWindows(ShapeSession& session, const Actions& actions, QMainWin
     connect(actions.about, &QAction::triggered, this, &SideWindows::showAbout);
 }
 
-/// One, which stays where it was.
+/// Shows the single manual window where it was.
 void SideWindows::showManual() {
     auto* manual = m_window.findChild<ManualWindow*>();
     if (!manual) manual = new ManualWindow(&m_window);
@@ -33,7 +33,7 @@ void SideWindows::showKeys() {
     CheatSheet(*m_window.menuBar(), m_session.document().dimension(), &m_window).exec();
 }
 
-/// Beside the work: a click goes back to that step, or forth.
+/// Shows the undo history; a click moves to that step.
 void SideWindows::showHistory() {
     auto* history = m_window.findChild<QDialog*>(QStringLiteral("history"));
     if (!history) {

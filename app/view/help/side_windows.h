@@ -9,7 +9,7 @@ namespace wend {
 class Actions;
 class ShapeSession;
 
-/// What is opened beside the window: the manual, the keys, the steps that were done, the licence.
+/// Windows beside the main one: manual, shortcuts, history and licence.
 class SideWindows : public QObject {
     Q_OBJECT
 

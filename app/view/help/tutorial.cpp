@@ -131,7 +131,7 @@ void Tutorial::turnTo(int page) {
     m_end->setVisible(!last);
     m_next->setText(last ? tr("Done") : tr("Skip"));
     place();
-    // Who hears of the same file later may put a page over it.
+    // Raises the card later: other receivers of the signal may show a page over it.
     QMetaObject::invokeMethod(this, &QWidget::raise, Qt::QueuedConnection);
 }
 

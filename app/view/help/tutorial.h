@@ -16,8 +16,8 @@ class Actions;
 class ShapeSession;
 class Toolbox;
 
-/// Five minutes on a sample: a card in the corner of the view says what to do next, and turns to the next
-/// page as soon as that is done. It ends with its last page, by its button, or when another file is opened.
+/// A tutorial of five minutes on a sample: a card in a corner of the view gives the next step and advances
+/// when it is done. It ends with its last page, by its button, or when another file is opened.
 class Tutorial : public QFrame {
     Q_OBJECT
 
@@ -31,10 +31,10 @@ class Tutorial : public QFrame {
     static QString picture();
 
     Tutorial(const Parts& parts, QWidget& over);
-    /// As soon as its picture is opened, which is for others to do.
+    /// Starts once its picture has been opened, which the caller does.
     void begin() { m_wanted = true; }
     int page() const { return m_page; }
-    /// What is open was made for the tutorial, and nothing since: it may be left without a question.
+    /// Returns whether the document is only practice, which may be closed without a question.
     bool isPractice() const;
     int pageCount() const { return static_cast<int>(m_pages.size()); }
     QString text() const;
@@ -45,8 +45,7 @@ class Tutorial : public QFrame {
   private:
     struct Page {
         QString text;
-        std::function<double()>
-            measure;  // another value than at first: it is done. None: its button turns it
+        std::function<double()> measure;  // the step is done when this value changes; none: a button advances
     };
     void makePages();
     int pinCount() const;
@@ -63,7 +62,7 @@ class Tutorial : public QFrame {
     bool m_wanted = false;
     int m_page = -1;                        // none: it does not run
     std::shared_ptr<const Project> m_made;  // by its end
-    double m_before = 0;                    // the measure of the page when it was turned up
+    double m_before = 0;                    // value when the page was shown
 };
 
 }  // namespace wend

@@ -12,7 +12,7 @@ namespace wend {
 
 namespace {
 
-/// At its upper and lower edge.
+/// Returns whether the upper and lower edges are opaque.
 bool isOpaque(const Image& picture) {
     constexpr float kFull = 0.99F;
     if (!picture.alpha) return true;
@@ -34,7 +34,7 @@ BorderOffer::BorderOffer(Document& document, InfoBanner& banner, QObject* parent
     connect(&m_document, &Document::projectChanged, this, &BorderOffer::follow);
 }
 
-/// All of the picture bends, and its border with it.
+/// Returns whether the whole picture, with its border, is deformed.
 bool BorderOffer::isDue() const {
     if (m_document.isEmpty() || !m_document.picture()) return false;
     const Domain& domain = m_document.domain();
@@ -42,7 +42,7 @@ bool BorderOffer::isDue() const {
            domain.border == Border::Free;
 }
 
-/// Whoever has made a project of it has decided.
+/// Saved projects are not asked again.
 void BorderOffer::offer() {
     m_isOffered = isDue() && m_document.path().isEmpty() && m_document.design<2>().handles.empty() &&
                   isOpaque(*m_document.picture());

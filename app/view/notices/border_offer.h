@@ -7,9 +7,8 @@ namespace wend {
 class Document;
 class InfoBanner;
 
-/// A photograph has no transparency around what it shows, and a bent one leaves gaps beside it: where such a
-/// picture is opened, this offers to hold its border, until that is done, declined, or does not matter any
-/// more.
+/// Offers to hold the border of an opaque picture, since bending it leaves gaps, until that is done, declined
+/// or irrelevant.
 class BorderOffer : public QObject {
     Q_OBJECT
 

@@ -5,7 +5,7 @@
 
 namespace wend {
 
-/// A line in the middle of a widget that says what is being waited for, once that has taken a moment.
+/// A line in the middle of a widget that names work that takes more than a moment.
 class BusyNote : public QLabel {
     Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kHeight = 44, kSign = 20;  // pixels
 
-/// What nothing has gone wrong with.
+/// Returns whether a topic is an offer rather than an error.
 bool isOffer(InfoBanner::Topic topic) {
     using enum InfoBanner::Topic;
     return topic == Remark || topic == Lost || topic == Mesh || topic == Border || topic == SoftEdges ||

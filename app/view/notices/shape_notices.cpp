@@ -11,8 +11,8 @@ namespace wend {
 
 namespace {
 
-/// A remark as a sentence. One that begins with a file's path keeps its beginning: what a blank follows is a
-/// word.
+/// Makes a sentence of a remark. An initial file path keeps its case: only a first word, followed by a space,
+/// is capitalized.
 QString sentence(const QString& remark) {
     QString result = remark;
     const QString first = remark.section(' ', 0, 0);
@@ -26,7 +26,7 @@ QString sentence(const QString& remark) {
 
 ShapeNotices::ShapeNotices(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
     connect(&session, &ShapeSession::frameChanged, this, &ShapeNotices::follow);
-    connect(&session.document(), &Document::opened, this, [this] {  // what was told goes with the document
+    connect(&session.document(), &Document::opened, this, [this] {  // messages belong to the document
         m_shape.reset();
         m_hasTold = false;
     });
@@ -58,7 +58,7 @@ void ShapeNotices::tell() {
     m_hasTold = !lines.isEmpty();
 }
 
-/// The core says which vertices these are; here the parts are seen.
+/// Core names the vertices; the window shows the parts instead.
 template <int Dim>
 QString ShapeNotices::hangingText() const {
     const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.frame<Dim>()->rest).size());
@@ -70,7 +70,7 @@ QString ShapeNotices::hangingText() const {
         nullptr, parts);
 }
 
-/// Each of the parts by one of its cells, which neither moves nor turns then: one step.
+/// Pins one cell of each part, which then neither moves nor rotates, in one step.
 template <int Dim>
 void ShapeNotices::pinHanging() {
     const auto frame = m_session.frame<Dim>();

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What the user should hear of a shape that was made: once for every mesh, whatever its dimension.
+/// Messages about a new shape, once per mesh.
 class ShapeNotices : public QObject {
     Q_OBJECT
 
@@ -16,9 +16,9 @@ class ShapeNotices : public QObject {
     ShapeNotices(ShapeSession& session, QObject* parent);
 
   signals:
-    /// Line by line, with what mends it; empty where there is nothing to say any more.
+    /// Emits lines with their remedies; empty if there is nothing to report any more.
     void told(const QString& text, const QList<wend::InfoBanner::Remedy>& remedies);
-    /// Why a cage was taken is to be seen.
+    /// Requests the reason for a cage.
     void reasonWanted();
 
   private:
@@ -31,7 +31,7 @@ class ShapeNotices : public QObject {
     void pinHanging();
 
     ShapeSession& m_session;
-    std::shared_ptr<const void> m_shape;  // the rest mesh that was told of
+    std::shared_ptr<const void> m_shape;  // the rest mesh that was reported
     bool m_hasTold = false;               // and there was something to say
 };
 

@@ -16,7 +16,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kFaint = 0.01;  // of full opacity, with which the outline takes all that is seen along
+constexpr double kFaint = 0.01;  // opacity above which the wider outline includes a pixel
 constexpr float kSeen = 0.02F;   // less is not missed
 constexpr double kMuch = 0.01;   // of the pixels within
 
@@ -42,7 +42,7 @@ class PixelKinds {
     std::size_t count(Pixel kind) const {
         return static_cast<std::size_t>(std::ranges::count(m_kinds, kind));
     }
-    /// Of the faint pixels, those farther than `reach` pixels from any that is within.
+    /// Counts faint pixels farther than `reach` pixels from the outline.
     std::size_t countFar(int reach) const {
         std::size_t count = 0;
         for (int y = 0; y < m_height; ++y)
@@ -89,7 +89,7 @@ bool SoftEdgeOffer::isDue() const {
            domain.alpha.threshold > kFaint;
 }
 
-/// Whoever has made a project of it has decided. Large pictures take a while.
+/// Saved projects are not asked again. The check runs in the background for large pictures.
 void SoftEdgeOffer::look() {
     m_isOffered = false;
     if (!isDue() || !m_document.path().isEmpty() || !m_document.design<2>().handles.empty()) return;

@@ -10,11 +10,11 @@ namespace wend {
 class Document;
 class InfoBanner;
 
-/// Whether the outline leaves out much that is faint: a wide soft edge, a glow, a shadow.
+/// Returns whether the outline cuts off a wide soft edge, a glow or a shadow.
 bool cutsSoftEdges(const Image& picture, const AlphaOutlineOptions& outline);
 
-/// The outline runs along what is nearly opaque, so that limbs come apart; what is fainter and farther away
-/// is cut off. Where a picture with much of that is opened, this offers to take it along.
+/// Offers to include faint surroundings that the outline cuts off: it follows nearly opaque pixels, so that
+/// limbs stay apart.
 class SoftEdgeOffer : public QObject {
     Q_OBJECT
 

@@ -14,7 +14,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kDelay = 400;       // milliseconds: what is done sooner needs no words
+constexpr int kDelay = 400;       // milliseconds before the note is shown
 constexpr int kFirstDelay = 200;  // as long as there is nothing else to look at
 constexpr int kBar = 4;           // pixels high
 constexpr int kBelow = 18;        // pixels left free under it
@@ -66,7 +66,7 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
     });
 }
 
-/// Drags are shown by themselves; what they leave to be computed is waited for anew.
+/// Drags need no note; the work that they leave starts the delay again.
 void WorkNote::follow() {
     const bool works = m_session.isBusy() && !m_session.isDragging();
     if (!works) {
@@ -98,7 +98,7 @@ QString WorkNote::words(double part) const {
 void WorkNote::showText() {
     m_text->setText(words(m_part));
     m_text->setMinimumWidth(m_text->fontMetrics().horizontalAdvance(words(1)) + 2);
-    m_bar->setVisible(!m_session.isMeshing());  // how far that is nobody knows
+    m_bar->setVisible(!m_session.isMeshing());  // meshing has no progress
     m_bar->setValue(static_cast<int>(100 * m_part));
     setAccessibleName(m_text->text());
     place();
@@ -110,7 +110,7 @@ void WorkNote::place() {
     move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - kBelow);
 }
 
-/// Not while a gesture, a menu or a dialog is open: there the key has a meaning of its own.
+/// Not during a gesture or in a menu or dialog, where Escape has its own meaning.
 bool WorkNote::isCancelKey(QObject* watched, QEvent* event) const {
     if (event->type() != QEvent::KeyPress || isHidden() || !watched->isWidgetType()) return false;
     return static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&

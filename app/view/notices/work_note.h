@@ -11,8 +11,7 @@ class QPushButton;
 
 namespace wend {
 
-/// Says over the view what has been computed for a while, how far it is, and cancels it: by its button, or by
-/// Esc wherever the focus is.
+/// Shows long work over the view with its progress, and cancels it by a button or Esc.
 class WorkNote : public QFrame {
     Q_OBJECT
 

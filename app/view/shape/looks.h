@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// How a map colours the shape.
+/// Colours of a map.
 struct MapLook {
     Measure measure = Measure::Length;
     MeasureRange range;
@@ -22,22 +22,22 @@ struct MapLook {
     }
 };
 
-/// What is seen of a shape, by switches and panels.
+/// View options of a shape.
 struct Looks {
     bool mesh = false, map = false, arrows = false, marks = false;
-    bool onionSkin = false;  // what was before and comes after
-    bool hidden = false;     // all that lies over the shape
-    bool rest = false;       // the shape as it was before it was bent
+    bool onionSkin = false;  // earlier and later shapes
+    bool hidden = false;     // all overlays
+    bool rest = false;       // the undeformed shape
     bool values = false;     // under the pointer they are shown elsewhere, the velocity among them
     bool detail = true;  // the detailed or painted surface in a solid, rather than the tetrahedra's border
     bool flat = false;   // each facet of it by itself
     MapLook colours;     // of the map
-    QString layer;       // of the material, whose border is drawn; null: of none
+    QString layer;       // the layer whose border is drawn; null for none
     QColor backdrop;     // invalid: the view's own
     FramePtr standIn;    // in the place of the session's frame; null: none
 };
 
-/// The frame that is seen in the place of a session's own.
+/// Returns the frame that is shown instead of the session's own, if any.
 template <int Dim>
 PosedPtr<Dim> seen(const Looks& looks, const PosedPtr<Dim>& own) {
     const bool standsIn = looks.standIn && (own || Dim == 3);  // a picture is itself seen before its mesh is

@@ -30,7 +30,7 @@ Axis axisOf(int dimension, int k) {
     return {kSpaceAxes[k], 26};
 }
 
-/// Its mark stands for more than a point.
+/// Returns whether the mark stands for more than a point.
 bool isArea(const PinView<2>& view) {
     return view.region;
 }
@@ -47,7 +47,7 @@ QPolygonF ShapePainter<Dim>::toWidget(const std::vector<Vec<Dim>>& points) const
     return line;
 }
 
-/// The local frames that a curve carries along, from where the motions before it lead; none over another.
+/// Draws the moving frames of a curve from its actual start, without overlaps.
 template <int Dim>
 void ShapePainter<Dim>::frames(const Handle<Dim>& handle, const Vec<Dim>& start) {
     Vec<Dim> from = start;
@@ -85,7 +85,7 @@ void ShapePainter<Dim>::paths(int hovered) {
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session().selection().contains(h) != selected) continue;
-            if (handles[h].activeTo <= time || handles[h].traits.hidden) continue;  // let go of
+            if (handles[h].activeTo <= time || handles[h].traits.hidden) continue;  // released
             const auto starts = shownStarts<Dim>(session().template pathStarts<Dim>(h));
             if (starts.empty()) continue;
             for (const PinPath<Dim>& one : pinPaths<Dim>(handles[h], starts))
@@ -101,7 +101,8 @@ void ShapePainter<2>::spots(const PinView<2>& view) {
     m_marks.spots({places.begin(), places.end()}, selected ? m_theme.accent : kInk, 3.2, QPen(Qt::white, 1));
 }
 
-/// What a handle of many vertices holds, where it is seen; of a selected one also what is hidden, faintly.
+/// Draws the vertices that a handle holds where they are visible; of a selected one also hidden ones,
+/// faintly.
 template <>
 void ShapePainter<3>::spots(const PinView<3>& view) {
     const bool selected = session().selection().contains(view.handle);
@@ -180,7 +181,7 @@ void ShapePainter<Dim>::worst(const PosedFrame<Dim>& frame, int cell, const QStr
     const QPointF at = m_surface.toWidget(place ? *place : centreOf<Dim>(frame, cell));
     m_marks.worst(at, !place);
     if (words.isEmpty()) return;
-    const bool isLeft = at.x() > m_painter.viewport().width() / 2.0;  // there is more room beside it
+    const bool isLeft = at.x() > m_painter.viewport().width() / 2.0;  // the side with more room
     paintLabel(m_painter, at + QPointF(isLeft ? -kBeside : kBeside, -kHalfLabel), words, isLeft);
 }
 

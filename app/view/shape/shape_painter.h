@@ -10,10 +10,10 @@
 
 namespace wend {
 
-/// Those of the world, told apart by lightness too; the usual order x, y, z.
+/// Colours of the world's axes x, y, z in the usual order, distinguishable by lightness, too.
 inline const QColor kSpaceAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
 
-/// Draws what lies over a shape, crisp at any zoom: pins, their paths, the worst place.
+/// Draws the overlays of a shape at any zoom: pins, paths and the worst place.
 template <int Dim>
 class ShapePainter {
   public:
@@ -24,10 +24,10 @@ class ShapePainter {
     /// Draws the pins, and faintly the handles that do not hold at the shown time. `named`: the one with its
     /// name.
     void pins(int hovered, int named);
-    /// A cross in the middle of a cell; of a solid where it is seen, or a faint ring over where it is hidden.
-    /// Beside it what it says, if that is not empty.
+    /// Draws a cross in the middle of a cell; in a solid at its visible place, or a faint ring if it is
+    /// hidden. Adds a label unless it is empty.
     void worst(const PosedFrame<Dim>& frame, int cell, const QString& words = {});
-    /// That of a measure, with a warning where it is too far; none at rest.
+    /// Marks the worst place of a measure, with a warning if it is extreme; nothing at rest.
     void worst(const PosedFrame<Dim>& frame, Measure measure) {
         if (!isDistorted(*frame.distortion, measure)) return;
         worst(frame, worstOf(*frame.distortion, measure).cell, worstWarning(*frame.distortion, measure));

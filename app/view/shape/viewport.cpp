@@ -57,8 +57,7 @@ void Viewport::setTool(Tool* tool) {
     m_overlay.update();
 }
 
-/// Without a solid there is nothing that a tool could do. Of shapes of the other dimension another view
-/// tells.
+/// Without a solid no tool applies. Shapes of the other dimension are reported by the other view.
 void Viewport::tellHint(const Tool& tool) {
     if (m_session.document().dimension() == m_dimension)
         emit hintChanged(m_dimension == 2 || m_session.frame() ? tool.hint() : QString());
@@ -100,7 +99,7 @@ void Viewport::takeLooks() {
     if (m_pointer) emit pointed(m_view.pointerText(*m_pointer));
 }
 
-/// What shapes of the other dimension want is another view's.
+/// Fields for shapes of the other dimension are requested by the other view.
 void Viewport::wantField() {
     if (m_session.document().dimension() == m_dimension)
         m_session.setFieldWanted(

@@ -13,59 +13,58 @@ namespace wend {
 
 class LegendLock;
 
-/// What the views of pictures and of solids have in common: the events of the tool that is chosen, and what
-/// is seen of the shape beside itself. It takes the events of the view's widget before that does.
+/// The common part of the views of pictures and solids: events of the active tool, and overlays. It filters
+/// the events of the view's widget.
 class Viewport : public QObject {
     Q_OBJECT
 
   public:
-    /// What only the view itself can do.
+    /// Operations of the view itself.
     class View {
       public:
         virtual ~View() = default;
         /// Draws the shape again, with other looks.
         virtual void showLooks() = 0;
-        /// True if a press of this button moves the view.
+        /// Returns whether a press of this button navigates.
         virtual bool navigatesBy(const QMouseEvent& event) const = 0;
         virtual bool isNavigating() const = 0;
         virtual bool isPanning() const = 0;
-        /// A press, move or release that moves the view; by `pans` whatever the button means.
+        /// Navigates by a press, move or release; `pans`: whatever the button means.
         virtual void navigate(QMouseEvent& event, bool pans) = 0;
         virtual void endNavigation() = 0;
-        /// What is under the pointer, in words.
+        /// Describes the place under the pointer.
         virtual QString pointerText(const QPointF& at) = 0;
     };
-    /// `overlay` is what marks are painted on; `over` a tool that lies over the one that is chosen, where it
-    /// wants to.
+    /// `overlay` is the widget with the marks; `over` a tool with precedence over the active one where it
+    /// wants events.
     Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& session, int dimension,
              Tool* over = nullptr);
 
     void setTool(Tool* tool);
     Tool* tool() const { return m_tool; }
     int hovered() const { return m_tool ? m_tool->hovered() : -1; }
-    /// What a gesture has gathered is of a mesh that is gone.
+    /// Cancels a gesture whose mesh is gone.
     void cancelGesture();
-    /// What lies under the pointer, or what the tool works with, has changed: hint, pointer and marks follow.
+    /// Updates hint, pointer and marks after a change of what is under the pointer.
     void lookAgain();
     const Looks& looks() const { return m_looks; }
     template <class T>
     void set(T Looks::*look, const std::type_identity_t<T>& value) {
         if (std::exchange(m_looks.*look, value) == value) return;
-        // The colours of a map that is not shown are seen nowhere.
+        // Colours of a hidden map need no drawing.
         if constexpr (std::is_same_v<T, MapLook>)
             if (!m_looks.map) return wantField();
         takeLooks();
     }
-    /// What keeps the map's range, for the lock on the legend's card.
+    /// Sets the action that freezes the map's range, for the lock on the legend.
     void setRangeKeeper(QAction& keep);
     bool showsMap() const { return m_looks.map && !m_looks.hidden; }
-    /// True while what is seen has been stale for a while.
+    /// Returns whether the shown frame has been stale for a while.
     bool isDimmed() const { return m_dimmed; }
-    /// The pin whose name is shown because the pointer has stayed on it; −1 for none.
+    /// Returns the pin whose name is shown because the pointer has stayed on it; −1 for none.
     int named() const { return m_named; }
 
-    /// Marks are painted again: while a shape follows the hand, painting for the pointer alone would take the
-    /// time that the shape needs, so no more often than this.
+    /// Repaints marks, but during a drag no more often than this, because it would take time from the shape.
     void redraw(int milliseconds);
     void marksPainted() { m_marksDue.stop(); }
     void takeFrame();
@@ -75,9 +74,9 @@ class Viewport : public QObject {
 
   signals:
     void hintChanged(QString hint);
-    /// A menu for what is under the pointer is asked for.
+    /// Requests a context menu for the item under the pointer.
     void menuWanted(QPoint global, wend::MenuPlace place);
-    /// What is under the pointer, in words; empty when it has left.
+    /// Emits a description of the place under the pointer; empty when it has left.
     void pointed(QString text);
 
   protected:

@@ -1,4 +1,4 @@
-// What the pointer and the keys do on a shape.
+// Pointer and key events on a shape.
 #include <QKeyEvent>
 
 #include "app/view/shape/viewport.h"
@@ -50,7 +50,7 @@ Tool* Viewport::toolAt(const QPointF& at) const {
     return m_over && !m_looks.hidden && m_over->wants(at) ? m_over : m_tool;
 }
 
-/// What it has just done may have brought another.
+/// The event may have activated another tool.
 void Viewport::useTool(Tool* tool) {
     if (tool != m_over && m_tool) tool = m_tool;
     updateCursor();
@@ -58,12 +58,12 @@ void Viewport::useTool(Tool* tool) {
     tellHint(*tool);
 }
 
-/// A button that moves the view does so, unless it was pressed on what the tool holds.
+/// A navigation button navigates, unless it was pressed on an item of the tool.
 bool Viewport::isForTool(const QMouseEvent& event, const Tool& tool) const {
     return event.button() == Qt::LeftButton && (!m_view.navigatesBy(event) || tool.wants(event.position()));
 }
 
-/// By the left button: with the space bar, or by a tool that does nothing else.
+/// Returns whether the left button pans: with the space bar, or by the pan tool.
 bool Viewport::pansBy(const QMouseEvent& event, const Tool* tool) const {
     return event.button() == Qt::LeftButton && !m_active && (m_spaceDown || (tool && tool->pans()));
 }
@@ -80,7 +80,7 @@ void Viewport::give(Tool* tool, const QMouseEvent& event, void (Tool::*what)(con
 void Viewport::press(QMouseEvent& event) {
     m_widget.setFocus(Qt::MouseFocusReason);
     m_pressedAt = event.position();
-    if (event.button() == m_activeButton) m_active = nullptr;  // that it was let go of was lost
+    if (event.button() == m_activeButton) m_active = nullptr;  // its release event was lost
     Tool* tool = toolAt(event.position());
     const bool pans = pansBy(event, tool);
     m_asksMenu = false;
@@ -98,7 +98,7 @@ void Viewport::doubleClick(QMouseEvent& event) {
     give(tool, event, &Tool::doubleClick);
 }
 
-/// A move from before the press, which the system brings late, does not lead the tool: it has no button down.
+/// Ignores a late move from before the press, which has no button pressed.
 void Viewport::move(QMouseEvent& event) {
     if (m_active && event.buttons() == Qt::NoButton) return;
     m_pointer = event.position();
@@ -134,7 +134,7 @@ void Viewport::release(QMouseEvent& event) {
     m_view.navigate(event, false);
     updateCursor();
     if (!moved || m_spaceDown || !click || event.button() != Qt::LeftButton || !m_tool) return;
-    m_tool->press(event);  // where the left button turns the view, a click is still the tool's
+    m_tool->press(event);  // a click belongs to the tool even if the left button rotates the view
     m_tool->release(event);
     useTool(m_tool);
 }
@@ -167,8 +167,8 @@ bool Viewport::pressKey(QKeyEvent& event) {
     return true;
 }
 
-/// During a gesture all plain keys are the tool's; arrows, Escape and Space belong to the view as long as it
-/// has the focus, also where a shortcut has them.
+/// During a gesture all plain keys belong to the tool; arrows, Escape and Space belong to the focused view,
+/// even if they are shortcuts.
 bool Viewport::ownsKey(const QKeyEvent& event) const {
     const int key = event.key();
     const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));

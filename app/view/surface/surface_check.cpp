@@ -36,7 +36,7 @@ std::vector<int> markedIn(const VolumePicture& picture) {
     return marked;
 }
 
-/// None if the file is no longer the one that they are for.
+/// Returns nothing if the file has changed since the fixes were made.
 std::vector<SurfaceFix> possible(const Surface& source, const std::vector<SurfaceFix>& fixes) {
     try {
         fixSurface(source, fixes);
@@ -88,7 +88,7 @@ void SurfaceCheck::leave() {
     m_canvas->showLooks();
 }
 
-/// What is wrong with a file that cannot be read is told elsewhere.
+/// Read errors are reported by the loader.
 void SurfaceCheck::preview() {
     const Document& document = m_session.document();
     if (document.dimension() != 3 || document.domain().kind != DomainKind::Surface) return;
@@ -146,7 +146,7 @@ void SurfaceCheck::takeShape() {
     if (m_isCaged && m_session.document().domain().fit == Fit::Automatic && m_canvas) look();
 }
 
-/// What was computed of the same shape in the meantime hides no place; what the user moves does.
+/// Computing the same shape keeps the shown fault; moving it does not.
 void SurfaceCheck::keepPlace() {
     if (m_session.isDragging() || m_session.playback().isPlaying()) m_isPlaceShown = false;
     if (!m_isPlaceShown) return;
@@ -158,7 +158,7 @@ void SurfaceCheck::keepPlace() {
         Qt::QueuedConnection);
 }
 
-/// Files whose trouble is another one (that cannot be read …) are told by the banner alone.
+/// Unreadable files are reported by the banner alone.
 void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
     if (!found->error.isEmpty() || found->problems.boundsVolume()) return;
     m_found = found;
@@ -229,7 +229,7 @@ VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::ve
     return picture;
 }
 
-/// Of all of it, with what a fix would change.
+/// Returns the whole surface, with the changes of a fix.
 VolumePicture SurfaceCheck::picture(const FaultFix* fix) const {
     return picture(std::vector<bool>(m_found->surface.triangles.size(), true), {}, fix);
 }
@@ -241,7 +241,7 @@ void SurfaceCheck::showSurface() {
     m_canvas->showRefused(picture(nullptr), directionToWrong());
 }
 
-/// From where the first wrong triangle is seen.
+/// Returns a direction of view in which the first fault is visible.
 Vec<3> SurfaceCheck::directionToWrong() const {
     const auto wrong = m_found->problems.triangles(m_found->surface);
     return wrong.empty() ? kAskew : intoTriangle(m_found->surface, wrong.front());
@@ -256,7 +256,7 @@ void SurfaceCheck::showCase(int kind, int number) {
     showPlace(true);
 }
 
-/// Looks at it from near, or else marks it anew in the view as it is.
+/// Zooms to the fault, or marks it in the current view.
 void SurfaceCheck::showPlace(bool fromNear) {
     const std::vector<int>& chosen = m_found->faults[m_place.kind].cases[m_place.number];
     if (chosen.empty()) return;
@@ -274,7 +274,7 @@ void SurfaceCheck::showPlace(bool fromNear) {
         m_canvas->showRefused(std::move(marked), direction);
 }
 
-/// In the view as it is, once it is known; and then again what was seen before.
+/// Previews the fix in the current view once it is known, and ends the preview.
 void SurfaceCheck::showFixOfAll(bool shown) {
     if (!m_found || !m_canvas) return;
     const bool isKnown = m_all.fix && !m_all.fix->steps.empty();
@@ -310,7 +310,7 @@ void SurfaceCheck::saveList() {
     file.commit();
 }
 
-/// What fills holes in a colour of its own.
+/// Draws filled holes in a colour of their own.
 void SurfaceCheck::showRepair(bool shown) {
     if (!m_found || !m_canvas) return;
     if (!shown) return showSolid();

@@ -13,8 +13,8 @@ namespace wend {
 class SolidCanvas;
 class SurfacePanel;
 
-/// Shows a surface while it is becoming a solid. When it cannot become one, or not without a cage: looks at
-/// it again in the background, shows it with what is wrong in it, and does what the panel offers.
+/// Shows a surface while it is meshed. If that fails, or needs a cage, checks it in the background, shows its
+/// faults and executes the panel's commands.
 class SurfaceCheck : public QObject {
     Q_OBJECT
 
@@ -22,32 +22,32 @@ class SurfaceCheck : public QObject {
     SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& window);
     void setCanvas(SolidCanvas* canvas) { m_canvas = canvas; }
     void hide();
-    /// Who takes up a tool works on the solid, where there is one: it is seen again.
+    /// Returns to the solid when a tool is activated.
     void leave();
 
   private:
     struct Repaired {
         explicit Repaired(const Surface& whole, int largestHole)
             : surface(repairSurface(whole, largestHole, report)), left(checkSurface(surface)) {}
-        RepairReport report;  // what it would do
+        RepairReport report;  // effect of the repair
         Surface surface;
         SurfaceProblems left;
     };
     struct Found {
         Surface source;                 // as the file has it
         std::vector<SurfaceFix> fixes;  // of single faults that were fixed …
-        Surface surface;                // … and what they left
+        Surface surface;                // … and the surface after them
         std::vector<int> numbers;       // of its triangles, in the file
         SurfaceProblems problems;
         std::vector<FaultKind> faults;
-        std::shared_ptr<const Repaired> repaired;  // what the repair would leave
+        std::shared_ptr<const Repaired> repaired;  // the repaired surface
         QString error;
     };
     struct Place {
         int kind = 0, number = 0;
         bool operator==(const Place&) const = default;
     };
-    /// What could be done about all faults of a kind.
+    /// The fix of all faults of a kind.
     struct All {
         std::shared_ptr<const Found> found;
         int kind = 0, limit = 0;                   // edges of the largest hole, if the user has chosen that
@@ -92,7 +92,7 @@ class SurfaceCheck : public QObject {
     std::shared_ptr<const Repaired> m_repaired;  // with the limit that the panel has
     Place m_place;                               // in m_found
     bool m_isPlaceShown = false, m_isFixOfAllShown = false;
-    std::shared_ptr<const FaultFix> m_fix;  // what could be done there, once that is known
+    std::shared_ptr<const FaultFix> m_fix;  // the fix of this fault, once it is known
     All m_all;
     bool m_goesOn = false;                // one was fixed: the next one is looked at …
     std::string m_fixedKind;              // … of this kind

@@ -1,4 +1,4 @@
-// What could be done about the faults of a surface, found in the background and told before it is done.
+// Fixes of a surface's faults, computed in the background and previewed.
 
 #include <QLocale>
 #include <QStringList>
@@ -12,7 +12,7 @@
 
 namespace wend {
 
-/// Finds what could be done about this place alone.
+/// Computes the fix of this fault.
 void SurfaceCheck::propose() {
     m_fix.reset();
     if (m_all.kind != m_place.kind || m_all.found != m_found) m_all = {m_found, m_place.kind};
@@ -32,8 +32,8 @@ void SurfaceCheck::propose() {
     inBackground(this, find, take);
 }
 
-/// And about all places of its kind together: a dense surface takes seconds, so once one of them is looked
-/// at.
+/// Computes the fix of all faults of this kind once one of them is shown: it takes seconds for dense
+/// surfaces.
 void SurfaceCheck::proposeAll() {
     if (!m_found || m_all.isSought || m_found->faults[m_place.kind].cases.size() < 2) return;
     m_all.isSought = true;
@@ -75,7 +75,7 @@ void SurfaceCheck::tellOfFix() {
                          !m_all.fix || !m_all.fix->steps.empty());
 }
 
-/// One step of undo; what is left of the kind is looked at next.
+/// Applies a fix in one undo step and shows the next fault of the kind.
 void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString& name) {
     if (!m_found || !fix || fix->steps.empty()) return;
     Document& document = m_session.document();
@@ -91,7 +91,7 @@ void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString
     document.changeDomain(name, std::move(next));
 }
 
-/// As soon as it is known what that means.
+/// Applies the fix as soon as it is known.
 void SurfaceCheck::fixAll() {
     if (const auto known = m_all.fix) return fix(known, tr("Fix all faults of a kind"));
     m_all.isWanted = true;
@@ -107,7 +107,7 @@ void SurfaceCheck::repair(int largestHole) {
     document.changeDomain(tr("Repair surface"), std::move(next));
 }
 
-/// What the repair would do with another limit, before anything is done.
+/// Previews the repair with another limit.
 void SurfaceCheck::tryLimit(int largestHole) {
     if (!m_found) return;
     m_all = {m_found, m_place.kind, largestHole};
@@ -137,7 +137,7 @@ QString SurfaceCheck::repairText() const {
                     {tr("fill holes (%1)"), report.filledHoles}});
 }
 
-/// Of those that would change something; empty if none would.
+/// Describes the effect of those that change something; empty if none does.
 QString SurfaceCheck::wouldDo(const std::vector<std::pair<QString, int>>& repairs) {
     QStringList parts;
     for (const auto& [text, count] : repairs)

@@ -4,16 +4,16 @@
 
 namespace wend {
 
-/// Where a surface is looked along that nothing else is known of.
+/// Default direction of view on a surface.
 inline const Vec<3> kAskew(-1, 1.4, -0.8);
 
 /// Points around some triangles, a little farther off than their corners.
 Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles);
 
-/// False for what stands between the viewer and these points.
+/// Returns false for triangles between the viewer and these points.
 std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, const Vec<3>& direction);
 
-/// Against the triangle's outer side, a little from above.
+/// Returns the direction against the triangle's outer side, slightly from above.
 Vec<3> intoTriangle(const Surface& surface, int triangle);
 
 }  // namespace wend

@@ -9,16 +9,16 @@ namespace wend {
 class Actions;
 class Toolbox;
 
-/// The row below the menus: files and undo at the left, the steps of the work in the middle, what is seen and
-/// the export at the right. In a narrow window the steps' names get less room first, then what has a menu or
-/// a key as well goes; never the steps, and never the export.
+/// The row below the menus: files and undo on the left, the steps in the middle, view and export on the
+/// right. In a narrow window first the names of the steps shrink, then buttons disappear that have a menu or
+/// shortcut; never the steps or the export.
 class ModeRow : public QWidget {
     Q_OBJECT
 
   public:
     ModeRow(const Actions& actions, const Toolbox& tools, QWidget* parent = nullptr);
     QToolButton* exportButton() const { return m_export; }
-    /// How large a pixel of the picture is on the screen; 0: there is none.
+    /// Shows the size of a picture's pixel on the screen; 0 for none.
     void showZoom(double zoom);
     QSize minimumSizeHint() const override;
 
@@ -34,7 +34,7 @@ class ModeRow : public QWidget {
     void collapse();
 
     std::vector<QToolButton*> m_steps;
-    std::vector<QToolButton*> m_spare;  // those that go, the first one first
+    std::vector<QToolButton*> m_spare;  // hidden first to last
     QToolButton *m_zoom = nullptr, *m_export = nullptr;
 };
 

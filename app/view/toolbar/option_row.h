@@ -9,8 +9,8 @@ namespace wend {
 class Actions;
 class Toolbox;
 
-/// The row of the tool that is chosen: its name, what it does, and its options; in the step Animate those of
-/// the film as well.
+/// The options row of the active tool: its name, its hint and its options; in the step Animate also those of
+/// the film.
 class OptionRow : public QToolBar {
     Q_OBJECT
 

@@ -12,7 +12,7 @@ class PictureActions;
 class PinActions;
 class SolidActions;
 
-/// What stands beside tools' names.
+/// The options beside tools' names.
 struct ToolOptions {
     const SolidActions& solids;
     const PictureActions& outline;

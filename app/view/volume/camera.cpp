@@ -9,7 +9,7 @@ namespace wend {
 namespace {
 
 constexpr double kFieldOfView = 35 * std::numbers::pi / 180;
-constexpr double kMargin = 1.22;  // of the picture around what is fitted
+constexpr double kMargin = 1.22;  // around the fitted content
 const double kTanHalf = std::tan(kFieldOfView / 2);
 
 Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
@@ -20,7 +20,7 @@ Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
     return Eigen::Quaterniond(rows);
 }
 
-/// To a millionth of `size`.
+/// Rounds to a millionth of `size`.
 Vec<3> rounded(const Vec<3>& p, double size) {
     const int digits = std::clamp(6 - static_cast<int>(std::floor(std::log10(size))), 0, 300);
     return p.unaryExpr([&](double x) { return QString::number(x, 'f', digits).toDouble(); });

@@ -19,18 +19,18 @@ class Camera {
     /// Shows all points as large as they fit, from where it looks.
     void fit(const Points<3>& points, const QSize& viewport);
     void look(Axis axis);
-    /// The world's axis that points up; the view turns with it.
+    /// The world axis that points up, which rotation keeps upright.
     void setUpAxis(UpAxis axis);
     UpAxis upAxis() const { return m_upAxis; }
-    /// To be kept: numbers of as many digits as can be told apart on a screen.
+    /// Returns the camera for storage, with as many digits as a screen can show.
     SavedCamera saved() const;
-    /// As it was kept.
+    /// Restores a stored camera.
     void restore(const SavedCamera& kept);
-    /// Another point to turn around; the picture stays where it is.
+    /// Changes the centre of rotation without moving the picture.
     void setPivot(const Vec<3>& pivot);
-    /// Brings a point into the middle of the picture, and turns around it.
+    /// Centres a point and makes it the centre of rotation.
     void lookAt(const Vec<3>& point);
-    /// From where one sees along the direction.
+    /// Looks along a direction.
     void lookAlong(const Vec<3>& direction);
     void setOrthographic(bool on) { m_orthographic = on; }
     bool orthographic() const { return m_orthographic; }
@@ -39,9 +39,9 @@ class Camera {
     /// Turns around the pivot as a turntable: dx around the world's vertical axis, dy around the screen's
     /// horizontal one.
     void orbit(double dx, double dy);
-    /// Moves with the pointer: what lay under it at the pivot's depth stays under it.
+    /// Moves the view so that the point under the pointer at the pivot's depth follows it.
     void pan(double dxPixels, double dyPixels, const QSize& viewport);
-    /// Factor > 1 comes nearer; what is under the pixel at the pivot's depth stays there.
+    /// Zooms in for factors > 1 around the pixel at the pivot's depth.
     void zoom(double factor, const Eigen::Vector2d& pixel, const QSize& viewport);
 
     Eigen::Matrix4d view() const;
@@ -58,7 +58,7 @@ class Camera {
 
   private:
     Eigen::Quaterniond m_turn = Eigen::Quaterniond::Identity();  // world → camera
-    /// What is seen in the middle of the picture, at the pivot's depth.
+    /// Returns the point in the middle of the picture at the pivot's depth.
     Vec<3> centre() const;
     /// The world's axes to the right, into the picture and upwards, seen from the front.
     Mat<3> axes() const;

@@ -7,19 +7,19 @@
 
 namespace wend {
 
-/// The edges of a surface of triangles between what faces the viewer and what does not.
+/// The silhouette edges of a triangle surface.
 class Contour {
   public:
-    /// Of triangles that are given as points.
+    /// Takes triangles of point indices.
     void takeTriangles(const std::vector<std::array<int, 3>>& triangles);
     void takePoints(Points<3> points) { m_points = std::move(points); }
-    /// As both ends of each, seen by this view; without what lies above the plane.
+    /// Returns both ends of each silhouette edge in a view, without parts above the plane.
     Points<3> ends(const Eigen::Matrix4d& view, bool orthographic, const std::optional<CutPlane>& clip) const;
 
   private:
     struct Edge {
         int from, to;
-        int one, other;  // triangles; −1: there is none
+        int one, other;  // triangles; −1 for none
     };
     std::vector<std::array<int, 3>> m_triangles;
     std::vector<Edge> m_edges;

@@ -15,8 +15,8 @@ using Triangle = std::array<int, 3>;
 /// Faces that meet at a sharper angle than this keep their edge.
 const double kCrease = std::cos(40 * std::numbers::pi / 180);
 
-/// Which corners (3 t + k) share a normal: those at one point whose triangles are connected there through
-/// edges that are no creases. Flat triangles share nothing.
+/// Groups corners (3 t + k) that share a normal: those at one point whose triangles are connected through
+/// edges that are no creases. Flat triangles share none.
 class SmoothGroups {
   public:
     SmoothGroups(const std::vector<Triangle>& triangles, const Points<3>& rest, const std::vector<bool>& flat)
@@ -99,7 +99,7 @@ void setVertices(DrawMesh& mesh, const SmoothGroups& groups) {
 /// A vertex more where texture points meet.
 void splitAtSeams(DrawMesh& mesh, const Skin& skin, const std::vector<int>& order) {
     std::vector<int> uvOf(mesh.vertices.size(), -1);
-    std::map<std::pair<int, int>, int> copies;  // (vertex, texture point) → vertex, beside the first
+    std::map<std::pair<int, int>, int> copies;  // (vertex, texture point) → additional vertex
     for (std::size_t t = 0; t < mesh.corners.size(); ++t)
         for (int k = 0; k < 3; ++k) {
             const int vertex = mesh.corners[t][k], uv = skin.uvCorners[order[t]][k];
@@ -212,7 +212,7 @@ CutSurface partOf(const CutSurface& surface, bool onCut) {
 
 namespace {
 
-/// All but the vertices.
+/// Makes everything but the vertices.
 DrawMesh unshaded(const CutSurface& surface) {
     CutPoints cut(surface);
     DrawMesh mesh;

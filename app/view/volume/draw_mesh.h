@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// What is drawn of a surface, made once and moved by poses: points, the vertices on them (a point has
-/// several where a crease or a seam of the texture runs through it), and triangles.
+/// The drawable form of a surface, made once and moved by poses: points, their vertices (several at creases
+/// and texture seams), and triangles.
 struct DrawMesh {
     struct Vertex {
         int point, normal;  // of `points` of the pose; which of the normals
@@ -42,17 +42,17 @@ struct CutPoints {
 /// The border of a part of a surface: the edges that an odd number of its triangles have, as their ends.
 std::vector<std::array<int, 2>> borderOf(const std::vector<std::array<int, 3>>& triangles);
 
-/// What of it lies on the cut, or the rest.
+/// Returns the part on the cut, or the rest.
 CutSurface partOf(const CutSurface& surface, bool onCut);
 
-/// The surface of a solid, cut or not. Creases are those of the rest shape; what lies on the cut is flat.
+/// Makes the surface of a solid, cut or not. Creases are those of the rest shape; the cut is flat.
 DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
-/// The section of an exact cut, a plane: one normal, whatever those of its slivers are.
+/// Makes the section of an exact cut, a plane with a single normal regardless of slivers.
 DrawMesh drawSection(const CutSurface& section);
 /// A surface embedded in a solid, with its texture points and materials.
 DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
 
-/// Where the points of a solid's surface are in a pose.
+/// Returns the points of a solid's surface in a pose.
 Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose);
 /// The normal of every vertex: the mean, by area, of the triangles that share it smoothly.
 std::vector<Eigen::Vector3f> drawnNormals(const DrawMesh& mesh, const Eigen::Matrix3Xf& points);

@@ -84,7 +84,7 @@ Mat<3> edgesOf(const Points<3>& points, const Cell<3>& cell) {
     return edges;
 }
 
-/// The rotation of a cell from rest to the pose.
+/// Returns the rotation of a cell from rest to the pose.
 Mat<3> turnOf(const PosedFrame<3>& frame, int c) {
     const Cell<3>& cell = frame.rest->cells[c];
     const Mat<3> F = edgesOf(frame.pose, cell) * edgesOf(frame.rest->points, cell).inverse();
@@ -92,7 +92,7 @@ Mat<3> turnOf(const PosedFrame<3>& frame, int c) {
     return svd.matrixU() * svd.matrixV().transpose();
 }
 
-/// Every k-th, so that at most `most` are left; of larger marks fewer.
+/// Returns every k-th item, so that at most `most` are left; fewer for larger marks.
 std::vector<int> thinned(const std::set<int>& all, double most) {
     const double room = most / (markSize() * markSize());
     const std::size_t step = 1 + static_cast<std::size_t>(static_cast<double>(all.size()) / room);
@@ -124,14 +124,14 @@ std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<
 std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const CutSurface& surface,
                                             QRgb colour) {
     if (!frame.material || frame.material->anisotropy.empty()) return {};
-    std::map<int, std::size_t> seen;  // where a stiff cell is seen
+    std::map<int, std::size_t> seen;  // visible place of each stiff cell
     std::set<int> stiff;
     for (std::size_t t = 0; t < surface.cells.size(); ++t)
         if (const int c = surface.cells[t]; !frame.material->anisotropy[c].isIdentity(1e-6))
             seen.try_emplace(c, t), stiff.insert(c);
     Builder builder(colour);
     for (const int c : thinned(stiff, kMostGlyphs / 2)) {
-        Vec<3> centre = Vec<3>::Zero();  // on the surface: half of it stands out
+        Vec<3> centre = Vec<3>::Zero();  // on the surface, so that half of it is visible
         for (const auto& corner : surface.triangles[seen[c]])
             centre += ((1 - corner.weight) * frame.pose.col(corner.from) +
                        corner.weight * frame.pose.col(corner.to)) /

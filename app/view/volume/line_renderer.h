@@ -15,14 +15,14 @@ namespace wend {
 /// Lines in space, as wide on the screen as one likes (OpenGL 3.3). All calls with the context current.
 class LineRenderer {
   public:
-    /// False, with the reason in error(), if the context cannot run the shaders.
+    /// Returns false, with the reason in error(), if the context cannot run the shaders.
     bool initialize(QOpenGLFunctions_3_3_Core* gl);
     void release();
     const QString& error() const { return m_error; }
 
-    /// Both ends of each line.
+    /// Sets both ends of each line.
     void set(const std::vector<std::array<float, 3>>& ends);
-    /// How the lines are seen.
+    /// How lines are drawn.
     struct Look {
         QMatrix4x4 view, projection;
         bool orthographic = false;

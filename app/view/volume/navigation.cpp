@@ -21,7 +21,7 @@ Navigation::Drag Navigation::dragFor(const QMouseEvent& event) const {
         return button == Qt::RightButton ? Drag::Zoom : Drag::None;
     }
     const bool right = m_preset == NavigationPreset::Wend && button == Qt::RightButton;
-    // Alt and the left button stand in for a middle one that is missing.
+    // Alt with the left button replaces a missing middle button.
     if (button != Qt::MiddleButton && !right && !(alt && button == Qt::LeftButton)) return Drag::None;
     if (shift) return Drag::Pan;
     return control ? Drag::Zoom : Drag::Orbit;

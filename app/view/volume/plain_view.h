@@ -10,8 +10,7 @@ namespace wend {
 class SolidCanvas;
 class VolumeView;
 
-/// Draws the whole of a solid as a canvas shows it, from where it looks, but without what is only of the
-/// view: no map, no cut, no edges and marks. The widget that does so is never seen.
+/// Draws a whole solid from a canvas's viewpoint without map, cut, edges and marks, in a hidden widget.
 class PlainView {
   public:
     /// `size`: in pixels. Null where OpenGL gives none.

@@ -7,7 +7,7 @@ namespace wend {
 
 namespace {
 
-/// With the nearest corner of the triangle.
+/// Adds the nearest corner of the triangle.
 SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
                   const TriangleTree::Hit& hit) {
     SolidHit result;

@@ -9,13 +9,13 @@
 
 namespace wend {
 
-/// What rays meet of a surface that is cut and bent: its boxes are made when the first ray comes, and
-/// refitted when the first one comes after a change of the pose.
+/// Intersects rays with a cut and deformed surface: bounding boxes are built for the first ray, and refitted
+/// for the first ray after a change of the pose.
 class RayCasting {
   public:
     void takeSurface(CutSurface surface);
     void takePose() { m_poseStale = true; }
-    /// The nearest triangle that the ray meets; cell −1 if there is none.
+    /// Returns the nearest triangle that the ray hits; cell −1 if there is none.
     SolidHit hit(const Ray& ray, const Points<3>& pose);
     /// Boxes and triangles that the last hit() looked at.
     int visited() const { return m_visited; }

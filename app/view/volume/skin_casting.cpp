@@ -7,9 +7,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kOnBorder = 1e-9;  // barycentric: so far beside its cell rounding may bring a point
+constexpr double kOnBorder = 1e-9;  // barycentric tolerance for points on the border of a cell
 
-/// Where along the ray the cut has left something: from the first number to the second.
+/// Returns the interval of the ray that the cut has left.
 std::pair<double, double> leftOf(const Ray& ray, const std::optional<CutPlane>& cut) {
     const double far = std::numeric_limits<double>::infinity();
     if (!cut) return {0, far};
@@ -35,7 +35,7 @@ void SkinCasting::update(const VolumePicture& solid, const Points<3>& skinPose) 
     m_skinStale = m_poseStale = false;
 }
 
-/// By its place at rest; beside all cells that of the nearest corner of its triangle.
+/// Returns the cell at the rest place; outside all cells that of the nearest corner of its triangle.
 int SkinCasting::cellOf(const VolumePicture& solid, const Vec<3>& point) const {
     const TriangleTree::Nearest there = m_tree.nearest(point);
     const auto& corners = solid.skin->triangles[there.triangle];
@@ -47,7 +47,7 @@ int SkinCasting::cellOf(const VolumePicture& solid, const Vec<3>& point) const {
     return solid.embedding->cell(corners[nearest]);
 }
 
-/// The nearest corner of the cell, of those that lie on the solid's border if some do.
+/// Returns the nearest corner of the cell, preferring vertices on the solid's border.
 int SkinCasting::vertexOf(const VolumePicture& solid, int cell, const Vec<3>& point) const {
     int best = -1;
     std::pair<bool, double> least;

@@ -10,14 +10,14 @@
 
 namespace wend {
 
-/// What rays meet of a surface that a solid takes along, as a cage does: what is seen is what is touched, and
-/// the solid's cells are those that the place lies in. Its boxes and the cells' grid are made when the first
-/// ray comes, and the boxes refitted when the first one comes after a change of the pose.
+/// Intersects rays with a surface embedded in a solid, such as in a cage: the pointer touches the visible
+/// surface, and the cells are those that contain the place. Boxes and the cell grid are built for the first
+/// ray, and boxes refitted for the first ray after a change of the pose.
 class SkinCasting {
   public:
     void takeSkin() { m_skinStale = true; }
     void takePose() { m_poseStale = true; }
-    /// The nearest point of the skin that the ray meets and the cut has left; cell −1 if there is none.
+    /// Returns the nearest point of the skin on the ray that the cut has left; cell −1 if there is none.
     SolidHit hit(const Ray& ray, const VolumePicture& solid, const Points<3>& skinPose,
                  const std::optional<CutPlane>& cut);
     /// Boxes and triangles that the last hit() looked at.
@@ -29,7 +29,7 @@ class SkinCasting {
     int vertexOf(const VolumePicture& solid, int cell, const Vec<3>& point) const;
 
     TriangleTree m_tree;                       // of the skin's pose
-    std::optional<PointLocator<3>> m_locator;  // of the solid at rest
+    std::optional<PointLocator<3>> m_locator;  // at rest
     std::vector<bool> m_isOuter;               // per vertex of the solid
     bool m_skinStale = true, m_poseStale = true;
     int m_visited = 0;

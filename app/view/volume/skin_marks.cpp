@@ -7,8 +7,8 @@
 namespace wend {
 namespace {
 
-/// Finds the nearest of many points: they stand in the order of x, and the search goes both ways from the
-/// place until x alone is further than the best.
+/// Finds the nearest of many points: they are sorted by x, and the search proceeds in both directions until
+/// the x distance alone exceeds the best.
 class NearestPoint {
   public:
     explicit NearestPoint(const Points<3>& points)

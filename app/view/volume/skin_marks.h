@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// The skin's point next to each vertex of the solid's border at rest; −1 for vertices inside.
+/// Returns the nearest skin point of each vertex on the solid's border at rest; −1 for inner vertices.
 std::vector<int> nearestSkinPoints(const Skin& skin, const Points<3>& rest,
                                    const std::vector<Facet<3>>& border);
 

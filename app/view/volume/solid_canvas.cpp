@@ -16,7 +16,7 @@ constexpr QRgb kSectionColour = 0xffe3b48e;                   // of the face of 
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 
-/// What lies over the picture; the pointer goes through it.
+/// The overlay of the picture, transparent to the mouse.
 class Overlay : public QWidget {
   public:
     explicit Overlay(SolidCanvas& canvas) : QWidget(&canvas), m_canvas(canvas) {
@@ -79,12 +79,12 @@ void SolidCanvas::showLooks() {
     update();
 }
 
-/// The whole window is put together for it, by the processor where there is nothing else that draws.
+/// Repainting composes the whole window, which is slow without a GPU.
 void SolidCanvas::redraw() {
     m_viewport.redraw(drawsInSoftware() ? kMarksEveryInSoftware : kMarksEvery);
 }
 
-/// What a gesture has gathered are cells and vertices of the mesh that it began on.
+/// Cancels gestures with cells and vertices of an old mesh.
 void SolidCanvas::takeFrame() {
     const auto frame = m_session.frame<3>();
     const std::shared_ptr<const void> mesh = frame ? frame->shape : nullptr;
@@ -131,7 +131,7 @@ SurfaceStyle SolidCanvas::plainStyle() const {
     return style;
 }
 
-/// True once for each document: its view is still to be found.
+/// Returns true once per document, whose view is then initialized.
 bool SolidCanvas::meetsNewDocument() {
     const int generation = m_session.document().generation();
     if (std::exchange(m_generation, generation) == generation) return false;
@@ -140,7 +140,7 @@ bool SolidCanvas::meetsNewDocument() {
     return true;
 }
 
-/// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
+/// Fits the view to a new solid: first at rest, then again when its motion is known.
 void SolidCanvas::refresh() {
     const Looks& looks = m_viewport.looks();
     const auto frame = seen<3>(looks, shownFrame());

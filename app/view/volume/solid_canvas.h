@@ -10,14 +10,14 @@
 
 namespace wend {
 
-/// The solid of a session on the screen: its pose and colours, and what lies over it.
+/// The view of a session's solid: pose, colours and overlays.
 class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::View {
     Q_OBJECT
 
   public:
     explicit SolidCanvas(ShapeSession& session, QWidget* parent = nullptr);
 
-    /// Its tool, and what is seen of the shape.
+    /// Returns the part that handles tools and looks.
     Viewport& viewport() { return m_viewport; }
     const Viewport& viewport() const { return m_viewport; }
     CutTool& cutTool() { return m_cutTool; }
@@ -59,42 +59,42 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     /// A frame as this view shows it, but without a map: for another view.
     VolumePicture plainPicture(const PosedFrame<3>& frame) const;
     SurfaceStyle plainStyle() const;
-    /// True if the solid has a surface of its own to show: a detailed one, or one with materials.
+    /// Returns whether the solid has a detailed surface, or one with materials.
     bool hasDetail() const;
     /// The surface of a file while its tetrahedra are being made.
     void showPreview(const std::shared_ptr<const Skin>& skin);
     /// A surface that bounds no solid: seen along the direction at first in a document, then as the view is.
     void showRefused(VolumePicture picture, const Vec<3>& direction);
-    /// A place of such a surface, so near that these points fill the view.
+    /// Zooms to a place of such a surface, so that these points fill the view.
     void showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around);
     /// The solid again.
     void showSolid();
-    /// A tetrahedron from near, with a mark as long as it is there.
+    /// Zooms to a tetrahedron and marks it while the view stays there.
     void showCell(int cell);
     /// Turns the view.
     void lookAlong(const Vec<3>& direction);
-    /// What lies over the view.
+    /// Draws all overlays.
     void paintOver(QPainter& painter);
-    /// Of that, what is not the tools': pins, paths, the worst place, the axes.
+    /// Draws the overlays that do not belong to tools: pins, paths, the worst place, the axes.
     void paintMarks(QPainter& painter);
     bool hasLegend() const { return m_viewport.showsMap(); }
-    /// While held, what is shown stays as it is, whatever is computed: rows of one picture are drawn.
+    /// Freezes the shown frame while rows of a picture are drawn.
     void setHeld(bool held);
 
   public slots:
-    /// The same look from the same place as another canvas of that size, cut as it is.
+    /// Copies camera, looks and cut of another canvas of the same size.
     void takeView(const SolidCanvas& other);
     void setCutKind(wend::CutKind kind);
     void setCutPlane(const wend::CutPlane& plane);
     void showWorst();
     /// Brings a place into the middle.
     void showPlace(const wend::Vec<3>& at);
-    /// What is marked in the map, of the session's frame; null: nothing.
+    /// Sets the faults that the map marks, for the session's frame; null for none.
     void setFaults(const std::shared_ptr<const wend::PoseFaults<3>>& faults);
 
   signals:
     void cutChanged();
-    /// The cell under the pointer, its nearest corner and the point; cell −1 if there is none.
+    /// Emits the cell under the pointer with its nearest corner and the point; cell −1 for none.
     void pointedAt(int cell, int vertex, const wend::Vec<3>& point);
 
   protected:
@@ -129,20 +129,20 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     CutTool m_cutTool;
     MaterialPreview<3> m_preview;
     std::shared_ptr<const PoseFaults<3>> m_faults;
-    int m_pointedCell = -1;                   // that was to be seen …
+    int m_pointedCell = -1;                   // requested by showCell() …
     std::shared_ptr<const void> m_pointedOf;  // … of this mesh
     LayerLines<3> m_layer;
     OnionSkin<3> m_onion;
     QWidget* m_overlay;
     Viewport m_viewport;
     SurfaceStyle m_style;
-    std::optional<SavedCamera> m_asOpened;  // the camera that the document brought, as it is kept
+    std::optional<SavedCamera> m_asOpened;  // the camera of the opened document in stored form
     int m_generation = -1;                  // of the document that the view was fitted to
     bool m_held = false, m_missed = false;
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;       // the view follows the window's size until the user changes it
-    mutable std::shared_ptr<const Skin> m_marked;  // whose points m_skinPoints are
+    mutable std::shared_ptr<const Skin> m_marked;  // owner of m_skinPoints
     mutable std::vector<int> m_skinPoints;
 };
 

@@ -1,4 +1,4 @@
-// From where a solid is seen, and what of it is kept with its project.
+// The viewpoint of a solid and its storage in the project.
 #include <algorithm>
 
 #include "app/document/design.h"
@@ -9,7 +9,7 @@ namespace wend {
 
 namespace {
 
-/// The points of a selected curve, which may lie far outside of it.
+/// Adds the directions of a selected curve, which may be far from it.
 void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<Vec<3>>& points) {
     for (const Motion<3>& motion : handle.motions) {
         const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
@@ -50,14 +50,14 @@ Points<3> SolidCanvas::fitted() const {
     return all;
 }
 
-/// As every document is seen that brings no camera.
+/// Sets the default view for documents without a camera.
 void SolidCanvas::lookAtFirst() {
     camera().setUpAxis(m_session.document().up());
     camera().setOrthographic(false);
     look(Camera::Axis::Isometric);
 }
 
-/// After it has been fitted: how far it reaches in depth follows from that.
+/// Restores the camera after fitting, which sets the depth range.
 void SolidCanvas::takeKeptCamera() {
     const auto& kept = m_session.document().camera();
     m_asOpened.reset();
@@ -78,7 +78,7 @@ void SolidCanvas::takeUpAxis() {
     fit();
 }
 
-/// One that nobody has moved is kept as the document brought it, or not at all.
+/// Keeps the document's camera unless the user has moved it.
 void SolidCanvas::keepCamera() {
     Document& document = m_session.document();
     if (!m_session.frame<3>() || document.generation() != m_generation) return;

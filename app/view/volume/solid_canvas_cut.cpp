@@ -10,8 +10,8 @@ CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
     return plane;
 }
 
-/// The near half goes: along the world's axis that points at the viewer most, or along the normal that was
-/// chosen in this document.
+/// Cuts away the near half: along the world axis closest to the viewing direction, or along the normal chosen
+/// in this document.
 Vec<3> SolidCanvas::normalToViewer() const {
     const Vec<3> way = viewDirection();
     Vec<3> normal = m_cutTool.plane().normal;

@@ -1,4 +1,4 @@
-// How a solid is moved and pointed at.
+// Navigation and picking in a solid.
 #include <QLocale>
 #include <QMouseEvent>
 #include <QWheelEvent>

@@ -1,4 +1,4 @@
-// The map of a solid, and what is marked beside its surface.
+// The map of a solid and marks on its surface.
 #include <algorithm>
 #include <cmath>
 
@@ -13,13 +13,13 @@ namespace {
 
 const QRgb kArrowColour = qRgb(54, 84, 196), kArrowOnDark = qRgb(92, 126, 255);
 const QRgb kGlyphColour = qRgb(226, 140, 44);
-constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
+constexpr double kNear = 0.2;  // fraction of the diagonal shown around a cell
 
 QRgb withAlpha(QRgb colour, double alpha) {
     return qRgba(qRed(colour), qGreen(colour), qBlue(colour), static_cast<int>(std::lround(255 * alpha)));
 }
 
-/// Of cells, not premultiplied: edges that are sharp stay so.
+/// Returns cell colours, not premultiplied, so that edges stay sharp.
 SolidPaint paintOf(const SimplicialMesh<3>& rest, const std::vector<QRgb>& ofCells,
                    const std::vector<bool>& sharp) {
     SolidPaint paint;
@@ -38,7 +38,7 @@ SolidPaint paintOf(const SimplicialMesh<3>& rest, const std::vector<QRgb>& ofCel
 
 }  // namespace
 
-/// What is painted has its colour, the rest of the solid its own.
+/// Adds paint; other places keep their own colours.
 void SolidCanvas::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const {
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
     const auto plain = plainValue(m_session, measure);

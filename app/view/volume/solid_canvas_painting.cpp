@@ -1,4 +1,4 @@
-// What lies over a solid.
+// Overlays of a solid.
 #include "app/view/shape/shape_painter.h"
 #include "app/view/volume/solid_canvas.h"
 
@@ -58,7 +58,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (m_pointedOf == frame->shape) over.worst(*frame, m_pointedCell);
     m_onion.setShown(looks.onionSkin);
     m_onion.paintOutlines(painter, *this);
-    if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
+    if (m_session.playback().isPlaying()) return;  // pins are hidden during playback
     over.paths(m_viewport.hovered());
     over.pins(m_viewport.hovered(), m_viewport.named());
 }

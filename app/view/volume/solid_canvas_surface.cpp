@@ -1,4 +1,4 @@
-// What tools see of a solid on the screen.
+// The interface of a solid's view for tools.
 #include <cmath>
 #include <limits>
 
@@ -11,7 +11,7 @@ namespace wend {
 
 namespace {
 
-constexpr std::size_t kMostRays = 4000;  // of one handle's vertices: beyond it all count as seen
+constexpr std::size_t kMostRays = 4000;  // vertices of one handle beyond which all count as visible
 }  // namespace
 
 Ray SolidCanvas::ray(const QPointF& widget) const {
@@ -37,8 +37,8 @@ std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPoin
     return found;
 }
 
-/// What is seen may be the surface of a file, or the mesh before: its cells and vertices are not those of the
-/// frame.
+/// Returns whether the frame is shown, rather than a file's surface or an earlier mesh with other cells and
+/// vertices.
 bool SolidCanvas::showsFrame() const {
     const auto frame = m_session.frame<3>();
     return frame && shown().rest == frame->rest;
@@ -63,7 +63,7 @@ void SolidCanvas::showMaterial(std::shared_ptr<const Material<3>> painted, bool 
     refresh();
 }
 
-/// Of whole cells some reach beyond the plane: a point on what is drawn has not been taken away.
+/// Whole cells reach beyond the plane: points on the drawn surface are not cut off.
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
     const Ray sight = ray(toWidget(p));
     const SolidHit hit = hitOf(sight);
@@ -92,7 +92,7 @@ std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
 
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
     const Points<3>& pose = shown().pose;
-    // Without a frame of this mesh yet: what is shown is a preview.
+    // Without a frame of this mesh the picture is a preview.
     const bool isSkin = showsSkin() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
     const bool asks = vertices.size() <= kMostRays;
     std::vector<VertexMark> marks;
@@ -105,7 +105,7 @@ std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) c
     return marks;
 }
 
-/// Once for each skin.
+/// Cached per skin.
 const std::vector<int>& SolidCanvas::skinPoints() const {
     const VolumePicture& picture = shown();
     if (m_marked != picture.skin)

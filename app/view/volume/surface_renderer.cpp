@@ -254,8 +254,8 @@ void SurfaceRenderer::setTextures(const std::vector<QImage>& pictures) {
     }
 }
 
-/// So neither huge nor tiny solids leave the floats' range: view' = view (x m_scale + m_centre) / m_scale,
-/// which the projection takes back.
+/// Normalizes coordinates so that huge and tiny solids stay within the range of floats: view' = view (x
+/// m_scale + m_centre) / m_scale, which the projection reverts.
 std::pair<Eigen::Matrix4d, Eigen::Matrix4d> SurfaceRenderer::matricesOf(const Sight& sight) const {
     Eigen::Matrix4d view = sight.view, projection = sight.projection;
     const Mat<3> turn = view.topLeftCorner<3, 3>();
@@ -338,7 +338,7 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     if (clip) m_gl->glEnable(GL_CLIP_DISTANCE0);
     drawLayer(program, m_layers[Outer], materials, materials ? style.mapOpacity : 0);
     m_gl->glDisable(GL_CLIP_DISTANCE0);
-    program.setUniformValue("clipPlane", kNoClip);   // the section lies on the plane
+    program.setUniformValue("clipPlane", kNoClip);   // the section is in the plane
     program.setUniformValue("ownFromBehind", 1.0F);  // slivers of it may have either orientation,
     program.setUniformValue("flatShading", false);   // and any normal
     m_gl->glEnable(

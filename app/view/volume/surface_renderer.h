@@ -18,19 +18,19 @@
 
 namespace wend {
 
-/// A corner of a triangle that is drawn beside the surface.
+/// A corner of an additional triangle.
 struct DrawVertex {
     std::array<float, 3> position, normal;
     std::array<unsigned char, 4> colour;
 };
 
-/// How a surface is drawn.
+/// Options for drawing a surface.
 struct SurfaceStyle {
     bool flat = false;
     bool edges = true;
     double dimming = 0;  // 0 … 1: towards grey
     QColor edgeColour = QColor(20, 24, 32);
-    QColor lightEdgeColour = QColor(236, 238, 244);  // on what is dark
+    QColor lightEdgeColour = QColor(236, 238, 244);  // over dark colours
     QColor backColour = QColor(150, 92, 86);
     double ownFromBehind = 0;  // 0 … 1: how much of its own colour a face seen from behind keeps
     double mapOpacity = 0;     // 0 … 1: how much the colours of a map cover a surface that has its own
@@ -39,12 +39,12 @@ struct SurfaceStyle {
     bool operator==(const SurfaceStyle&) const = default;
 };
 
-/// From where a scene is seen.
+/// The view and projection matrices.
 struct Sight {
     Eigen::Matrix4d view, projection;
     bool orthographic = false;
     QSize pixels;          // of the picture
-    double pixelsPer = 1;  // pixel of the view, by which the width of lines goes
+    double pixelsPer = 1;  // device pixels per logical pixel, for line widths
 
     bool operator==(const Sight& other) const {
         return view == other.view && projection == other.projection && orthographic == other.orthographic &&
@@ -59,13 +59,13 @@ class SurfaceRenderer {
     /// The outer surface, and the section where it is cut open.
     enum Layer { Outer, Section };
     static constexpr int kLayers = 2;
-    static constexpr int kMostKinds = 4;  // of what is marked
+    static constexpr int kMostKinds = 4;  // kinds of marked triangles
 
-    /// False, with the reason in error(), if the context cannot run the shaders.
+    /// Returns false, with the reason in error(), if the context cannot run the shaders.
     bool initialize();
     void release();
     const QString& error() const { return m_error; }
-    /// True if the processor draws.
+    /// Returns whether the CPU draws.
     bool isSoftware() const { return m_isSoftware; }
 
     /// Triangles, creases and texture points: once for each surface. Then its pose is needed.
@@ -73,34 +73,33 @@ class SurfaceRenderer {
     void clear(Layer layer);
     /// Positions of the mesh's points; also normals, unless all faces are flat.
     void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
-    /// One per triangle.
+    /// Sets one colour per triangle.
     void setColours(Layer layer, const std::vector<QRgb>& colours);
-    /// Those of a map over the layer, one per triangle: drawn where `style` has an opacity for it.
+    /// Sets map colours over the layer, one per triangle, drawn with the opacity in `style`.
     void setMap(Layer layer, const std::vector<QRgb>& colours);
-    /// More than 0: what is painted lies over the colours, so opaque. Its own are the places, times their
-    /// opacity, or, where it is not 0, that of the triangle in the map.
+    /// Sets the opacity of paint over the colours; 0 for none. Its own opacity is that of the places or, if
+    /// it is not 0, of the triangle in the map.
     void setPaint(double opacity) { m_paint = opacity; }
-    /// Pictures of the skin's materials, null ones where there are none.
+    /// Sets the pictures of the skin's materials; null for none.
     void setTextures(const std::vector<QImage>& pictures);
-    /// For colours that change smoothly, per vertex of the mesh: its place in the ramp of colours (the first
-    /// number), or what is painted there. None: each triangle has its own.
+    /// Sets smooth colours per vertex: a position in the colour ramp (first number), or paint. None: per
+    /// triangle.
     using Place = std::array<float, 4>;
     void setPlaces(Layer layer, const std::vector<Place>& places);
     /// The colours of the places from 0 to 1; none: there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
     /// Lines around the section: both ends of each.
     void setOutline(const Points<3>& ends);
-    /// What the rim runs along, likewise.
+    /// Sets the edges of the rim in the same way.
     void setRim(const Points<3>& ends);
-    /// Things beside the surface: arrows, ellipsoids.
+    /// Sets additional triangles: arrows, ellipsoids.
     void setGlyphs(const std::vector<DrawVertex>& triangles);
-    /// What is seen through the surface, faintly, and not where nothing lies in front of it.
+    /// Sets triangles that are visible through the surface, faintly, only where they are covered.
     void setVeiled(const std::vector<DrawVertex>& triangles);
-    /// Triangles of the surface that are seen through it likewise, of several kinds. Where one lies before
-    /// another, that one is seen in stripes: their colours do not mix.
+    /// Sets marked triangles of the surface, which are visible through it, in several kinds. Overlapping
+    /// kinds are drawn in stripes, so that colours do not mix.
     void setMarked(const std::vector<std::vector<DrawVertex>>& kinds);
-    /// Without `materials` no texture is drawn. The plane takes away the part of the outer surface that lies
-    /// above it.
+    /// Draws without textures unless `materials`. The plane removes the part of the outer surface above it.
     void draw(const Sight& sight, const SurfaceStyle& style, bool materials,
               const std::optional<CutPlane>& clip);
 
@@ -142,7 +141,7 @@ class SurfaceRenderer {
     LineRenderer m_outline, m_rim;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;
     std::unique_ptr<QOpenGLTexture> m_noTexture, m_ramp;
-    Vec<3> m_centre = Vec<3>::Zero();  // of what is drawn: the GPU's floats count from there, in m_scale
+    Vec<3> m_centre = Vec<3>::Zero();  // origin and scale of coordinates on the GPU
     double m_scale = 1, m_paint = 0;
     bool m_isSoftware = false;
     QString m_error;

@@ -1,4 +1,4 @@
-// Triangles that lie beside the surface, or are seen through it.
+// Additional and see-through triangles.
 #include "app/panels/look/marks.h"
 #include "app/view/volume/surface_renderer.h"
 
@@ -46,8 +46,7 @@ void SurfaceRenderer::drawGlyphs(Triangles& glyphs, QOpenGLShaderProgram& progra
     m_gl->glDrawArrays(GL_TRIANGLES, 0, 3 * glyphs.count);
 }
 
-/// Only where the surface lies in front, and every pixel once, however many of them lie behind each other.
-/// What lies on the surface itself is not behind it.
+/// Draws covered triangles, each pixel once. Triangles on the surface itself do not count as covered.
 void SurfaceRenderer::drawVeiled() {
     m_plain->setUniformValue("opacity", static_cast<float>(kCoveredOpacity));
     m_plain->setUniformValue("ownFromBehind", 1.0F);
@@ -64,9 +63,8 @@ void SurfaceRenderer::drawVeiled() {
     m_gl->glDepthFunc(GL_LESS);
 }
 
-/// Those that are seen leave a bit of their own in the stencil: where it is 0, the others are seen through
-/// the surface, and where it is that of another kind, in stripes. Of several that lie in one plane the last
-/// is seen.
+/// Visible triangles set their bit in the stencil: where it is 0, others are drawn through the surface, and
+/// where it is that of another kind, in stripes. Of coplanar triangles the last one wins.
 void SurfaceRenderer::drawMarked(QOpenGLShaderProgram& seen, const Sight& sight) {
     m_gl->glDepthMask(GL_FALSE);
     for (const GLenum capability : kVeils) m_gl->glEnable(capability);

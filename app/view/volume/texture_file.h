@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// The pictures of the skin's materials, null where there is none or it cannot be read; no larger than what
-/// every graphics card takes. No skin has none. `unread` gets the files that cannot be read.
+/// Reads the pictures of the skin's materials, scaled to what every GPU supports; null if there is none or it
+/// cannot be read. Empty without a skin. `unread` receives the unreadable files.
 std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread = nullptr);
 
 }  // namespace wend

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr int kRestAfter = 160;         // milliseconds without motion
-constexpr double kOwnFromBehind = 0.7;  // red is red from behind, and still told from the front
+constexpr double kOwnFromBehind = 0.7;  // saturation of back faces, distinguishable from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
 /// Eigen compares matrices of one size only.
@@ -27,7 +27,7 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);
     setFormat(format);
-    setUpdateBehavior(PartialUpdate);  // marks over a solid that stands still cost no drawing of it
+    setUpdateBehavior(PartialUpdate);  // repainting marks does not redraw the solid
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestAfter);
     connect(&m_rest, &QTimer::timeout, this, [this] {
@@ -159,7 +159,7 @@ const Points<3>& VolumeView::skinPose() const {
     return *m_ridden;
 }
 
-/// Of the skin what the cut has left, and the section behind the cut.
+/// Hits the visible part of the skin, or the section behind the cut.
 SolidHit VolumeView::hitOf(const Ray& ray) const {
     const SolidHit cells = m_rays.hit(ray, m_picture.pose);
     if (!ridesInside()) return cells;
@@ -196,7 +196,7 @@ std::vector<int> VolumeView::verticesIn(const QRectF& rectangle, bool visibleOnl
     return found;
 }
 
-/// Again with every context: another window brings another one, which has nothing yet.
+/// Called for every new context, such as after a change of the window, which has no resources yet.
 void VolumeView::initializeGL() {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VolumeView::releaseGl,
             static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
@@ -233,7 +233,7 @@ void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     m_times.prepare = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     const bool clips = showsSkin() && m_cut == CutKind::Exact;
     SurfaceStyle look = style();
-    if (background.alpha() < 255) look.rim = QColor();  // what is behind a picture is not known
+    if (background.alpha() < 255) look.rim = QColor();  // the background of a transparent picture is unknown
     if (look.rim.isValid()) uploadRim(sight);
     m_renderer.draw(sight, look, showsSkin() && m_picture.materials,
                     clips ? std::optional(m_plane) : std::nullopt);
@@ -245,14 +245,14 @@ SurfaceStyle VolumeView::style() const {
     return style;
 }
 
-/// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
+/// Antialiased edges are slow on a CPU: they are drawn when nothing moves.
 VolumeView::Scene VolumeView::scene() const {
     const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic(),
                       size() * devicePixelRatioF(), devicePixelRatioF()};
     return {sight, style(), background(), m_renderer.isSoftware() && isMoving(), m_picture.materials};
 }
 
-/// True if what is to be drawn is not that of the last drawing.
+/// Returns whether the scene differs from the last drawing.
 bool VolumeView::isStale() const {
     return m_meshStale || m_poseStale || m_coloursStale || m_texturesStale || m_glyphsStale ||
            m_style.flat == m_hasNormals;
@@ -266,8 +266,8 @@ QColor VolumeView::background() const {
     return m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104);
 }
 
-/// As large as the view's own buffer, which another screen may change without a resize. False where there is
-/// no memory for it.
+/// Matches the size of the view's buffer, which another screen may change without a resize. Returns false if
+/// memory is insufficient.
 bool VolumeView::bindFine() {
     const QSize pixels = size() * devicePixelRatioF();
     if (!m_fine || m_fine->size() != pixels) {
@@ -281,7 +281,7 @@ bool VolumeView::bindFine() {
     return false;
 }
 
-/// Where only marks over the solid have changed, its last drawing stays.
+/// Reuses the last drawing if only marks have changed.
 void VolumeView::paintGL() {
     if (!m_ready) {
         QPainter(this).drawText(rect(), Qt::AlignCenter, obstacle());

@@ -21,7 +21,7 @@ namespace wend {
 
 enum class CutKind { None, WholeCells, Exact };
 
-/// A solid in space: turned, moved and zoomed with the mouse whatever is under it, cut open by a plane.
+/// A view of a solid, which can be rotated, panned, zoomed and cut by a plane.
 class VolumeView : public QOpenGLWidget {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ class VolumeView : public QOpenGLWidget {
     explicit VolumeView(QWidget* parent = nullptr);
     ~VolumeView() override;
 
-    /// False where OpenGL cannot be had: then no VolumeView must be made (Qt 6.4 crashes on the offscreen
+    /// Returns false without OpenGL; do not make a VolumeView then (Qt 6.4 crashes on the offscreen
     /// platform).
     static bool available();
 
@@ -41,16 +41,16 @@ class VolumeView : public QOpenGLWidget {
     void setPreset(NavigationPreset preset) { m_navigation.setPreset(preset); }
     Camera& camera() { return m_camera; }
     const Camera& camera() const { return m_camera; }
-    /// Triangles that are drawn beside the surface; the veiled ones are seen, faintly, where it hides them.
+    /// Sets additional triangles; the veiled ones are faintly visible where they are covered.
     void setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled = {});
-    /// What is drawn: the surface, cut as it is.
+    /// Returns the drawn surface, with its cut.
     const CutSurface& surface() const { return m_surface; }
     /// The view as a picture of any size, drawn in tiles where it is larger than the renderer can; the
     /// background may be left transparent. Null if the memory does not suffice.
     QImage picture(const QSize& size, bool transparent) {
         return pictureRows(size, 0, size.height(), transparent);
     }
-    /// Some rows of it.
+    /// Returns some rows of a picture.
     QImage pictureRows(const QSize& size, int top, int rows, bool transparent);
     /// Why there can be no picture; empty if there can.
     QString obstacle() const;
@@ -63,12 +63,12 @@ class VolumeView : public QOpenGLWidget {
     int visitedByPick() const { return m_rays.visited() + m_skinRays.visited(); }
     /// Triangles that are drawn.
     int drawnTriangles() const { return m_drawnTriangles; }
-    /// What a frame cost, in milliseconds: the preparation of a new pose, and the drawing.
+    /// Times of a frame in milliseconds: preparation of a pose, and drawing.
     struct FrameTimes {
         double prepare = 0, draw = 0;
     };
     const FrameTimes& lastFrame() const { return m_times; }
-    /// True if what was drawn last is what there is to show, at full quality.
+    /// Returns whether the last drawing is current and of full quality.
     bool isSettled() const;
     void fit();
     void look(Camera::Axis axis);
@@ -76,13 +76,12 @@ class VolumeView : public QOpenGLWidget {
 
     /// The nearest triangle under a pixel, or cell −1.
     SolidHit pick(const QPointF& pixel) const;
-    /// All vertices on screen inside the rectangle; only those that nothing hides if `visibleOnly`.
+    /// Returns all vertices inside the rectangle on screen, only visible ones if `visibleOnly`.
     std::vector<int> verticesIn(const QRectF& rectangle, bool visibleOnly) const;
 
   signals:
     void cameraChanged();
-    /// Pictures of the surface's materials that cannot be read; told while it is drawn, once for each
-    /// surface.
+    /// Emits unreadable pictures of materials, once per surface.
     void picturesMissing(const QStringList& files);
 
   protected:
@@ -100,19 +99,18 @@ class VolumeView : public QOpenGLWidget {
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
 
-    /// True if a surface is embedded in the solid and is drawn in place of its border.
+    /// Returns whether an embedded surface is drawn instead of the solid's border.
     bool showsSkin() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
-    /// True if it is drawn and has points of its own: then it is what the pointer touches.
+    /// Returns whether that surface has points of its own, which the pointer then touches.
     bool ridesInside() const { return showsSkin() && m_picture.embedding->isFree(); }
-    /// Where the points of that surface are.
+    /// Returns the points of that surface.
     const Points<3>& skinPose() const;
-    /// What fit() brings into the view: all that is drawn. The view turns around the middle of the solid all
-    /// the same.
+    /// Returns the points that fit() shows: all drawn ones. The view rotates around the middle of the solid.
     virtual Points<3> fitted() const;
-    /// The nearest point of what is drawn that the ray meets.
+    /// Returns the nearest drawn point that the ray hits.
     SolidHit hitOf(const Ray& ray) const;
     bool drawsInSoftware() const { return m_renderer.isSoftware(); }
-    /// True while what is shown will change again soon.
+    /// Returns whether the content will change again soon.
     virtual bool isMoving() const { return m_rest.isActive(); }
     /// Drops the vertices that the solid hides.
     void keepVisible(std::vector<int>& vertices) const;
@@ -130,7 +128,7 @@ class VolumeView : public QOpenGLWidget {
     void uploadGlyphs();
     void uploadRim(const Sight& sight);
     std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool skin) const;
-    /// What a painting of the view depends on beside what is uploaded.
+    /// The inputs of a painting besides the uploaded data.
     struct Scene {
         Sight sight;
         SurfaceStyle style;
@@ -157,7 +155,7 @@ class VolumeView : public QOpenGLWidget {
     SurfaceRenderer m_renderer;
     SurfaceStyle m_style;
     VolumePicture m_picture;
-    std::shared_ptr<const Skin> m_textured;  // whose pictures the renderer has
+    std::shared_ptr<const Skin> m_textured;  // the skin whose pictures were uploaded
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
     std::vector<std::array<int, 2>> m_outline;  // of the section: its points
@@ -174,7 +172,7 @@ class VolumeView : public QOpenGLWidget {
     std::unique_ptr<QOpenGLFramebufferObject> m_fine;
     QTimer m_rest;  // runs while something moves
     FrameTimes m_times;
-    std::optional<Scene> m_painted;  // what is in the view's buffer
+    std::optional<Scene> m_painted;  // the content of the view's buffer
     int m_largestTile = 2048, m_drawnTriangles = 0;
     bool m_meshStale = true, m_poseStale = true, m_coloursStale = true, m_texturesStale = true;
     bool m_glyphsStale = false, m_ready = false, m_hasNormals = false, m_hasContour = false;

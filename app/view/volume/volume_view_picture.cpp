@@ -64,7 +64,7 @@ QImage VolumeView::pictureRows(const QSize& size, int top, int rows, bool transp
             if (piece.isNull()) image = {};
         }
     doneCurrent();
-    m_painted.reset();  // what was uploaded for the picture is new to the view as well
+    m_painted.reset();  // invalidates the view's buffer, too
     update();
     return image;
 }

@@ -1,4 +1,4 @@
-// What goes to the GPU when something has changed.
+// Uploads changed data to the GPU.
 #include <Eigen/Geometry>
 #include <map>
 
@@ -18,7 +18,7 @@ void VolumeView::upload() {
     m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = false;
 }
 
-/// They stay while their skin is not shown: reading them takes time.
+/// Textures are kept while their skin is hidden, because reading them takes time.
 void VolumeView::uploadTextures() {
     if (!m_picture.skin) return;
     QStringList unread;
@@ -27,7 +27,7 @@ void VolumeView::uploadTextures() {
     if (!unread.isEmpty()) emit picturesMissing(unread);
 }
 
-/// Where a detailed surface is cut, the section is the solid's.
+/// The section of a cut detailed surface is that of the solid.
 void VolumeView::uploadMeshes() {
     const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
     const bool exact = m_cut == CutKind::Exact;
@@ -60,7 +60,7 @@ void VolumeView::uploadPose() {
     m_glyphsStale = true;
 }
 
-/// As the view has it; where a section ends the rim runs along that.
+/// Makes the rim for the current view, including the border of a section.
 void VolumeView::uploadRim(const Sight& sight) {
     if (!std::exchange(m_hasContour, true)) m_contour.takeTriangles(m_outer.triangles);
     const bool clips = showsSkin() && m_cut == CutKind::Exact;
@@ -92,8 +92,8 @@ void VolumeView::uploadColours() {
     uploadPlaces(SurfaceRenderer::Section, m_section, false);
 }
 
-/// Linear within the cells, so that a section shows what its neighbours on the surface do. A surface may lie
-/// beside the cells that carry it, where what is linear leaves the bounds of paint.
+/// Interpolates linearly within the cells, so that a section matches the surface. A surface may extend beyond
+/// its cells, where linear values exceed the bounds of paint.
 void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin) {
     const SolidPaint& paint = m_picture.paint;
     const bool isPainted = paint.opacity > 0;
@@ -119,7 +119,7 @@ void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh
     m_renderer.setMap(layer, own);
 }
 
-/// What is marked is of one kind where it has one colour.
+/// Marked triangles of one colour form a kind.
 void VolumeView::uploadGlyphs() {
     m_renderer.setGlyphs(m_glyphs);
     m_renderer.setVeiled(m_veiled);
