@@ -34,19 +34,19 @@ CellDistortion measure(const Vec<Dim>& sigma) {
     return d;
 }
 
-/// By rotations, which lose nothing.
+/// Computes singular values by Jacobi rotations, which are backward stable.
 template <int Dim>
 Vec<Dim> singularValues(const Mat<Dim>& F) {
     return Eigen::JacobiSVD<Mat<Dim>>(F).singularValues();
 }
 
-/// Cell by cell, from as many maps as are computed at once.
+/// Computes maps cell by cell, in batches.
 template <int Dim>
 class Maps {
   public:
     Maps(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) : m_rest(rest), m_pose(pose) {}
 
-    /// Of the cell after the last one.
+    /// Values of one cell.
     struct Of {
         double weight;  // proportional to its volume at rest
         Vec<Dim> sigma;

@@ -2,11 +2,15 @@
 
 namespace wend {
 
-/// φ as its place among the four named energies: 0 area, 1 length, 2 rigid, 3 angle; φ is linear between
-/// neighbours. What an energy keeps changes fast in φ near Area and slowly near Angle; equal parts between
-/// the named ones make it even to the eye.
+/// φ (radians) as a position among the four named energies: 0 area (φ_EQUIA), 1 length (φ_METR), 2 rigid
+/// (φ_AKVF), 3 angle (φ_CONF, which depends on the dimension, 2 or 3), piecewise linear in between. The
+/// effect changes fast in φ near area and slowly near angle; equal distances between the named energies make
+/// it even to the eye.
 inline constexpr int kEnergyStops = 4;
+/// Returns φ at a position, which is clamped to [0, 3]; exact at the named energies.
 double phiAtStop(double stop, int dimension);
+/// Returns the position of φ in [0, 3]; φ below φ_EQUIA gives 0, above φ_CONF 3. Inverse of phiAtStop() in
+/// that range.
 double stopOfPhi(double phi, int dimension);
 
 }  // namespace wend

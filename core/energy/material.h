@@ -23,22 +23,21 @@ std::string problem(double phi, int dim);
 
 enum class SmoothingKind { Invariant, Paper, None };
 
-/// How jumps over facets are weighted, in the frame where the rest shape has size 1 (docs/method.md, section
-/// 4).
+/// Weights of jumps over facets, in the frame where the rest shape has size 1 (docs/method.md, section 4).
 struct Smoothing {
     SmoothingKind kind = SmoothingKind::Invariant;
     double length = 1.0 / 75;  // s, Invariant: s² (B/h) q(J_j − J_i)
     double lambda = 0.1;       // λ, Paper: λ B ‖P_j − P_i‖²
 };
 
-/// What every cell keeps: the energy parameter φ and the anisotropy B₀ at rest, which turns with the
+/// The material per cell: the energy parameter φ, and the anisotropy B₀ at rest, which rotates with the
 /// material.
 template <int Dim>
 struct Material {
     std::vector<double> phi;           // one per cell, in ]0, φ_CONF(Dim)]
     std::vector<Mat<Dim>> anisotropy;  // one symmetric positive definite B₀ per cell, or empty: all identity
     Smoothing smoothing;
-    double memory = 0;  // ρ ≥ 0: how strongly the shape is drawn back to its rest (docs/method.md, (22))
+    double memory = 0;  // ρ ≥ 0: rate at which the shape returns to rest (docs/method.md, (22))
 
     static Material uniform(int cellCount, double phi, Smoothing smoothing = {});
 };

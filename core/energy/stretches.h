@@ -16,7 +16,11 @@ struct Stretches {
     std::array<bool, kCells> isExact;  // false where F is so far from rigid that σ lost digits
 };
 
-/// From the maps all else.
+/// Computes `sigma` (in decreasing order, ≥ 0) and `determinant` of all `kCells` lanes from `maps`; the
+/// caller ignores unused lanes, whose results may be NaN. In 2D by the conformal and anticonformal parts of
+/// F, which is accurate everywhere. In 3D σ = √(1 + δ) with the eigenvalues δ of the strain FᵀF − I by the
+/// trigonometric formula, with three Newton steps for the cosine: full accuracy near rigid maps; `isExact` is
+/// false where an eigenvalue of FᵀF is outside ]0.05, 20[ and the caller should use an SVD.
 void computeStretches(Stretches<2>& cells);
 void computeStretches(Stretches<3>& cells);
 

@@ -32,6 +32,9 @@ class Cholesky {
     std::span<const int> row() const;
     /// Where the caller writes its values.
     std::span<double> values();
+    /// Computes the supernodal factor L of P K Pᵀ = L Lᵀ (CHOLMOD) from values() with the permutation P of
+    /// analyze(), which must come first. Returns NotPositiveDefinite if a pivot is not positive and NotFinite
+    /// if a value is not finite; then there is no factor to solve with. Throws std::bad_alloc.
     Status factorize();
     /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.
     double factorFlops() const;

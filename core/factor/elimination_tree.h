@@ -6,9 +6,9 @@
 
 namespace wend {
 
-/// The elimination tree of a factor's supernodes (Liu 1990), which are numbered in postorder, and how several
-/// threads share it: each of the subtrees needs nothing of the others, the separator is what lies above
-/// them. The split follows from the pattern alone.
+/// The elimination tree of a factor's supernodes (Liu 1990), which are numbered in postorder, split for
+/// several threads: the subtrees are independent of each other, and the separator consists of their
+/// ancestors. The split depends on the pattern alone.
 struct EliminationTree {
     struct Subtree {
         int begin, end;  // supernodes; the last one is the root
@@ -21,6 +21,8 @@ struct EliminationTree {
     std::vector<int> separator;              // in elimination order
 };
 
+/// Returns the tree of a symbolic factor. Subtrees are chosen by their estimated work, the floating-point
+/// operations of factorizing their supernodes, so that results do not depend on the number of threads.
 EliminationTree makeEliminationTree(const Supernodes& symbolic);
 
 }  // namespace wend

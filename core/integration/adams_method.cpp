@@ -8,11 +8,11 @@ namespace wend {
 
 namespace {
 
-// The first step of a stretch: the fastest constrained point goes this far, as a part of the size, at a
+// Displacement of the fastest constrained point in the first step of an interval, relative to the size, at a
 // tolerance of 1; the error of order 1 grows with the square of the step.
 constexpr double kFirstMove = 1;
-// Of the tolerance: what the control aims at. A whole deformation then ends with about the tolerance's error,
-// and few steps are rejected.
+// Target error of the control relative to the tolerance. A whole deformation then ends with about the
+// tolerance's error, and few steps are rejected.
 constexpr double kAim = 0.1;
 constexpr double kMinimum = 0.2, kMost = 3, kMostAtStart = 4;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();

@@ -21,7 +21,7 @@ std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std
 
 namespace {
 
-// Of the largest velocity: frames are tabulated to about 1e-10.
+// Relative to the largest velocity: frames are tabulated to about 1e-10.
 constexpr double kAgree = 1e-7;
 
 /// Follows the constrained points alone from breakpoint to breakpoint.
@@ -53,7 +53,7 @@ class Rehearsal {
             m_positions[m_ids[i]] = positions.col(static_cast<Eigen::Index>(i));
     }
 
-    /// Points that become active stand where those stand that they depend on.
+    /// Places points that become active at the combination that they depend on.
     void activate(double t) {
         const std::vector<int> before = std::exchange(m_ids, m_constraints.activePoints(t, Side::After));
         if (before != m_ids) {

@@ -5,13 +5,15 @@
 
 namespace wend {
 
+/// Returns the constraint rows of the points with these ids, in their order: each row is the combination of
+/// vertices (weights that sum to 1) whose velocity is prescribed.
 template <int Dim>
 std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std::vector<int>& ids);
 
 /// Throws InputError naming two handles that prescribe different motions for one point: linearly dependent
-/// rows whose velocities are not the same combination. They are compared at some times between any two
-/// breakpoints, on the trajectories that the points have from rest on. Handles that agree are fine: the
-/// solver leaves the row out.
+/// rows whose velocities are not the same combination. They are compared at several times between consecutive
+/// breakpoints, on the trajectories from rest. Handles that agree are accepted: the solver drops the
+/// redundant row.
 template <int Dim>
 void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& rest,
                        const Normalization<Dim>& units);

@@ -22,7 +22,7 @@ struct AdvanceResult {
     Outcome outcome = Outcome::Done;
     double time = 0;      // the last good time
     int cell = -1;        // CellInverted: the cell that would fold over
-    std::string message;  // one line that says what, when and where; empty when done
+    std::string message;  // one line with what happened, when and where; empty when done
 };
 
 struct Statistics {
@@ -31,20 +31,20 @@ struct Statistics {
     double constraintError =
         0;              // largest distance of a constrained point from its trajectory, relative to the size
     double energy = 0;  // E(v̂) at the last evaluation, in normalized units
-    /// Sum of the errors that the method estimated in its accepted steps, relative to the size; 0 with
-    /// prescribed steps. What a step misses, later ones may enlarge or shrink: an order of magnitude.
+    /// Sum of the method's error estimates of accepted steps, relative to the size; 0 with prescribed steps.
+    /// Later steps may amplify or damp errors, so this is an order of magnitude.
     double errorEstimate = 0;
     CopiedBytes copied;  // to and from a device, since the deformer was made
 };
 
-/// The shape at a time, and all that is needed to go on from there to the same bits.
+/// The shape at a time, with everything needed to continue to the same bits.
 template <int Dim>
 struct State {
     double time = 0;
     Points<Dim> points;  // in the domain's own coordinates
 
-    // What follows stands in states between steps only, not in frames from dense output; without it a run
-    // goes on as well, but not to the same bits.
+    // The following members are set in states between steps only, not in frames from dense output; without
+    // them a run continues, but not to the same bits.
     Points<Dim> normalized;         // the same shape in the frame of the computation
     Pace<Dim> pace;                 // of the method
     VelocityHistory<Dim> history;   // from which the next field is guessed
@@ -74,20 +74,20 @@ class Deformer {
     Deformer& operator=(Deformer&&) noexcept;
 
     const State<Dim>& state() const;
-    /// Goes on from a state that this or a deformer with the same rest, material and same handles before that
-    /// time had. Throws InputError if the number of vertices is another.
+    /// Continues from a state of this deformer, or of one with the same rest mesh, material and earlier
+    /// handles. Throws InputError if the number of vertices differs.
     void restore(const State<Dim>& state);
-    /// Other motions from state().time on (what lies before is kept as it is): the same checks as the
+    /// Sets other motions from state().time on (earlier ones are ignored), with the same checks as the
     /// constructor.
     void setHandles(std::vector<Handle<Dim>> handles);
-    /// Analyzes the system of what acts from state().time on, which advance() does otherwise: of a large
-    /// shape a third of a second that nothing can stop.
+    /// Analyzes the system that acts from state().time on, which advance() does otherwise: 0.3 s of
+    /// uninterruptible work for a large shape.
     void prepare();
 
-    /// Integrates to `time`, where the last step is cut; without moving handle the shape stands still.
-    /// `frames` (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense
-    /// output, without changing the steps. `progress` gets the time after every accepted step. Where it ends
-    /// early, state() is the last good one.
+    /// Integrates to `time`, where the last step is cut; without a moving handle the shape stays. `frames`
+    /// (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense output,
+    /// without changing the steps. `progress` gets the time after every accepted step. If it ends early,
+    /// state() is the last valid one.
     struct Watch {
         std::vector<double> frames;
         std::function<void(const State<Dim>&)> onFrame;
@@ -102,8 +102,8 @@ class Deformer {
     Points<Dim> velocity();
     /// Why the last advance() ended early, or velocity() has no columns.
     AdvanceResult failure() const;
-    /// W of the current state, the energy of its map from rest, and how far it is from settled: ‖∇W‖ without
-    /// what the constraints hold (docs/method.md, section 8), both in normalized units.
+    /// Return W of the current state, the energy of its map from rest, and its distance from equilibrium,
+    /// ‖∇W‖ without the part that the constraints hold (docs/method.md, section 8), both in normalized units.
     double restEnergy() const;
     double restForce();
     const Statistics& statistics() const;

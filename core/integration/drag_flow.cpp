@@ -13,19 +13,19 @@ namespace wend {
 
 namespace {
 
-// Of the largest velocity. What is left shows in a direction that changes from one field to the next: after
-// a drag over half the size the shape is off by about a pixel in five thousand.
+// Relative to the largest velocity. The remaining error changes direction from field to field: after a drag
+// over half the size the shape is off by about a pixel in five thousand.
 constexpr double kVelocityTolerance = 5e-3;
-// Of a field that only tells where the middle of the way is.
+// Tolerance of a field that only predicts the midpoint.
 constexpr double kGuessTolerance = 0.1;
-// Seconds of a nominal machine (SolverCost): a dearer factor is put off while the hand moves.
+// Seconds of a nominal machine (SolverCost): a more expensive factorization is postponed during the drag.
 constexpr double kLongestPause = 0.05;
-// Of the size: where a drag begins so near to the end of the last one, that one's fields are good guesses.
+// Relative to the size: drags that start this close to the end of the last one use its fields as guesses.
 constexpr double kNear = 0.05;
-// A guess whose handles miss the way by more than this, relatively, is no guess of the middle.
+// Relative error of the handles above which a guess is not used for the midpoint.
 constexpr double kGoodGuess = 0.1;
 constexpr int kMostAttempts = 8;
-// Of the exponent by which memory lets a deviation decay in one step, and the most parts of a displacement.
+// Largest exponent of the memory's decay in one step, and the largest number of parts of a displacement.
 constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
 
@@ -91,7 +91,7 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
     prepare();
 }
 
-/// A first factor, at rest: from there or not far from there most drags begin.
+/// Factorizes at rest, near which most drags start.
 template <int Dim>
 void DragFlow<Dim>::prepare() {
     const Targets all = Targets::Constant(Dim, m_targets.cols(), 1e-3);
@@ -168,7 +168,7 @@ double DragFlow<Dim>::firstPart(const Targets& displacement) const {
            std::clamp(std::ceil(m_memory * largestColumn<Dim>(displacement) / kMostDrawn), 1.0, kMostParts);
 }
 
-/// The prescribed velocities are the way of the whole step, taken in a unit of time.
+/// The prescribed velocities are the displacements of the whole step per unit of time.
 template <int Dim>
 bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field) {
     const bool reuses = m_solver.reuses();
@@ -225,8 +225,8 @@ void DragFlow<Dim>::publish() {
     }
 }
 
-/// In the cell that would fold over, or else at the first point that is led. The cell has no number to tell:
-/// it may be one of a body that the shape only rides in.
+/// Describes the cell that would be inverted, or else the first moved point. The cell has no number, because
+/// it may belong to a coarse body that carries the shape.
 template <int Dim>
 std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
     Vec<Dim> place = centroid<Dim>(m_pose, m_rest->cells[std::max(failure.cell, 0)]);

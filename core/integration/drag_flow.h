@@ -11,16 +11,16 @@
 
 namespace wend {
 
-/// The shape while handles are led by hand: a preview at the rate of a display. One velocity field per lead
-/// as a rule, by the midpoint rule with the middle guessed from the fields before: v̂ is linear in the
-/// handles' velocities, so the combination of them that moves the handles as wanted is off by no more than
-/// the field changes in a step, and the step is of second order. Factors are reused. Coordinates are the
+/// The flow of a drag: a preview at the rate of a display. As a rule it solves one velocity field per target,
+/// by the midpoint rule with the midpoint predicted from earlier fields: v̂ is linear in the handles'
+/// velocities, so the combination of earlier fields that moves the handles as wanted is off by no more than
+/// the field's change in a step, and the step is of second order. Factors are reused. Coordinates are the
 /// domain's.
 template <int Dim>
 class DragFlow {
   public:
-    /// `handles` hold the shape; their motions do not matter. Analyzes and factorizes at once, so that a drag
-    /// begins promptly. Throws InputError as Deformer does.
+    /// `handles` hold the shape; their motions are ignored. Analyzes and factorizes at once, so that a drag
+    /// starts without delay. Throws InputError as Deformer does.
     DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
              const std::vector<Handle<Dim>>& handles, const BackEndFactory<Dim>& backEnd, int threads = 0);
 
@@ -31,14 +31,14 @@ class DragFlow {
         double done = 1;      // part of the motion that was possible
         std::string problem;  // why it ended early: one line
     };
-    /// Where the points of a handle (by index) go meanwhile, along straight lines.
+    /// The simultaneous displacement of another handle (by index), along straight lines.
     struct Alongside {
         int handle;
         AffineMap<Dim> map;
     };
-    /// Leads some handles (by index) through a whole motion, whose window does not matter, in one step: a
-    /// few percent of the size. The others go alongside, or hold still. Where cells would fold over, as far
-    /// as is possible.
+    /// Moves some handles (by index) through a whole motion in one step of a few percent of the size; its
+    /// interval is ignored. The others move as given, or hold still. If cells would be inverted, moves as far
+    /// as possible.
     Led lead(const std::vector<int>& handles, const Motion<Dim>& motion,
              const std::vector<Alongside>& alongside = {});
 

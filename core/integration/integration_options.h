@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// A window of time in which the shape settles: it flows towards least energy of its map from rest, with the
+/// An interval in which the shape relaxes: it flows towards the minimum energy of its map from rest, with the
 /// handles as they are (docs/method.md, section 8).
 struct SettleWindow {
     double start = 0, end = 1;
@@ -18,7 +18,7 @@ struct SettleWindow {
 /// Empty if the windows are finite, in the order of time and apart from each other, else the reason.
 std::string problemOf(const std::vector<SettleWindow>& windows);
 
-/// How a motion is integrated in time.
+/// Options of the time integration.
 struct IntegrationOptions {
     Method method = Method::Adams;
     double tolerance = 1e-4;  // error per step allowed, relative to the size

@@ -17,8 +17,8 @@ std::shared_ptr<const SimplicialMesh<Dim>> normalized(const SimplicialMesh<Dim>&
         SimplicialMesh<Dim>{units.normal(rest.points), rest.cells});
 }
 
-/// Errors of the fields disturb the control of steps. Given steps have none: their result is farther from
-/// that of exact fields by a fraction of the tolerance. Who wants many digits gets them there, too.
+/// Errors of the fields disturb the step control. With prescribed steps there is no control; the result then
+/// differs from that of exact fields by a fraction of the tolerance, so tight tolerances are still honoured.
 double velocityTolerance(const IntegrationOptions& options) {
     constexpr double kGivenSteps = 4, kManyDigits = 1e-6;
     if (options.velocityTolerance >= 0) return options.velocityTolerance;
@@ -95,7 +95,7 @@ void Deformer<Dim>::Integrator::startAnew() {
     state.factor = {};
 }
 
-/// Once the constraints are those of the current time.
+/// Restores guesses, once the constraints are those of the current time.
 template <int Dim>
 void Deformer<Dim>::Integrator::recall() {
     m_history = state.history;
@@ -108,7 +108,7 @@ void Deformer<Dim>::Integrator::remember() {
     state.factor = m_solver->remember();
 }
 
-/// Rest plus displacement: what does not move keeps its bits.
+/// Adds the displacement to the rest position, so that what does not move keeps its bits.
 template <int Dim>
 Points<Dim> Deformer<Dim>::Integrator::inDomain(const Points<Dim>& shape) const {
     Points<Dim> points = m_domainRest->points + m_units.size * (shape - m_rest->points);
@@ -116,7 +116,8 @@ Points<Dim> Deformer<Dim>::Integrator::inDomain(const Points<Dim>& shape) const 
     return points;
 }
 
-/// Both in the frame of the computation and in the numbers that are handed out; −1 if none is.
+/// Returns the first cell that is inverted in the computational frame or in the rounded output coordinates;
+/// −1 for none.
 template <int Dim>
 int Deformer<Dim>::Integrator::firstInverted(const Points<Dim>& shape) const {
     const int cell = m_orientation.firstInverted(shape);
@@ -130,7 +131,7 @@ void Deformer<Dim>::Integrator::activate(Side side) {
     m_solver->setConstraints(rowsOf(*m_constraints, m_ids), m_constraints->sliders());
 }
 
-/// Whether anything moves: a handle, or the shape that settles.
+/// Returns whether a handle moves or the shape relaxes.
 template <int Dim>
 bool Deformer<Dim>::Integrator::flows(double t, Side side) const {
     return m_constraints->moving(t, side) || m_settling.rate(t, side) > 0;
@@ -146,14 +147,15 @@ double Deformer<Dim>::Integrator::lastBreakpoint(double t) const {
     return std::max(m_constraints->lastBreakpoint(t), m_settling.lastBreakpoint(t));
 }
 
-/// Of the step that begins at the current time. Settling is stiff: of Adams' methods too little is stable.
+/// Returns the method of the step from the current time. Relaxation is stiff, and Adams methods have too
+/// small stability regions.
 template <int Dim>
 StepMethod<Dim>& Deformer<Dim>::Integrator::method() const {
     return m_settlingMethod && m_settling.rate(state.time, Side::After) > 0 ? *m_settlingMethod : *m_method;
 }
 
-/// Of the gradient of W: while settling that of the window, else ρ times the largest speed of a constrained
-/// point, which m_prescribed holds (docs/method.md, (22) and (23)).
+/// Returns the factor of the gradient of W: during relaxation that of the interval, else ρ times the largest
+/// speed of a constrained point in m_prescribed (docs/method.md, (22) and (23)).
 template <int Dim>
 double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {
     const double settling = m_settling.rate(t, side);
@@ -187,9 +189,9 @@ void Deformer<Dim>::Integrator::project(double t, Points<Dim>& shape) {
     m_solver->project(shape, m_targets);
 }
 
-/// Dense output knows nothing of cells: a shape in which one would fold over goes towards the end of the step
-/// that is nearer, and its constrained points back to where they are at the time t. If that does not help
-/// either, it is that end.
+/// Dense output ignores orientation: an interpolated shape with an inverted cell is blended towards the
+/// nearer end of the step, with its constrained points at their places at time t. If that does not help, it
+/// becomes that end.
 template <int Dim>
 void Deformer<Dim>::Integrator::unfold(double t, Points<Dim>& shape, const Points<Dim>& end) {
     constexpr int kHalvings = 8;
@@ -267,7 +269,7 @@ Points<Dim> Deformer<Dim>::Integrator::velocity() {
     const auto anchors =
         std::exchange(state.anchors, m_constraints->anchors(state.normalized, state.time, side));
     Points<Dim> v;
-    m_solver->setVelocityTolerance(0);  // what is asked for is exact
+    m_solver->setVelocityTolerance(0);  // the request is for an exact field
     m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
     const bool good = evaluate(state.time, side, v);
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
@@ -279,7 +281,7 @@ Points<Dim> Deformer<Dim>::Integrator::velocity() {
     return v;
 }
 
-/// With the constraints that led to the current time.
+/// Uses the constraints up to the current time.
 template <int Dim>
 double Deformer<Dim>::Integrator::restForce() {
     activate(flows(state.time, Side::Before) ? Side::Before : Side::After);

@@ -11,12 +11,11 @@ namespace wend {
 
 /// The integration of one deformation in the frame where the rest shape has size 1 (docs/method.md, section
 /// 6).
-///
-/// Time is cut at the breakpoints of the constraints: windows, jumps of a trajectory's velocity, active
-/// ranges, and at those of settling. A step never crosses one, and at each the step control starts anew, so
-/// that a run that begins there takes the same steps. A step depends on the state alone: before each, the
-/// solver and the guesses are brought to what the state says, so that a run goes on to the same bits after a
-/// rejection, a cancellation, a question in between, and in another deformer.
+/// Time is cut at breakpoints: those of the constraints (intervals, jumps of velocities, active ranges) and
+/// of relaxations. A step never crosses one, and the step control restarts at each, so that a run that starts
+/// there takes the same steps. A step depends on the state alone: before each, the solver and the guesses are
+/// restored from the state, so that a run continues to the same bits after a rejection, a cancellation, a
+/// query, and in another deformer.
 template <int Dim>
 struct Deformer<Dim>::Integrator {
     Integrator(
@@ -38,7 +37,7 @@ struct Deformer<Dim>::Integrator {
     VelocitySolver<Dim>& velocitySolver() { return *m_solver; }
 
   private:
-    /// What went wrong with an attempt at a step.
+    /// The failure of an attempted step.
     struct Failure {
         SolveOutcome outcome;
         double time = 0;
@@ -73,7 +72,7 @@ struct Deformer<Dim>::Integrator {
     void standStill(double to);
     void arrive(double to);
 
-    // Around them
+    // Output of frames and failures.
     void emitFrames(double from, double to);
     void unfold(double t, Points<Dim>& shape, const Points<Dim>& end);
     void measureError(double t);

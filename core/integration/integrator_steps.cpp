@@ -1,4 +1,4 @@
-// How far an engine steps, and what becomes of a step.
+// The stepping of the integrator.
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ double Deformer<Dim>::Integrator::nextStop(double time) const {
     return grid > stop - 1e-9 * width ? stop : grid;  // no sliver of a step before a breakpoint
 }
 
-/// From the largest speed of the constrained points up to the next breakpoint (a motion eases in from rest),
-/// and from the rate at which the shape is drawn back.
+/// Estimates the first step from the largest speed of the constrained points up to the next breakpoint (a
+/// motion may ease in) and from the rate of the memory.
 template <int Dim>
 double Deformer<Dim>::Integrator::startStep(double to) const {
     constexpr int kSamples = 16;
@@ -39,7 +39,7 @@ double Deformer<Dim>::Integrator::startStep(double to) const {
     return rate > 0 ? std::min(step, 1 / rate) : step;
 }
 
-/// Where to go next on the way to a stop: no sliver of a step before it.
+/// Returns the next time on the way to a stop, without a tiny step before it.
 template <int Dim>
 double Deformer<Dim>::Integrator::proposedStep(double stop) const {
     const double rest = stop - state.time;
@@ -80,9 +80,8 @@ std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start
     return {};
 }
 
-/// The step would have to be smaller than any that gets somewhere: where a cell is nearly flat, it is that
-/// which stops the shape.
-constexpr double kNearlyFlat = 1e-2;  // of the cell's measure at rest
+/// If the step would become too small and a cell is nearly flat, that cell is reported as the cause.
+constexpr double kNearlyFlat = 1e-2;  // relative to the cell's rest measure
 template <int Dim>
 void Deformer<Dim>::Integrator::failForSmallStep(double to) {
     m_failure = {};
@@ -96,8 +95,8 @@ void Deformer<Dim>::Integrator::failForSmallStep(double to) {
         m_failure.stepTooSmall = true;
 }
 
-/// One accepted step towards a stop, after as many attempts as it takes. False: the run ends, m_failure says
-/// why.
+/// Makes one accepted step towards a stop, after as many attempts as needed. Returns false with m_failure if
+/// the run ends.
 template <int Dim>
 bool Deformer<Dim>::Integrator::step(double stop) {
     const Pace<Dim> before = state.pace;

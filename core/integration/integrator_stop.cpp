@@ -1,4 +1,4 @@
-// How an engine tells why it stopped.
+// Messages for the reasons of a stop.
 
 #include <cmath>
 #include <sstream>

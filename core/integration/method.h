@@ -6,7 +6,7 @@ namespace wend {
 /// order.
 enum class Method { DormandPrince, RungeKutta4, Midpoint, Adams };
 
-/// Whether the method chooses its steps by the error.
+/// Returns whether the method controls its steps by the error.
 constexpr bool isAdaptive(Method method) {
     return method == Method::DormandPrince || method == Method::Adams;
 }

@@ -7,7 +7,7 @@ namespace wend {
 
 namespace {
 
-// Of the flatness at rest: a cell that has become so much flatter is of no use to anybody.
+// Relative to the flatness at rest: cells flatter than this are useless.
 constexpr double kCrushed = 1e-9;
 // Rounding of the coordinates' differences and products is a tenth of this (see isFlat()).
 constexpr double kRounding = 1e-14;

@@ -6,17 +6,17 @@
 
 namespace wend {
 
-/// Which cells of a shape are turned over against the rest mesh (whose cells are all of one orientation).
+/// Detects cells of a shape that are inverted relative to the rest mesh (whose cells have one orientation).
 template <int Dim>
 class Orientation {
   public:
     explicit Orientation(std::shared_ptr<const SimplicialMesh<Dim>> rest);
 
-    /// The first cell whose measure is of the other sign than at rest, not a number, or so next to zero, for
-    /// the length of its edges, that rounding decides its sign: a shape without any has none either where it
-    /// is read again with the same numbers, however these are combined. −1 if there is none.
+    /// Returns the first cell whose measure has another sign than at rest, is NaN, or is so small relative to
+    /// its edge lengths that rounding determines the sign, however the same coordinates are combined; −1 for
+    /// none. Such a shape stays free of inverted cells when it is read again.
     int firstInverted(const Points<Dim>& shape) const;
-    /// The cell whose measure is the least part of that at rest.
+    /// Returns the cell with the smallest measure relative to rest.
     int mostShrunk(const Points<Dim>& shape) const;
 
   private:

@@ -15,22 +15,25 @@ struct Tableau {
     std::array<double, 7> c;
     std::array<std::array<double, 7>, 7> a;
     std::array<double, 7> b;
-    std::array<double, 7> error;  // b − b̂ of the embedded method; zero if there is none
+    std::array<double, 7> error;  // b − b̂ of the embedded method; zero for none
     bool firstSameAsLast;         // the last stage is f(t + h, y′)
 
+    /// Returns the coefficients of a method: DormandPrince the pair 5(4) of Dormand and Prince (1980), which
+    /// Adams uses, too, with prescribed steps; RungeKutta4 the classical method of order 4; Midpoint that of
+    /// order 2 (Hairer, Nørsett, Wanner I, II.1 and II.5).
     static const Tableau& of(Method method);
 };
 
-/// One step of dy/dt = f(t, y) for y the nodes of a shape. f is a call f(t, side, stages, dy) at the shape
-/// that the stages have, which returns false where it cannot be evaluated. The stage at the start of the step
-/// sees the right-hand side after it, those at its end before it: it may jump at either.
+/// One step of dy/dt = f(t, y) for the nodes y of a shape. f is called as f(t, side, stages, dy) at the
+/// current stage shape and returns false if it cannot be evaluated. The right-hand side may jump at both
+/// ends: the first stage sees the value after the start, the last ones the value before the end.
 template <int Dim>
 class RungeKuttaStep {
   public:
     explicit RungeKuttaStep(Method method) : m_tableau(Tableau::of(method)), m_k(m_tableau.stages) {}
 
-    /// From y at t to `to`. `slope` is f(t, y) if it is known, else null. False if a stage could not be
-    /// evaluated.
+    /// Steps from y at t to `to`. `slope` is f(t, y) if known, else null. Returns false if a stage could not
+    /// be evaluated.
     template <class Rhs>
     bool attempt(Rhs&& f, StageVectors<Dim>& stages, double t, double to, const Nodal<Dim>& y,
                  const Nodal<Dim>& slope) {
@@ -44,7 +47,7 @@ class RungeKuttaStep {
             if (!f(c == 1 ? to : t + c * m_h, c == 1 ? Side::Before : Side::After, stages, *k)) return false;
             m_k[i] = std::move(k);
         }
-        // With an FSAL method this is the argument of the last stage.
+        // With an FSAL method this equals the argument of the last stage.
         if (!m_tableau.firstSameAsLast) stages.combine(y, terms(m_tableau.b, m_tableau.stages));
         m_result = stages.shape();
         return true;

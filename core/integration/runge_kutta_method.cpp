@@ -9,7 +9,7 @@ namespace wend {
 
 namespace {
 
-// The first step of a stretch: the fastest constrained point goes this far, as a part of the size, at a
+// Displacement of the fastest constrained point in the first step of an interval, relative to the size, at a
 // tolerance of 1e-4.
 constexpr double kFirstMove = 0.3;
 
@@ -50,7 +50,7 @@ template <int Dim>
 void RungeKuttaMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
     if (m_tolerance > 0) {
         const double growth = growthAfterStep(m_error, pace.error);
-        // A rejection speaks against a longer step, being cut short before a breakpoint does not.
+        // A rejection limits the next step; a step that was cut before a breakpoint does not.
         const double wanted = (m_to - m_from) * (shortened ? std::min(growth, 1.0) : growth);
         pace.step = cut ? std::max(wanted, pace.step) : wanted;
         pace.error = m_error;

@@ -13,8 +13,8 @@ class Settling {
     Settling() = default;
     explicit Settling(std::vector<SettleWindow> windows) : m_windows(std::move(windows)) {}
 
-    /// How fast the gradient is followed: 30 / (t1 − t0) inside a window, so that e⁻³⁰ of a small deviation
-    /// is left at its end; 0 outside.
+    /// Returns the rate at which the gradient is followed: 30 / (t1 − t0) inside an interval, so that e⁻³⁰ of
+    /// a small deviation remains at its end; 0 outside.
     double rate(double t, Side side) const;
     /// The first end of a window after t, or +infinity; the last one up to t, or −infinity.
     double nextBreakpoint(double t) const;

@@ -8,7 +8,8 @@ namespace wend {
 namespace {
 
 constexpr double kSafety = 0.9, kMinimum = 0.2, kMost = 5;
-constexpr double kExactly = 1e-4;  // an error that counts as none: one lucky step must not weigh on the next
+// smallest error used by the control: one lucky step must not affect the next
+constexpr double kExactly = 1e-4;
 
 }  // namespace
 

@@ -2,9 +2,10 @@
 
 namespace wend {
 
-/// Proportional-integral control of the step of an embedded method whose error estimate is of order h⁵
-/// (Gustafsson; Hairer, Wanner II, IV.2): h′ = h · 0.9 e_n^{−0.7/5} e_{n−1}^{0.4/5}, e the error over the
-/// tolerance, kept in [h/5, 5h]. `last` is the error of the step before, 0 if there is none.
+/// Returns the growth of the step by proportional-integral control for an embedded method with an error
+/// estimate of order h⁵ (Gustafsson; Hairer, Wanner II, IV.2): h′ = h · 0.9 e_n^{−0.7/5} e_{n−1}^{0.4/5},
+/// where e is the error relative to the tolerance, limited to [h/5, 5h]. `last` is the error of the previous
+/// step, 0 for none.
 double growthAfterStep(double error, double last);
 
 /// The factor for trying again after an error > 1.

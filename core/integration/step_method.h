@@ -10,14 +10,14 @@
 
 namespace wend {
 
-/// The right-hand side at a time of the past.
+/// The right-hand side at an earlier time.
 template <int Dim>
 struct PastField {
     double time;
     Nodal<Dim> field;
 };
 
-/// What a method goes on with from one step to the next. Cheap to copy.
+/// The state of a method between steps. Cheap to copy.
 template <int Dim>
 struct Pace {
     double step = 0;   // that the control would try next; 0: its own start
@@ -27,8 +27,8 @@ struct Pace {
     std::vector<PastField<Dim>> fields;
 };
 
-/// A method for dx/dt = f(x, t): one step at a time, and how to go on from it. The right-hand side may jump
-/// at the ends of a step: the value at its start is the one after the jump, that at its end the one before.
+/// A method for dx/dt = f(x, t), one step at a time. The right-hand side may jump at the ends of a step: the
+/// start uses the value after the jump, the end the value before it.
 template <int Dim>
 class StepMethod {
   public:
@@ -39,24 +39,28 @@ class StepMethod {
     static std::unique_ptr<StepMethod> of(Method method, double tolerance);
     virtual ~StepMethod() = default;
 
-    /// Where the points that move fastest have this speed.
+    /// Returns the first step if the fastest points have this speed.
     virtual double firstStep(double speed) const = 0;
-    /// From x at t to `to`, all sums by the stages; the field at t is added to the pace if it was not known.
-    /// False if a value could not be had.
+    /// Attempts a step from x at t to `to`, with sums by the stages; adds the field at t to the pace if it
+    /// was unknown. Returns false if a field could not be evaluated.
     virtual bool attempt(const Rhs& f, StageVectors<Dim>& stages, double t, double to, const Nodal<Dim>& x,
                          Pace<Dim>& pace) = 0;
 
-    // Of the last attempt that succeeded:
+    // The following functions refer to the last successful attempt.
     virtual const Nodal<Dim>& result() const = 0;
-    /// Over the tolerance: the step is good up to 1.
+    /// Returns the error relative to the tolerance: the step is accepted up to 1.
     virtual double error() const = 0;
     /// The error was too great: step and order to try again with.
     virtual void retry(Pace<Dim>& pace) const = 0;
-    /// The step counts. `shortened`: attempts before it failed; `cut`: it is shorter than the control wanted.
+    /// Accepts the step. `shortened`: earlier attempts failed; `cut`: it is shorter than the control
+    /// proposed.
     virtual void accept(Pace<Dim>& pace, bool shortened, bool cut) = 0;
-    /// The solution at a time inside the step, by interpolation; endField is f at its end, where that is
-    /// needed.
+    /// Returns whether at() needs the right-hand side at the end of the step.
     virtual bool needsEndField() const = 0;
+    /// Returns the solution (Dim × n) at a time t inside the step: by the integral of the fields'
+    /// interpolant, of the step's order (Adams), by dense output of order 4 (Dormand–Prince), or by cubic
+    /// Hermite interpolation of order 3 with `endField` (if needsEndField()). Equals result() at the end of
+    /// the step up to rounding.
     virtual Points<Dim> at(double t, const Points<Dim>& endField) const = 0;
 };
 

@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// The closed polygons that bound a part of the plane, each in the direction in which the cells run along it.
-/// Where several meet in a vertex, each goes on as it happens to: together they enclose the same.
+/// Returns the closed polygons that bound a planar mesh, oriented along the cells. Where several meet at a
+/// vertex, their pairing is arbitrary: together they enclose the same area.
 std::vector<std::vector<Vec<2>>> boundaryLoops(const SimplicialMesh<2>& mesh);
 
 }  // namespace wend

@@ -46,7 +46,7 @@ void CheckedFile::flush() {
     m_buffer.clear();
 }
 
-/// A write may take less than it was given, as before the end of a disk: what is left then meets the reason.
+/// A write may be partial, such as before the end of a disk: writing the rest reports the reason.
 void CheckedFile::put(std::int64_t at, const char* bytes, std::size_t size) {
     while (size > 0 && !failed()) {
         const ssize_t count = pwrite(m_descriptor, bytes, size, at);

@@ -6,9 +6,8 @@
 
 namespace wend {
 
-/// A file that is written piece by piece, at any place, and remembers the first thing that goes wrong. To its
-/// user every write looks like success until finish(): some of the libraries that write pictures do not look
-/// at the outcome, others end the process.
+/// A file that is written in pieces at any offset and remembers its first error. Every write appears to
+/// succeed until finish(), because some picture libraries ignore failures and others end the process.
 class CheckedFile {
   public:
     /// Empties the file, or makes it, for this user alone.
@@ -18,13 +17,13 @@ class CheckedFile {
     CheckedFile& operator=(const CheckedFile&) = delete;
 
     void write(std::int64_t at, const void* bytes, std::size_t size);
-    /// What was written there; how many bytes of it there are.
+    /// Reads back written bytes, and returns their number.
     std::size_t read(std::int64_t at, void* bytes, std::size_t size);
-    /// Up to the last byte that was written.
+    /// Returns the end of the last written byte.
     std::int64_t size() const { return m_end; }
     bool failed() const { return m_error != 0; }
-    /// Writes what still waits, and closes. What went wrong at any time, such as "No space left on device";
-    /// empty if all is in the file.
+    /// Flushes and closes the file. Returns the first error, such as "No space left on device"; empty on
+    /// success.
     std::string finish();
 
   private:
@@ -39,7 +38,7 @@ class CheckedFile {
     std::int64_t m_end = 0;
 };
 
-/// The whole file. What went wrong, or empty, as CheckedFile::finish() tells it.
+/// Writes a whole file. Returns the error like CheckedFile::finish(), or an empty string.
 std::string writeBytes(const std::string& path, std::string_view bytes);
 
 }  // namespace wend

@@ -69,8 +69,8 @@ class IgnoreBrokenPipe {
     sigset_t m_set{}, m_old{};
 };
 
-/// A child stands apart from the terminal's keys (Ctrl-C reaches this program alone, which then stops the
-/// child) and starts with no signal blocked or ignored.
+/// Detaches a child from the terminal (Ctrl-C reaches this program alone, which then stops the child), with
+/// no signal blocked or ignored.
 class Attributes {
   public:
     Attributes() {
@@ -127,7 +127,7 @@ class Child {
         return got > 0 || (got < 0 && errno == EINTR);
     }
 
-    /// With all that it has started: it leads a group of its own.
+    /// Kills the child's process group, which contains everything that it started.
     void kill() const {
         ::kill(-m_pid, SIGKILL);
         ::kill(m_pid, SIGKILL);
@@ -151,8 +151,7 @@ class Child {
     Descriptor m_in, m_out;
 };
 
-/// What the processes of a group have computed so far, and whether one of them is about to, or waits for the
-/// disk.
+/// The CPU time of a process group, and whether one of its processes is runnable or waits for the disk.
 struct Pulse {
     unsigned long ticks = 0;
     bool awake = false;
@@ -181,7 +180,7 @@ Pulse pulseOf(pid_t wanted) {
     return pulse;
 }
 
-/// Tells whether a child has come to a standstill.
+/// Detects whether a child has become idle.
 class IdleWatch {
   public:
     IdleWatch(pid_t group, double seconds) : m_group(group), m_seconds(seconds) {}

@@ -66,7 +66,7 @@ void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Point
     std::vector<Corner> polygon;
     for (std::size_t i = 0; i < behind.size(); ++i)
         for (std::size_t j = 0; j < before.size(); ++j) {
-            // Every second row backwards, so that the corners of a quadrilateral run around it.
+            // Reverses every second row, so that the corners of a quadrilateral are in cyclic order.
             const std::size_t column = i % 2 == 0 ? j : before.size() - 1 - j;
             polygon.push_back(crossing(behind[i], before[column], height));
         }

@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// Where a solid is cut open: what lies on the side that the normal points to is taken away.
+/// The cutting plane of a solid: the side that the normal points to is removed.
 struct CutPlane {
     Vec<3> point = Vec<3>::Zero();
     Vec<3> normal = Vec<3>::UnitX();
@@ -15,7 +15,7 @@ struct CutPlane {
 };
 
 /// Triangles to draw: three corners each (as weights of the mesh's vertices, so that any pose can be drawn
-/// with them), the cell behind each, and whether it lies on the cut.
+/// with them), the cell behind each, and whether it is part of the cut.
 struct CutSurface {
     struct Corner {
         int from, to;   // vertices
@@ -29,7 +29,7 @@ struct CutSurface {
 /// The whole surface of the solid: its boundary facets.
 CutSurface wholeSurface(const std::vector<Facet<3>>& facets);
 
-/// Whole cells ("crinkle"): the surface of the union of all cells whose centroid is not taken away.
+/// Returns the surface of the union of all cells whose centroid is not cut off ("crinkle" cut).
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
                         const Points<3>& pose, const CutPlane& plane);
 

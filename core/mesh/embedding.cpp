@@ -14,7 +14,7 @@
 namespace wend {
 namespace {
 
-/// One of the cell's own vertices.
+/// Returns one of the cell's own vertices as a location.
 template <int Dim>
 Location<Dim> atVertex(const SimplicialMesh<Dim>& mesh, int cell, int vertex) {
     Location<Dim> location{cell, {}};
@@ -48,7 +48,7 @@ Eigen::Matrix<double, Dim, Dim + 1> hatGradients(const Points<Dim>& points, cons
 
 }  // namespace
 
-/// The boundary of the partition, and what points in front of it depend on.
+/// The boundary of the partition, and the weights of points outside it.
 template <int Dim>
 class Embedding<Dim>::Outside {
   public:
@@ -130,7 +130,7 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
         }
     }
     m_remainders = points - interpolate(rest, rest.points);
-    // Nothing to add is −0: a coordinate of −0 keeps its sign.
+    // Zero remainders are −0, because a coordinate of −0 must keep its sign.
     m_remainders = (m_remainders.array() == 0).select(-0.0, m_remainders);
 }
 

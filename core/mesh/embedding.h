@@ -4,29 +4,28 @@
 
 namespace wend {
 
-/// Points embedded in a partition: a detailed surface in a coarse volume. A point inside takes the
-/// barycentric combination of its cell, one at the place of a vertex is that vertex, bit for bit. One outside
-/// stays in front of the nearest point of the boundary, x, as the material there turns and stretches:
-/// x + G (p − X), where G, the deformation gradient, is the mean of the cells around (by volume) at each of
-/// the boundary's vertices, interpolated between them. So neighbours outside stay neighbours, and affine maps
-/// are followed exactly.
+/// Points embedded in a partition, such as a detailed surface in a coarse volume. A point inside is the
+/// barycentric combination of its cell; a point at a vertex is that vertex, bit for bit. A point outside
+/// follows its nearest boundary point x with the local deformation: x + G (p − X), where G, the deformation
+/// gradient, is the volume-weighted mean over the cells at each boundary vertex, interpolated between
+/// vertices. So neighbours outside stay neighbours, and affine maps are reproduced exactly.
 template <int Dim>
 class Embedding {
   public:
     Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& points);
 
-    /// Where the points are in a pose. At rest they are where they were, bit for bit (but for coordinates of
-    /// next to nothing).
+    /// Returns the points in a pose. At rest they equal the originals bit for bit (except for coordinates
+    /// near zero).
     Points<Dim> carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const;
     /// Other values of the vertices, at the points.
     Points<Dim> interpolate(const SimplicialMesh<Dim>& rest, const Points<Dim>& values) const;
-    /// The vertices whose combination a point is, and how much of each.
+    /// Returns the vertices and weights of a point.
     std::vector<std::pair<int, double>> weights(const SimplicialMesh<Dim>& rest, int point) const;
-    /// The cell that a point goes with.
+    /// Returns the cell that a point follows.
     int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }
-    /// Whether any lies elsewhere than at a vertex: then they are not just the partition's own.
+    /// Returns whether any point differs from the partition's vertices.
     bool isFree() const { return m_isFree; }
-    /// How many lie outside all cells.
+    /// Returns the number of points outside all cells.
     int outside() const { return static_cast<int>(m_rows.size()); }
 
   private:
@@ -38,7 +37,7 @@ class Embedding {
     std::vector<Location<Dim>> m_locations;
     std::vector<Row> m_rows;
     bool m_isFree = false;
-    Points<Dim> m_remainders;  // what rounding leaves of the points at rest
+    Points<Dim> m_remainders;  // rounding residuals of the points at rest
 };
 
 }  // namespace wend

@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// An input that cannot be read or makes no sense. what() is "FILE: what is wrong (and where)", one line; the
-/// file may be empty where the caller knows it better (see named()).
+/// Invalid input. what() is "FILE: what is wrong (and where)" on one line; the file may be empty if the
+/// caller knows it (see named()).
 class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& what) : std::runtime_error(what), m_what(what) {}
@@ -26,7 +26,7 @@ class InputError : public std::runtime_error {
     std::string m_what;
 };
 
-/// Thrown by long work when its stop_token asks it to stop.
+/// Thrown by long work when its stop_token requests it.
 class Cancelled : public std::exception {
   public:
     const char* what() const noexcept override { return "cancelled"; }

@@ -4,16 +4,16 @@
 
 namespace wend {
 
-/// Who may read and write a new file: as the user's settings (umask) say, or this user alone.
+/// Permissions of a new file: those of the user's umask, or private.
 enum class Access { Usual, Private };
 
-/// Why this file may not be replaced; empty if it may, or is not there. What nobody may write is kept, even
-/// from those who may do everything.
+/// Returns why this file must not be replaced; empty if it may be, or does not exist. Read-only files are
+/// kept even for root.
 std::string whyKept(const std::string& target);
 
-/// Gives an open file, made for this user alone, the owner, the rights, the access list and the attributes
-/// of the file that it is to replace; or, if there is none, the rights of a new one. Where the group cannot
-/// be kept, what it was allowed is not given to another one.
+/// Gives an open private file the owner, permissions, access list and attributes of the file that it replaces
+/// or, if there is none, those of a new one. If the group cannot be kept, its permissions are not given to
+/// another group.
 void takeAccess(int descriptor, const std::string& target, Access access);
 
 }  // namespace wend

@@ -134,7 +134,7 @@ std::vector<std::vector<std::array<int, 3>>> partsOf(const GltfScene& scene) {
     return parts;
 }
 
-/// One morph target per pose, and weights that go from one to the next linearly.
+/// Adds one morph target per pose, with weights that interpolate linearly.
 void addAnimation(Json& gltf, Buffer& buffer, Json& mesh, const GltfScene& scene, bool zUp) {
     if (scene.poses.empty()) return;
     const std::size_t count = scene.poses.size();

@@ -11,9 +11,9 @@ namespace wend {
 struct GltfScene {
     std::string name = "shape";
     std::vector<std::array<int, 3>> triangles;
-    Points<3> points;             // what is shown without animation
-    Eigen::Matrix2Xd uv;          // per vertex, origin at the bottom left; empty if there is none
-    std::string texture;          // path of a PNG or JPEG to embed; empty if there is none
+    Points<3> points;             // the unanimated pose
+    Eigen::Matrix2Xd uv;          // per vertex, origin at the bottom left; empty for none
+    std::string texture;          // path of a PNG or JPEG to embed; empty for none
     std::vector<int> materialOf;  // per triangle, into materials (−1: none); empty: one material
     std::vector<SkinMaterial> materials;
     bool smooth = false;           // with normals, in every pose; else the reader shades facets
@@ -26,9 +26,8 @@ GltfScene gltfScene(const Skin& skin, const Points<3>& points);
 /// A skin in poses of its vertices, from the first one on.
 GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::vector<double> times);
 
-/// Writes a binary glTF file (.glb), whole or not at all. y is up in glTF: z-up coordinates are turned if
-/// `zUp`. A picture that is
-/// neither PNG nor JPEG is left out. Throws InputError.
+/// Writes a binary glTF file (.glb), whole or not at all. In glTF y is up: z-up coordinates are rotated if
+/// `zUp`. A picture that is neither PNG nor JPEG is left out. Throws InputError.
 void writeGltf(const std::string& path, const GltfScene& scene, bool zUp = true);
 
 }  // namespace wend

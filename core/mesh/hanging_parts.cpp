@@ -25,7 +25,7 @@ bool turnsFreely(const Points<Dim>& points, const std::vector<int>& joint) {
     });
 }
 
-/// What is connected, and by which vertices.
+/// Connected components, and the vertices that connect them.
 template <int Dim, std::size_t N>
 class Parts {
   public:

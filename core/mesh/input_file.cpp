@@ -15,11 +15,11 @@
 namespace wend {
 namespace {
 
-constexpr std::uint64_t kPiece = 1 << 20;  // bytes between two looks at whether to go on
+constexpr std::uint64_t kPiece = 1 << 20;  // bytes between checks for cancellation
 
 std::atomic<bool> readingStops = false;
 
-/// What the thing is instead of a file; null for a file.
+/// Returns the kind of a special file; null for a regular file.
 const char* oddKind(mode_t mode) {
     if (S_ISREG(mode)) return nullptr;
     if (S_ISDIR(mode)) return "is a folder";
@@ -40,7 +40,7 @@ std::string reasonOf(int error) {
 
 std::string room(std::uint64_t size, const std::string& path) try {
     return std::string(size, '\0');
-} catch (const std::exception&) {  // too long for a string, or for what memory there is
+} catch (const std::exception&) {  // too long for a string, or for the available memory
     throw OutOfMemory(path);
 }
 
@@ -74,7 +74,7 @@ std::string InputFile::bytes(std::uint64_t offset, std::uint64_t count) const {
                                   static_cast<off_t>(offset + done));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) throw InputError(m_path, reasonOf(errno));
-        if (got == 0) break;  // somebody has cut it off meanwhile
+        if (got == 0) break;  // truncated meanwhile
         done += static_cast<std::uint64_t>(got);
     }
     bytes.resize(done);

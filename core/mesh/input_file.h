@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// There is not enough memory for a file. what() is "FILE: why", one line.
+/// Thrown when memory is insufficient for a file. what() is "FILE: why" on one line.
 class OutOfMemory : public std::bad_alloc {
   public:
     explicit OutOfMemory(const std::string& file, const std::string& why = "does not fit into memory")
@@ -17,9 +17,9 @@ class OutOfMemory : public std::bad_alloc {
     std::string m_what;
 };
 
-/// A file of somebody else's, opened for reading: the one way in for everything that Wend reads. Only regular
-/// files come through. A pipe, a device or a socket might never answer or never end, so these and folders are
-/// refused before anything is read.
+/// An input file, opened for reading: everything that Wend reads comes through this class. Only regular files
+/// are accepted. Pipes, devices and sockets may block or never end, so these and folders are refused before
+/// anything is read.
 class InputFile {
   public:
     /// Throws InputError(path, reason).
@@ -44,7 +44,7 @@ class InputFile {
 /// The whole of a regular file. Throws as InputFile does.
 std::string readInput(const std::string& path);
 
-/// From now on (true), or no longer, reading throws Cancelled: for handlers of signals.
+/// Makes reading throw Cancelled from now on (true), or no longer; async-signal-safe.
 void stopReading(bool stop) noexcept;
 /// Throws Cancelled if it has been asked for: for readers that open files by themselves.
 void requireReading();

@@ -18,7 +18,7 @@ DisjointSets partsOf(const SimplicialMesh<Dim>& mesh) {
     return parts;
 }
 
-/// Sorts, and tells whether that took an odd number of exchanges.
+/// Sorts, and returns whether the permutation was odd.
 template <std::size_t N>
 bool sortedOddly(std::array<int, N>& ids) {
     bool odd = false;
@@ -27,7 +27,7 @@ bool sortedOddly(std::array<int, N>& ids) {
     return odd;
 }
 
-/// The facets of the boundary at one place, and which way they run.
+/// The boundary facets at one place, with their orientation.
 template <int Dim>
 struct Place {
     std::vector<Facet<Dim>> facets;

@@ -4,11 +4,10 @@
 
 namespace wend {
 
-/// A mesh whose parts are connected where their boundaries lie on each other, facet on facet and vertex on
-/// vertex, from both sides: many programs write every triangle, or every patch of a texture, with vertices of
-/// its own. Points and the order of cells stay; vertices that were joined to others have no cell any more
-/// (see twinsOf). A slit, whose two sides belong to one part, stays open. The mesh must be valid, and is
-/// again; where joining would spoil it, nothing is joined.
+/// A mesh whose parts are joined where boundary facets coincide with opposite orientation: many programs
+/// write every triangle or texture patch with its own vertices. Points and cell order stay; merged vertices
+/// become unused (see twinsOf). A slit, both of whose sides belong to one part, stays open. The mesh must be
+/// valid and stays so; if joining would invalidate it, nothing is joined.
 template <int Dim>
 struct JoinedParts {
     SimplicialMesh<Dim> mesh;

@@ -34,7 +34,7 @@ std::vector<std::string> pathsOf(const MeshFormat& format, const std::string& pa
     return paths;
 }
 
-/// All of them, or none.
+/// Replaces all of the files, or none.
 void putAll(const std::vector<std::string>& paths, const std::vector<std::string>& texts) {
     std::vector<PendingFile> files;
     for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -116,7 +116,7 @@ template <>
 SimplicialMesh<2> meshFrom<2>(const MeshFile& file) {
     if (isVolume(file)) throw InputError("holds tetrahedra where a flat triangle mesh is needed");
     const auto z = file.points.row(2);
-    // constant to rounding: a file may come from a program that turned the plane
+    // constant up to rounding: the file may come from a program that rotated the plane
     const double slack = 1e-12 * boundingBoxDiagonal<3>(file.points);
     for (Eigen::Index v = 0; v < z.size(); ++v)
         if (std::abs(z[v] - z[0]) > slack)

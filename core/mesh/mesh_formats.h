@@ -6,16 +6,15 @@
 
 namespace wend {
 
-/// What a mesh format is, for whoever offers it: dialogs, help and messages take it from the one table, in
-/// its order.
+/// Properties of a mesh format for dialogs, help and messages, which use this one table in its order.
 struct MeshFormatFacts {
     std::string_view name;
     std::vector<std::string_view> extensions;  // lower case, with the dot
     bool together;                             // one mesh is a file of each extension, in this order
     bool holdsTetrahedra;                      // the others get the surface of a solid
-    bool withBoundary;  // a volume's boundary that was made with its cells goes along unasked
-    bool holdsFields;   // values of vertices and cells
-    bool knowsBinary;   // and not text alone
+    bool withBoundary;                         // the generated boundary of a volume is written by default
+    bool holdsFields;                          // values of vertices and cells
+    bool knowsBinary;                          // and not text alone
 };
 std::vector<MeshFormatFacts> meshFormatFacts();
 

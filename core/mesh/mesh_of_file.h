@@ -12,7 +12,8 @@ namespace wend {
 struct MeshField;
 struct MeshFile;
 
-// The mesh of a file for who needs a part of it, or hands it on: see mesh_file.h.
+// The mesh of a file, for users of a part of it: see mesh_file.h.
+// Throws InputError.
 
 /// Throws InputError.
 template <int Dim>
@@ -26,7 +27,7 @@ int dimensionOfMesh(const std::string& path);
 /// The extensions that are read and written, lower case, with the dot.
 std::vector<std::string> meshFileExtensions();
 
-/// What readMeshFile gives.
+/// Returns the result of readMeshFile, shared.
 std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path);
 /// A file of cells that were made here, with their boundary.
 std::shared_ptr<const MeshFile> madeMeshFile(const SimplicialMesh<3>& mesh,
@@ -40,7 +41,7 @@ const std::vector<std::array<int, 4>>& tetrahedraOf(const MeshFile& file);
 const std::vector<int>& labelsOf(const MeshFile& file);
 const Eigen::Matrix2Xd& uvOf(const MeshFile& file);
 const std::vector<MeshField>& fieldsOf(const MeshFile& file);
-/// True if the file holds tetrahedra.
+/// Returns whether the file contains tetrahedra.
 bool isVolume(const MeshFile& file);
 
 /// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Validated with

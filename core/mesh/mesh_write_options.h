@@ -10,11 +10,10 @@ struct MeshWriteOptions {
     bool bigEndian = false;  // PLY; the others have their own order
     bool appended = false;   // .vtu, not as text: data as raw bytes behind the XML instead of base64 in it
     int gmshVersion = 4;     // 4 writes 4.1, 2 writes 2.2
-    /// The triangles of a volume's boundary as cells beside its tetrahedra, made where there are none.
-    /// Without: those that the input had, in every format; those that were made with the cells, in formats
-    /// for solvers
-    /// (.mesh, .msh), which find their boundary conditions there. In .vtu and .vtk they would lie on the
-    /// faces of the tetrahedra and count in every mean.
+    /// Writes the boundary triangles of a volume as cells beside its tetrahedra, generated if necessary. By
+    /// default: triangles from the input, in every format; generated ones in solver formats (.mesh, .msh),
+    /// which need them for boundary conditions. In .vtu and .vtk they would coincide with the tetrahedra's
+    /// faces and count in every mean.
     bool boundary = false;
 
     bool binary() const { return encoding != Encoding::Text; }

@@ -8,22 +8,22 @@
 
 namespace wend {
 
-/// Numbers as text in the C locale, whatever the user's locale: with std::to_chars and std::from_chars, which
-/// know none.
+/// Numbers as text in the C locale regardless of the user's locale: by std::to_chars and std::from_chars.
+/// Returns 17 significant digits, which read back as the identical double.
 
 /// 17 significant digits, enough to read the identical double back.
 void appendNumber(std::string& text, double value);
 
-/// At most nine significant digits, for messages and command lines.
+/// Returns at most nine significant digits, for messages and command lines.
 std::string numberText(double value);
 
-/// (x, y) or (x, y, z) with nine significant digits at the most, for messages: of a shape far from the origin
-/// the places of two of its points are told apart, and 0.1 + 0.2 is 0.3.
+/// Returns (x, y) or (x, y, z) with at most nine significant digits, for messages: enough to distinguish
+/// points of a shape far from the origin, and 0.1 + 0.2 is 0.3.
 template <int Dim>
 std::string placeName(const Vec<Dim>& p);
 
-/// The number that the whole text is (a leading + is accepted, as are nan and inf), or nothing. What is
-/// nearer to zero than the smallest double is zero; what is greater than the largest one is no number.
+/// Parses the whole text as a number (a leading +, nan and inf are accepted); nothing if it is none.
+/// Underflow gives zero; overflow gives nothing.
 std::optional<double> parseNumber(std::string_view text);
 
 }  // namespace wend

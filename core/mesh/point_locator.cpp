@@ -46,8 +46,8 @@ Bounds<Dim> boundsOf(const Points<Dim>& points, const Cell<Dim>& cell) {
     return bounds;
 }
 
-/// A box of equal cubic bins. Bin indices grow monotonically with the coordinates whatever the rounding, so
-/// that a point within a cell's bounds always falls into one of the bins the cell was put in.
+/// A box of equal cubic bins. Bin indices grow monotonically with the coordinates regardless of rounding, so
+/// a point within a cell's bounds always falls into one of the cell's bins.
 template <int Dim>
 struct BinLayout {
     Vec<Dim> origin = Vec<Dim>::Zero();
@@ -95,7 +95,7 @@ double binsNeeded(const Vec<Dim>& extent, double size) {
     return product;
 }
 
-/// As many bins as `wanted`, or fewer.
+/// Returns a layout of at most `wanted` bins.
 template <int Dim>
 BinLayout<Dim> layoutFor(const Bounds<Dim>& bounds, double wanted) {
     BinLayout<Dim> layout;
@@ -111,8 +111,8 @@ BinLayout<Dim> layoutFor(const Bounds<Dim>& bounds, double wanted) {
     return layout;
 }
 
-/// Two passes over the same visits: count, then fill. visitAll(put) calls put(bin, id) in ascending order of
-/// id.
+/// Bins in two passes over the same visits: count, then fill. visitAll(put) calls put(bin, id) in ascending
+/// order of id.
 template <int Dim, class VisitAll>
 BinnedIds binned(const BinLayout<Dim>& layout, const VisitAll& visitAll) {
     BinnedIds lists;
@@ -152,8 +152,8 @@ struct PointLocator<Dim>::Grid {
         binVertices();
     }
 
-    /// About a bin per triangle or per four tetrahedra (whose bounding boxes are emptier), but coarser where
-    /// long cells would fill very many bins each.
+    /// Uses about a bin per triangle or per four tetrahedra (whose bounding boxes are emptier), but larger
+    /// bins if long cells would fill very many of them.
     void chooseLayout() {
         const double cellCount = static_cast<double>(cells.size());
         const double bins = cellCount / (Dim == 2 ? 1 : 4);
@@ -214,11 +214,12 @@ struct PointLocator<Dim>::Grid {
                 best = {v, distance};
         }
     }
-    /// All bins at `ring` steps (in the maximum norm) around the centre; false if none is left there or
-    /// further out.
+    /// Searches all bins at `ring` steps (in the maximum norm) around the centre; returns false if there are
+    /// no bins at that distance or beyond.
     bool searchRing(const Index<Dim>& centre, int ring, const Vec<Dim>& p, Nearest& best) const {
         bool any = false;
-        // One slab per side of the ring; the axes before k stay strictly inside so that no bin comes twice.
+        // One slab per side of the ring; the axes before k stay strictly inside, so that no bin is visited
+        // twice.
         for (int k = 0; k < Dim; ++k) {
             for (int side : {-ring, ring}) {
                 Index<Dim> low, high;
@@ -269,7 +270,7 @@ int PointLocator<Dim>::nearestVertex(const Vec<Dim>& p) const {
     m_grid->nearestIn(layout.flat(centre), p, best);
     const double outside = m_grid->bounds.distanceSquared(p);
     for (int ring = 1;; ++ring) {
-        // what lies in this ring or beyond is at least ring − 1 bins away along one axis
+        // this ring and the following ones are at least ring − 1 bins away along one axis
         const double gap = (ring - 1) * layout.size * (1 - 1e-9);
         if (outside * (1 - 1e-9) + gap * gap > best.distanceSquared) return best.vertex;
         if (!m_grid->searchRing(centre, ring, p, best)) return best.vertex;

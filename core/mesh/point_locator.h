@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// Where a point lies in a partition: a cell and the barycentric coordinates in it.
+/// The location of a point in a partition: a cell and barycentric coordinates.
 template <int Dim>
 struct Location {
     int cell = -1;

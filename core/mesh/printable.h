@@ -7,12 +7,11 @@
 
 namespace wend {
 
-/// Text that may come from a file, as it can be shown to people and terminals: control characters, those that
-/// turn the direction of writing and bytes that are no UTF-8 stand as \x1b or \u{202e}; line ends become
-/// blanks. What is printable already stays as it is.
+/// Returns text from a file in printable form: control characters, bidirectional controls and invalid UTF-8
+/// become \x1b or \u{202e}; line ends become blanks. Printable text is unchanged.
 std::string printable(std::string_view text);
 
-/// "FILE: what is wrong" as one printable line; what() would end at the first NUL.
+/// Returns "FILE: what is wrong" as one printable line; what() would end at the first NUL.
 std::string messageOf(const std::exception& error);
 
 }  // namespace wend

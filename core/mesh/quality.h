@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// A cell whose measure is under 1e-14 of that of a cube on its longest edge: below that the orientation is
-/// rounding.
+/// Returns whether a cell's measure is below 1e-14 of that of a cube on its longest edge, where rounding
+/// determines the orientation.
 template <int Dim>
 bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell);
 

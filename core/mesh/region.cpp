@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Even–odd rule: inside where a ray crosses the boundary an odd number of times.
+/// Even–odd rule: a point is inside if a ray from it crosses the boundary an odd number of times.
 double distanceOf(const Polygon& polygon, const Vec<2>& p) {
     const auto& points = polygon.points;
     double nearest = infinity;

@@ -29,7 +29,7 @@ struct HalfSpace {  // the side that the normal points away from is outside
     Vec<Dim> point, normal;
     bool operator==(const HalfSpace&) const = default;
 };
-/// The whole domain; the material's amount goes linearly from 0 at `from` to 1 at `to` along the segment.
+/// The whole domain with a linear amount from 0 at `from` to 1 at `to` along the segment.
 template <int Dim>
 struct Blend {
     Vec<Dim> from, to;
@@ -53,8 +53,8 @@ using Region = typename RegionOf<Dim>::Type;
 template <int Dim>
 double signedDistance(const Region<Dim>& region, const Vec<Dim>& p);
 
-/// How much p belongs to the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width `feather`
-/// centred on the boundary; for a Blend the linear parameter along its segment, clamped to [0, 1].
+/// Returns the membership of p in the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width
+/// `feather` centred on the boundary; for a Blend the parameter along its segment, clamped to [0, 1].
 template <int Dim>
 double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather);
 

@@ -39,7 +39,7 @@ void requirePlace(const std::string& path, const std::string& target) {
     if (const std::string why = whyKept(target); !why.empty()) throw InputError(path, why);
 }
 
-/// Follows links, so that the file is replaced and not the link, also where there is no file yet.
+/// Follows links, even to a missing file, so that the target is replaced and not the link.
 std::string resolved(const std::string& path) {
     constexpr int kLinks = 40;
     std::error_code error;
@@ -47,7 +47,7 @@ std::string resolved(const std::string& path) {
     fs::path target = path;
     for (int k = 0; k < kLinks && fs::is_symlink(target, error); ++k)
         target = target.parent_path() / fs::read_symlink(target, error);
-    if (fs::is_symlink(target, error)) return path;  // they go round
+    if (fs::is_symlink(target, error)) return path;  // circular links
     const fs::path place = fs::weakly_canonical(target, error);
     return error ? target.string() : place.string();
 }
@@ -56,7 +56,7 @@ std::string resolved(const std::string& path) {
     throw InputError(path, "cannot be written: " + reason);
 }
 
-/// Some file systems cannot do it, and need not.
+/// Some file systems do not support fsync and do not need it.
 bool isFlushed(int descriptor) {
     return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
 }
@@ -111,7 +111,7 @@ PendingFile PendingFile::companion(const std::string& extension) const {
     return file;
 }
 
-/// What was written is on the disk, with the permissions that it is to have.
+/// Flushes the file to disk and sets its permissions.
 void PendingFile::settle() const {
     const int descriptor = open(m_temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) fail(m_path, std::strerror(errno));
@@ -131,7 +131,8 @@ void PendingFile::commit() {
     commit({this, 1});
 }
 
-/// First what cannot be taken back, but is the likelier to fail: then no file has been replaced.
+/// Writes to special files first: that cannot be undone but is more likely to fail, so no file has been
+/// replaced then.
 void PendingFile::commit(std::span<PendingFile> files) {
     for (const PendingFile& file : files)
         if (!file.m_special && file.m_folder) file.settle();

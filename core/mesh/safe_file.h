@@ -11,17 +11,16 @@
 
 namespace wend {
 
-/// A file that is being written under another name near its place (the extension is kept) and takes its
-/// place whole, or, if it is never committed, leaves no trace. Until then it lies in a folder that is this
-/// user's alone: two of one place do not meet, and nobody's link is followed. An existing file keeps its
-/// owner, permissions and attributes, a symbolic link its target's place; a read-only file is not replaced.
-/// What is no regular file (a terminal, a pipe, /dev/null) is written to only when all is known to be good; a
-/// file that is temporary itself is written in its place.
+/// A file that is written under a temporary name near its target (with its extension) and replaces it as a
+/// whole, or leaves no trace if it is never committed. The temporary folder is private: concurrent writers do
+/// not collide, and no foreign link is followed. An existing file keeps its owner, permissions and
+/// attributes, and a symbolic link is followed; a read-only file is not replaced. Special files (a terminal,
+/// a pipe, /dev/null) are written only when all content is valid; a file that is temporary itself is written
+/// directly.
 class PendingFile {
   public:
-    /// Throws InputError(path, reason) when the folder is missing or not writable, the file is read-only, or
-    /// the path is a folder. Many files of one place share their temporary folder, if each is told of one
-    /// before it.
+    /// Throws InputError(path, reason) if the folder is missing or not writable, the file is read-only, or
+    /// the path is a folder. Files in one place share the temporary folder of `neighbour` if it is given.
     explicit PendingFile(std::string path, Access access = Access::Usual,
                          const PendingFile* neighbour = nullptr);
     ~PendingFile();
@@ -29,13 +28,14 @@ class PendingFile {
     PendingFile& operator=(PendingFile&&) = delete;
 
     const std::string& path() const { return m_path; }
-    /// Where the file will be, links followed.
+    /// Returns the final path, with links followed.
     const std::string& target() const { return m_target; }
-    /// Where to write.
+    /// Returns the path to write to.
     const std::string& temporary() const { return m_temporary; }
-    /// Whether it goes into something that is no regular file, which cannot be taken back.
+    /// Returns whether the target is a special file, which cannot be rolled back.
     bool isSpecial() const { return m_special; }
-    /// The file that differs by this extension alone, in its temporary name as well: TetGen's come in pairs.
+    /// Returns a file that differs by this extension alone, in its temporary name as well: TetGen's files
+    /// come in pairs.
     PendingFile companion(const std::string& extension) const;
     /// Throws InputError(path, reason).
     void commit();
@@ -54,12 +54,11 @@ class PendingFile {
     std::shared_ptr<TemporaryFolder> m_folder;  // none if the file is temporary itself
 };
 
-/// Calls `write` with the name of a temporary file and puts it in the place of `path` when that returned: an
-/// existing file is replaced whole or not at all. The temporary keeps the extension. Throws InputError(path,
-/// reason) when the folder is missing, not writable or full, and passes on what `write` throws, the temporary
-/// removed.
+/// Calls `write` with a temporary name, and moves the file to `path` afterwards: an existing file is replaced
+/// as a whole or not at all. The temporary name keeps the extension. Throws InputError(path, reason) if the
+/// folder is missing, not writable or full, and rethrows exceptions of `write` after removing the temporary.
 void writeWhole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
-/// The same with what is to stand in the file.
+/// Writes these bytes in the same way.
 void writeWhole(const std::string& path, std::string_view bytes, Access access = Access::Usual);
 
 }  // namespace wend

@@ -4,11 +4,11 @@
 
 namespace wend {
 
-/// Whether two names mean one file: through links, hard links and relative spellings, and also where there is
-/// no such file yet. Empty names and "-" are no files.
+/// Returns whether two names refer to one file: through links, hard links and relative paths, even if it does
+/// not exist yet. Empty names and "-" are no files.
 bool sameFile(const std::string& a, const std::string& b);
 
-/// The name without links and detours; what cannot be followed stays as it is.
+/// Returns the name without links and redundant parts, as far as it can be resolved.
 std::string canonicalName(const std::string& path);
 
 }  // namespace wend

@@ -6,15 +6,15 @@
 
 namespace wend {
 
-/// The point of the segment a → b (which may be a point) that is nearest to p, and how far that is. In 4D for
-/// ways in space and time.
+/// Returns the point of the segment a → b (possibly degenerate) nearest to p, and its distance. In 4D for
+/// paths in space and time.
 template <int Dim>
 Vec<Dim> nearestOnSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
 template <int Dim>
 double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
 
-/// True if the segment a → b crosses the ray from p towards greater x: p is inside a boundary that an odd
-/// number of whose segments do. Half-open in y, so that a ray through a corner counts once.
+/// Returns whether the segment a → b crosses the ray from p in positive x direction: p is inside a boundary
+/// with an odd number of crossings. Half-open in y, so that a ray through a corner counts once.
 bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p);
 
 /// Signed area of a closed loop (shoelace).

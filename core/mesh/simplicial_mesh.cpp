@@ -110,10 +110,9 @@ double boundingBoxDiagonal(const Points<Dim>& points) {
     return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// In the order in which the cells have them. Chained by the vertex with the fewest cells, so that a facet is
-/// found again at once (whole pictures wait for this) and the hub of a fan makes no long chain: in the plane
-/// no more steps than Σ min(deg i, deg j) over the edges, which is linear for planar graphs (Chiba, Nishizeki
-/// 1985).
+/// Returns facets in the order of the cells. They are chained at the vertex with the fewest cells, so that
+/// lookups are short even at the hub of a fan: in the plane at most Σ min(deg i, deg j) steps over the edges,
+/// which is linear for planar graphs (Chiba, Nishizeki 1985).
 template <int Dim>
 std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh) {
     const std::vector<int> degree = cellsPerVertex(mesh);

@@ -35,8 +35,8 @@ struct Facet {
     bool interior() const { return cells[1] >= 0; }
 };
 
-/// All facets, in the order of the cells that bring them. Throws InputError naming the cells if more than two
-/// share one.
+/// Returns all facets in the order of the cells that contribute them. Throws InputError naming the cells if
+/// more than two share one.
 template <int Dim>
 std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh);
 

@@ -7,15 +7,15 @@
 
 namespace wend {
 
-/// What a part of a surface looks like.
+/// The appearance of a part of a surface.
 struct SkinMaterial {
     std::string name;
     std::array<float, 4> colour{0.8F, 0.8F, 0.8F, 1};
-    std::string texture;  // path of a picture; empty if there is none
+    std::string texture;  // path of a picture; empty for none
 };
 
-/// The surface of a solid as it is seen and exported: the surface that it was made from, a detailed one that
-/// is embedded in it, or its boundary.
+/// The visible and exported surface of a solid: the surface that it was made from, a detailed embedded one,
+/// or its boundary.
 struct Skin {
     Points<3> points;
     std::vector<std::array<int, 3>> triangles;
@@ -27,8 +27,8 @@ struct Skin {
     std::vector<SkinMaterial> materials;
     std::vector<int> labels;              // per triangle; empty if there are none
     std::vector<std::string> labelNames;  // names of the labels 1, 2, …, if they have some
-    std::string path;                     // the file that it comes from; empty for a boundary
-    std::vector<std::string> warnings;    // what the file names and is not there
+    std::string path;                     // the source file; empty for a boundary
+    std::vector<std::string> warnings;    // missing files that it names
 
     int vertexCount() const { return static_cast<int>(points.cols()); }
 };
@@ -36,7 +36,7 @@ struct Skin {
 /// The boundary of a solid, outward oriented where its cells are positive; only vertices on it.
 Skin boundaryOf(const SimplicialMesh<3>& mesh);
 
-/// A skin in which every vertex has one texture point, as graphics hardware and glTF want it.
+/// A skin with one texture coordinate per vertex, as GPUs and glTF require.
 struct UnfoldedSkin {
     std::vector<int> vertices;  // the skin's vertex of each
     Eigen::Matrix2Xd uv;        // empty if there is no texture

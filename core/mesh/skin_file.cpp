@@ -31,7 +31,8 @@ void takeLabels(const MeshFile& file, Skin& skin) {
         skin.labels.push_back(static_cast<int>(formats::tagOf(field, static_cast<int>(t), 0)));
 }
 
-/// One texture point and the same fields per vertex.
+/// Returns the skin as a mesh file with one texture coordinate and the given fields per vertex. Shapes:
+/// points 3 × n, uv 2 × n; units are those of the skin. Corners at a texture seam are duplicated.
 MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
     MeshFile file;
     file.points = points;
@@ -71,7 +72,7 @@ std::vector<std::string> lookFilesOf(const std::string& path) {
     if (!hasExtension(path, ".obj")) return {};
     try {
         return formats::objLookFiles(readInput(path), path);
-    } catch (const InputError&) {  // told by who needs the surface
+    } catch (const InputError&) {  // reported when the surface is needed
         return {};
     }
 }

@@ -13,14 +13,14 @@ namespace wend {
 /// missing is only a warning.
 Skin readSkin(const std::string& path);
 
-/// What belongs to a surface's look and stands in files of its own: of an OBJ file its materials and their
-/// pictures, there or not; otherwise none. Of a file that cannot be read none either.
+/// Returns the files of a surface's appearance: of an OBJ file its material libraries and their pictures,
+/// existing or not; otherwise none, also for unreadable files.
 std::vector<std::string> lookFilesOf(const std::string& path);
 
-/// The skin with its vertices at `points`, by extension: .glb, and the surface formats of writeMeshFile. An
-/// OBJ file that came from an OBJ file is that file with other vertices: its polygons, texture, groups and
-/// materials stay, its normals, which are no longer true, go. `fields` (per vertex or triangle of the skin)
-/// go where the format carries them. Throws InputError.
+/// Writes the skin with its vertices at `points`, by extension: .glb, and the surface formats of
+/// writeMeshFile. An OBJ file from an OBJ file keeps its polygons, texture, groups and materials; normals are
+/// dropped, because they no longer match. `fields` (per vertex or triangle of the skin) are written if the
+/// format supports them. Throws InputError.
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
                const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 

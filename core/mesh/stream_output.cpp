@@ -22,7 +22,7 @@ constexpr int kLook = 100;  // milliseconds between two looks at whether to stop
     throw InputError(name, "cannot be written: " + reason);
 }
 
-/// Of a pipe, whether so much fits that a piece does not block.
+/// Returns whether a pipe has enough room for a piece.
 bool isReady(int descriptor) {
     pollfd wait{descriptor, POLLOUT, 0};
     return poll(&wait, 1, kLook) > 0;

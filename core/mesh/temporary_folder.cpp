@@ -32,8 +32,8 @@ bool isOurs(const fs::path& folder) {
            status.st_uid == geteuid();
 }
 
-/// An empty folder is one that is just being made, or one whose maker did not come further: the former makes
-/// another. Whoever gets the lock of a folder has outlived its maker.
+/// An empty folder is being created, or was left by a process that ended then: its creator makes another if
+/// necessary. If the lock is free, the owner is dead.
 void removeIfAbandoned(const fs::path& folder) {
     const int lock = open((folder / kLock).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
     if (lock < 0) {
@@ -65,7 +65,7 @@ TemporaryFolder::TemporaryFolder(std::string parent) : m_parent(std::move(parent
     throw InputError(m_parent, "no temporary folder can be made there");
 }
 
-/// Where a file system has no locks, the folder has none.
+/// File systems without locks have unlocked folders.
 bool TemporaryFolder::tryToMake() {
     const auto fail = [this](const char* what, int reason) {
         throw InputError(m_parent, std::string(what) + " can be made there: " + std::strerror(reason));

@@ -4,11 +4,11 @@
 
 namespace wend {
 
-/// A new hidden folder, open to this user alone, that goes with all that is in it. A lock tells others that
-/// its program lives: what a killed one left is taken away by the next that works in the same place.
+/// A new hidden private folder that is removed with its contents. A lock shows that its program is alive:
+/// folders of killed programs are removed by the next one that works in the same place.
 class TemporaryFolder {
   public:
-    /// In `parent`. Throws InputError(parent, reason).
+    /// Creates it in `parent`. Throws InputError(parent, reason).
     explicit TemporaryFolder(std::string parent);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -16,7 +16,7 @@ class TemporaryFolder {
 
     const std::string& parent() const { return m_parent; }
     const std::string& path() const { return m_path; }
-    /// A name in it that was not given yet: short, however long the name of the file that it stands for.
+    /// Returns a new short name in the folder, however long the name of the target is.
     std::string newName(const std::string& extension);
 
   private:
@@ -27,10 +27,10 @@ class TemporaryFolder {
     int m_count = 0;
 };
 
-/// Whether a file lies in such a folder: it goes with it, or is moved from there to where it belongs.
+/// Returns whether a file is in such a folder.
 bool isTemporary(const std::string& file);
 
-/// For what has no folder of its own. Throws InputError.
+/// Returns a folder for temporary files without a target. Throws InputError.
 std::string scratchFolder();
 
 }  // namespace wend

@@ -27,8 +27,7 @@ double distanceTo(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3
     return t > 0 ? t : kNothing;
 }
 
-/// Where the ray enters the box, or infinity if it does not. A little too generous, so that rounding takes no
-/// triangle away.
+/// Returns where the ray enters the box, or infinity. Slightly enlarged, so that rounding loses no triangle.
 double entryOf(const Vec<3>& low, const Vec<3>& high, const Vec<3>& origin, const Vec<3>& direction) {
     constexpr double kSlack = 1 + 1e-12;
     double from = 0, to = kNothing;
@@ -51,8 +50,8 @@ Eigen::Vector2d nearestOnEdge(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b)
     return {1 - t, t};
 }
 
-/// Weights of the point of the triangle that is nearest to p: its projection if that lies inside, else the
-/// nearest of the edges' points.
+/// Returns the barycentric weights of the triangle's point nearest to p: its projection if inside, else the
+/// nearest point of the edges.
 Vec<3> nearestOnTriangle(const Vec<3>& p, const std::array<Vec<3>, 3>& x) {
     const Vec<3> e1 = x[1] - x[0], e2 = x[2] - x[0], n = e1.cross(e2), q = p - x[0];
     const double area = n.squaredNorm();
@@ -137,7 +136,7 @@ void TriangleTree::fit(Node& node, int index) {
         }
 }
 
-/// Children come after their parents in the list.
+/// Children follow their parents in the list.
 void TriangleTree::refit(const Points<3>& points) {
     m_points = points;
     for (int i = static_cast<int>(m_nodes.size()) - 1; i >= 0; --i) fit(m_nodes[i], i);
@@ -162,7 +161,7 @@ TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& dir
             const auto& t = m_triangles[triangle];
             const double distance =
                 distanceTo(m_points.col(t[0]), m_points.col(t[1]), m_points.col(t[2]), origin, direction);
-            // Of several at one distance the first in the list, whatever the tree.
+            // At equal distances the triangle with the lowest index wins, independently of the tree.
             const bool nearer = distance < hit.distance ||
                                 (distance == hit.distance && distance < kNothing && triangle < hit.triangle);
             if (!nearer) continue;

@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// Boxes within boxes over triangles: what a ray meets first, without looking at all of them. Where the
-/// points move, the boxes follow (refit), which is far cheaper than another tree.
+/// A bounding volume hierarchy of triangles for ray and nearest-point queries. When points move, refit()
+/// updates the boxes, which is far cheaper than a new tree.
 class TriangleTree {
   public:
     struct Hit {
@@ -25,7 +25,8 @@ class TriangleTree {
     void refit(const Points<3>& points);
     /// The nearest triangle that the ray meets, from either side. `direction` has length 1.
     Hit firstHit(const Vec<3>& origin, const Vec<3>& direction) const;
-    /// The nearest point of all triangles: which one, and the weights of its corners.
+    /// The point of all triangles nearest to p: its triangle (−1 for an empty tree) and the barycentric
+    /// weights. Of triangles at the same distance, any one may be returned.
     struct Nearest {
         int triangle = -1;
         Vec<3> weights = Vec<3>::Zero();

@@ -6,23 +6,26 @@
 
 namespace wend {
 
-/// Files may hold vertices that no cell has: spare copies of a corner, leftovers of an editor. They belong to
-/// no shape; nothing holds on to them and they stretch no bounding box. Twins (below) go along with it.
+/// Returns which vertices belong to a cell. Files may contain unused vertices, such as duplicates or
+/// leftovers of an editor; they are not part of the shape and do not extend its bounding box. Twins (below)
+/// follow a used vertex.
 template <int Dim>
 std::vector<bool> usedVertices(Eigen::Index vertexCount, const std::vector<Cell<Dim>>& cells);
 
-/// A vertex that no cell has, at the place of one that a cell has: it goes where that one goes. Surfaces and
-/// seams are often written with vertices of their own for every triangle or patch.
+/// An unused vertex at the place of a used one, which it follows. Surfaces and seams are often written with
+/// separate vertices per triangle or patch.
 struct Twin {
     int vertex, of;
 };
-/// Of several candidates a twin goes with the first.
+/// Returns the twins; of several candidates the first is followed.
 template <int Dim>
 std::vector<Twin> twinsOf(const SimplicialMesh<Dim>& mesh);
+/// Moves every twin to the place of its vertex: points.col(vertex) = points.col(of), for any field of one
+/// column per vertex (Dim × n).
 template <int Dim>
 void takeAlong(const std::vector<Twin>& twins, Points<Dim>& points);
 
-/// For each vertex the first one at the same place (itself, if there is none before it).
+/// Returns for each vertex the first one at the same place (itself if there is none before it).
 template <int Dim>
 std::vector<int> firstAtPlace(const Points<Dim>& points);
 

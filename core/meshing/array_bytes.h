@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// What goes through the pipes between the program and its helpers: plain arrays one after another, each with
-/// its length in front, in the machine's own byte order.
+/// Binary messages between the program and its helpers: arrays in native byte order, each preceded by its
+/// length.
 class ArrayWriter {
   public:
     template <typename Container>
@@ -23,7 +23,7 @@ class ArrayWriter {
     std::string m_bytes;
 };
 
-/// Each array is read into a container of the same kind; false if there are too few bytes for it.
+/// Each array is read into a container of the same kind; returns false if there are too few bytes.
 class ArrayReader {
   public:
     explicit ArrayReader(const std::string& bytes) : m_bytes(bytes) {}

@@ -28,16 +28,16 @@ struct Cage {
     int parts = 0;                // of the surface
     int apart = 0;                // sets of parts that share no cube: `parts` if none moves with another
     std::vector<ClosedGap> gaps;  // within parts, that it closes, the narrowest first
-    double openEdge = 0;          // > 0: with such cubes the widest of them stays open …
-    double openDetail = 0;        // … and with this detail: either may do as it is, which is 0
+    double openEdge = 0;          // > 0: the edge length of cubes that keep the widest gap open …
+    double openDetail = 0;        // … and the detail; 0 if the current value suffices
 };
 
-/// Cubes of one size that cover the surface and what it encloses (see fullCubes), each filled with
-/// tetrahedra between its middle, its neighbours' middles and the corners: all of a few shapes, none worse
-/// than a quarter of a cube. Every triangle lies inside, whether the surface is closed, crosses itself, or
-/// is a heap of loose parts. It is made in a process of its own (wend-cage beside the program), which can be
-/// stopped at any moment, and alone ends where memory or time do not suffice. Throws InputError: that, or no
-/// triangle, or no extent; MesherLost; Cancelled.
+/// Builds a cage of equal cubes that covers the surface and its inside (see fullCubes). Each cube is split
+/// into tetrahedra between its centre, its neighbours' centres and the corners: a few shapes, none worse than
+/// a quarter of a cube. Every triangle is inside, whether the surface is closed, crosses itself, or is a set
+/// of loose parts. It is computed by wend-cage, a process beside the program, which can be killed at any
+/// moment, and ends on its own if memory or time are insufficient. Throws InputError for that, and for
+/// surfaces without a triangle or extent; MesherLost; Cancelled.
 Cage fitCage(const Surface& surface, const CageOptions& options);
 
 }  // namespace wend

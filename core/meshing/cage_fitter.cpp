@@ -21,8 +21,8 @@ constexpr double kPromised = 0.15;
 constexpr double kOblique = 1.2;  // cubes across: a gap that is tilted more is faced from several axes
 constexpr int kMostTries = 16;
 
-/// Tetrahedra in the full cubes. Where cubes meet in a corner or edge alone, each side has vertices of its
-/// own there: nothing hangs on a point or a line.
+/// Fills the cubes with tetrahedra. Where cubes touch at a corner or edge only, each side gets its own
+/// vertices, so that nothing is connected by a point or a line.
 class CubeMesher {
   public:
     CubeMesher(const CubeGrid& grid, std::vector<std::int64_t> full)
@@ -70,7 +70,7 @@ class CubeMesher {
         return find(m_full[i] + (side == 1 ? 1 : -1) * m_grid.stride(axis));
     }
 
-    /// One vertex for all cubes around the corner that are connected through faces there.
+    /// Uses one vertex for all cubes around the corner that are connected through faces there.
     void placeCorner(int i, int corner) {
         CubeGrid::Place place = m_grid.place(m_full[i]);
         for (int k = 0; k < 3; ++k) place[k] += corner >> k & 1;
@@ -82,7 +82,7 @@ class CubeMesher {
         for (int c = 0; c < 8; ++c)
             for (int k = 0; k < 3; ++k)
                 if (const int other = c ^ 1 << k; around[c] >= 0 && around[other] >= 0) sets.join(c, other);
-        const int mine = 7 - corner;  // the cube lies on the other side of its corner
+        const int mine = 7 - corner;  // the cube is diagonally opposite of its corner
         for (int c = 0; c < 8; ++c)
             if (around[c] >= 0 && sets.root(c) == sets.root(mine))
                 m_corners[around[c]][7 - c] = static_cast<int>(m_points.size());
@@ -131,7 +131,7 @@ class CageFitter {
         return cage;
     }
 
-    /// Where a few whole cubes along the box are too many or too few, cubes that begin elsewhere may do.
+    /// If whole cubes along the box give too many or too few vertices, tries shifted grids.
     Cage ofCount(int aim) {
         Cage best;
         double bestError = std::numeric_limits<double>::infinity();
@@ -167,7 +167,7 @@ class CageFitter {
         cage.apart = countOf(parts);
     }
 
-    /// Between sides that no cube of air lies between: across corners it is as far as that.
+    /// Searches gaps between sides without an empty cube in between; diagonally they are that far apart.
     void findGaps(Cage& cage) const {
         const CubeGrid grid = gridOf(cage.edge);
         const double widest = gap() + 2 * std::sqrt(3.0) * (cage.edge + distance(cage.edge));
@@ -176,9 +176,9 @@ class CageFitter {
     }
 
   private:
-    /// Between walls across an axis, two cubes and two distances apart, there is a cube of air, wherever
-    /// cubes begin. An oblique gap is faced by the surface from most sides and filled without a detail,
-    /// however small the cubes are. Air of the width of `detail` needs two cubes beside.
+    /// Between walls along an axis, a gap of two cubes and two distances contains an empty cube for any
+    /// shift. An oblique gap faces the surface on most sides and is filled without a detail, however small
+    /// the cubes. Air of the width of `detail` needs two cubes as well.
     void findWhatOpens(Cage& cage) const {
         const ClosedGap& closed = cage.gaps.back();
         const double reach = 1 + 2 * m_options.offset;
@@ -201,8 +201,8 @@ class CageFitter {
         return std::abs(static_cast<double>(cage.mesh.vertexCount()) / aim - 1);
     }
 
-    /// Vertices go with a power of the edge between −2 and −3, in steps of whole cubes: a search between what
-    /// is known to give too many and too few.
+    /// The vertex count is proportional to a power of the edge between −2 and −3, in steps of whole cubes:
+    /// searches between bounds with too many and too few.
     Cage search(int aim) const {
         double edge = m_diagonal / 20, tooFine = 0, tooCoarse = std::numeric_limits<double>::infinity();
         Cage best;
@@ -239,7 +239,7 @@ class CageFitter {
     double distance(double edge) const {
         return std::max(kMinDistance * m_diagonal, m_options.offset * (gap() > 0 ? gap() : edge));
     }
-    /// Room for the distance, and for a way around of the width of the gap.
+    /// Room for the distance, and for a path around of the gap's width.
     int layers(double edge) const {
         return 2 + static_cast<int>(std::ceil(distance(edge) / edge)) + static_cast<int>(gap() / edge);
     }

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// fitCage, in this process: what wend-cage does. Throws InputError; Cancelled; std::bad_alloc.
+/// Runs fitCage in this process, as wend-cage does. Throws InputError; Cancelled; std::bad_alloc.
 Cage cageAround(const Surface& surface, const CageOptions& options);
 
 }  // namespace wend

@@ -21,7 +21,7 @@ wend::CageReply replyTo(const std::string& bytes) {
     return {{}, cageAround(request.surface, request.options)};
 }
 
-/// From what is asked on standard input.
+/// Answers the request on standard input.
 std::string answer() {
     try {
         return pack(replyTo(wend::readAll(STDIN_FILENO)));

@@ -6,7 +6,9 @@
 
 namespace wend {
 
-/// What goes through the pipes between the program and wend-cage (see array_bytes.h).
+/// Messages between the program and wend-cage, without a version because both are built together (see
+/// array_bytes.h). Request: points, triangles, {vertices}, {maxVolume, detail, offset}. Reply: error, points
+/// and cells of the mesh, {aimMet, bodies, parts, apart}, {edge, openEdge, openDetail}, gaps.
 struct CageRequest {
     Surface surface;  // without labels
     CageOptions options;
@@ -18,7 +20,7 @@ struct CageReply {
 
 std::string pack(const CageRequest& request);
 std::string pack(const CageReply& reply);
-/// False if the bytes are too few or too many.
+/// Returns false if the bytes are too few or too many.
 bool unpack(const std::string& bytes, CageRequest& request);
 bool unpack(const std::string& bytes, CageReply& reply);
 

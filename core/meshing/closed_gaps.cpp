@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kAround = 5;       // times the gap or the cube: as far it is along the surface at least
 constexpr double kOpposite = -0.5;  // the product of normals that face each other is less
-constexpr double kTouching = 1e-3;  // of a cube: what is no farther away touches, or crosses
+constexpr double kTouching = 1e-3;  // fraction of a cube: closer points touch or cross
 constexpr double kOff = 1e-7;       // of the diagonal: rays begin as far above their triangle
 
-/// The surface with one vertex at each place and edges no longer than `longest`, as ways along it need it.
+/// The surface with merged vertices and edges no longer than `longest`, for paths along it.
 class FineSurface {
   public:
     FineSurface(const Surface& surface, double longest) : m_longest(longest) {
@@ -38,7 +38,7 @@ class FineSurface {
     }
 
   private:
-    /// At its longest edge. What is beside it splits that edge too, at the same vertex.
+    /// Splits the triangle at its longest edge. Its neighbour splits that edge at the same vertex.
     void split(const std::array<int, 3>& t) {
         std::array<double, 3> lengths{};
         for (int k = 0; k < 3; ++k) lengths[k] = (m_points[t[k]] - m_points[t[(k + 1) % 3]]).norm();
@@ -110,7 +110,7 @@ class GapFinder {
         return static_cast<int>(2 * axis) + (m_normals(axis, t) < 0 ? 1 : 0);
     }
 
-    /// Outwards: those of a part that encloses less than nothing are turned.
+    /// Makes normals point outwards: those of a part with negative volume are flipped.
     void findNormals() {
         m_normals.resize(3, m_surface.triangleCount());
         std::map<int, Eigen::AlignedBox3d> boxes;
@@ -152,7 +152,7 @@ class GapFinder {
         m_seen.push_back({{width, (from + to) / 2, normal.lpNorm<1>()}, std::move(cubes)});
     }
 
-    /// None if one of them is not full.
+    /// Returns the cubes between two points; none if one of them is not full.
     std::vector<std::int64_t> cubesBetween(const Vec<3>& from, const Vec<3>& to) const {
         const int steps = 1 + static_cast<int>(4 * (to - from).norm() / m_grid.edge());
         std::vector<std::int64_t> cubes;
@@ -164,7 +164,8 @@ class GapFinder {
         return cubes;
     }
 
-    /// Whether a way along edges leads from the middle of one triangle to a point of another within `limit`.
+    /// Returns whether a path along edges of at most `limit` connects the centre of a triangle with a point
+    /// of another.
     bool areNearAlong(int one, int other, const Vec<3>& to, double limit) const {
         using Entry = std::pair<double, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
@@ -190,7 +191,7 @@ class GapFinder {
         return false;
     }
 
-    /// What was seen in cubes that touch is one gap.
+    /// Merges findings in adjacent cubes to one gap.
     std::vector<ClosedGap> together() const {
         std::map<std::int64_t, int> number;
         for (const Seen& seen : m_seen)

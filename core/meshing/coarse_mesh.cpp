@@ -16,9 +16,8 @@ namespace wend {
 
 namespace {
 
-constexpr double kSameArea = 0.02;  // what simplification may change of it
-// Of the vertices around one of the coarse mesh, those at the rim may not be connected with the others
-// there.
+constexpr double kSameArea = 0.02;  // allowed change of area by simplification
+// Fraction of the vertices around a coarse vertex that may be disconnected at the rim.
 constexpr double kRim = 0.05;
 constexpr int kMostAtRim = 2;
 
@@ -28,7 +27,7 @@ double areaOf(const SimplicialMesh<2>& mesh) {
     return area;
 }
 
-/// Whether the fine cells in the cells around a coarse vertex are not all connected.
+/// Returns whether the fine cells around a coarse vertex are disconnected.
 bool joinsParts(const SimplicialMesh<3>& coarse, const SimplicialMesh<3>& fine) {
     const Embedding<3> places(coarse, fine.points);
     std::vector<std::vector<int>> verticesIn(coarse.cells.size());

@@ -6,10 +6,10 @@
 
 namespace wend {
 
-/// A mesh with about so many vertices of the place that a finer one takes up. In the plane its boundary is
-/// the finer one's, simplified by no more than the cells are wide; in space it is a cage of cubes (see
-/// fitCage). Throws InputError where there is none: a shape that covers itself in the plane, or cubes that
-/// would hold together what is apart, as two fingers or the jaws of tongs; Cancelled.
+/// Returns a mesh with about that many vertices of the same domain. In the plane its boundary is that of the
+/// fine mesh, simplified by no more than a cell's width; in space it is a cage of cubes (see fitCage). Throws
+/// InputError if there is none: for a planar shape that overlaps itself, or if cubes would connect separate
+/// parts, such as two fingers; Cancelled.
 template <int Dim>
 SimplicialMesh<Dim> coarseMesh(const SimplicialMesh<Dim>& fine, int vertices, std::stop_token stop = {});
 

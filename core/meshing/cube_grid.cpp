@@ -12,7 +12,7 @@ constexpr int kLookEvery = 1024;  // triangles between two looks at the stop
 
 enum State : std::uint8_t { Free, NearSurface, Air };
 
-/// What of a grid is enclosed.
+/// The enclosed part of a grid.
 class Enclosure {
   public:
     Enclosure(const CubeGrid& grid, const Surface& surface, const std::stop_token& stop)
@@ -50,7 +50,7 @@ class Enclosure {
             }
     }
 
-    /// All cubes at most `radius` of them away from one of these, along each axis.
+    /// Dilates the set by `radius` cubes along each axis.
     std::vector<bool> grown(std::vector<bool> set, int radius) const {
         for (int axis = 0; axis < 3; ++axis) {
             std::vector<bool> next = set;
@@ -74,7 +74,7 @@ class Enclosure {
         return set;
     }
 
-    /// What the outermost corner leads to without the blocked ones.
+    /// Returns the cubes that are reachable from the outermost corner without the blocked ones.
     std::vector<bool> reached(const std::vector<bool>& blocked) const {
         std::vector<bool> set(blocked.size());
         std::vector<std::int64_t> front{0};
@@ -96,7 +96,7 @@ class Enclosure {
         return set;
     }
 
-    /// From outside, as far as a cube of 2 radius + 1 of them comes.
+    /// Removes the cubes that a cube of 2 radius + 1 of them can reach from outside.
     void letAirIn(int radius) {
         const std::vector<bool> surface = where(NearSurface);
         std::vector<bool> air = reached(radius > 0 ? grown(surface, radius) : surface);
@@ -112,7 +112,7 @@ class Enclosure {
             if (std::abs(votes[i]) >= 4) m_state[i] = Free;
     }
 
-    /// Of both directions of an axis: how often a ray from there enters the surface more than it leaves it.
+    /// Counts for both directions of an axis how much more often a ray enters the surface than leaves it.
     void vote(int axis, std::vector<std::int8_t>& votes) const {
         std::vector<std::int16_t> entered(m_state.size());
         for (int t = 0; t < m_surface.triangleCount(); ++t) {
@@ -131,8 +131,8 @@ class Enclosure {
         });
     }
 
-    /// Where the lines through the cubes' middles enter (+1) or leave (−1) through a triangle: at the first
-    /// middle behind it. They run a little beside the middles, since vertices like to lie on round numbers.
+    /// Records where lines through the cube centres enter (+1) or leave (−1) through a triangle: at the first
+    /// centre behind it. The lines are slightly shifted, because vertices often have round coordinates.
     void cross(const CubeGrid::Triangle& triangle, int axis, std::vector<std::int16_t>& entered) const {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         const Vec<3> origin = m_grid.corner({0, 0, 0});
@@ -207,7 +207,7 @@ CubeGrid::Triangle cornersOf(const Surface& surface, int triangle) {
     return {surface.points.col(ids[0]), surface.points.col(ids[1]), surface.points.col(ids[2])};
 }
 
-/// They are apart if they are along a normal of the cube, of the triangle, or of an edge of each.
+/// Separating axis test with normals of the cube and the triangle, and cross products of their edges.
 bool meetsCube(const CubeGrid::Triangle& triangle, double half) {
     const auto apart = [&](const Vec<3>& axis) {
         const std::array along{axis.dot(triangle[0]), axis.dot(triangle[1]), axis.dot(triangle[2])};

@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// Equal cubes side by side around a surface: numbers, places, and which of them a triangle comes near to.
+/// A grid of equal cubes around a surface: numbers, places, and the cubes near a triangle.
 class CubeGrid {
   public:
     using Place = std::array<int, 3>;
@@ -20,13 +20,13 @@ class CubeGrid {
     /// Centred on the box, but for a shift of at most half a cube (in cubes), with `layers` of cubes beyond
     /// it on every side.
     CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec<3>& shift = Vec<3>::Zero());
-    /// How many there would be, as a number that cannot overflow.
+    /// Returns the number of cubes without overflow.
     static double sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers);
 
     double edge() const { return m_edge; }
     const Place& counts() const { return m_counts; }
     std::int64_t size() const { return stride(2) * m_counts[2]; }
-    /// How far apart the numbers of neighbours along an axis are.
+    /// Returns the difference of the numbers of neighbours along an axis.
     std::int64_t stride(int axis) const {
         std::int64_t stride = 1;
         for (int k = 0; k < axis; ++k) stride *= m_counts[k];
@@ -40,7 +40,7 @@ class CubeGrid {
         return {static_cast<int>(number % m_counts[0]), static_cast<int>(rest % m_counts[1]),
                 static_cast<int>(rest / m_counts[1])};
     }
-    /// Of the cube that a point lies in, or of the next one to a point outside.
+    /// Returns the cube that contains a point, or the nearest one for a point outside.
     std::int64_t numberAt(const Vec<3>& p) const {
         return number({index(0, p[0]), index(1, p[1]), index(2, p[2])});
     }
@@ -62,13 +62,14 @@ class CubeGrid {
     Place m_counts{};
 };
 
-/// Whether the cube of half the edge `half` around the origin meets the triangle.
+/// Returns whether a cube of half edge `half` around the origin intersects the triangle.
 bool meetsCube(const CubeGrid::Triangle& triangle, double half);
 
-/// The full cubes of a grid, in increasing order: those at most `distance` away from the surface, and those
-/// that it encloses. With a width `gap` those are what a cube of that width cannot reach from outside.
-/// Without one, what no way of cubes leads to, and what the surface faces outwards from in four of the six
-/// directions of the axes: the inside of a bust that is open below. Throws Cancelled.
+/// Returns the full cubes of a grid in increasing order: those within `distance` of the surface, and those
+/// enclosed by it. With a width `gap` the enclosed ones are those that a cube of that width cannot reach from
+/// outside. Without one they are those unreachable by any path of cubes, and those that the surface faces
+/// outwards from in four of the six axis directions: the inside of a bust that is open below. Throws
+/// Cancelled.
 std::vector<std::int64_t> fullCubes(const CubeGrid& grid, const Surface& surface, double distance, double gap,
                                     const std::stop_token& stop);
 

@@ -17,7 +17,7 @@ namespace {
 using Edge = std::array<int, 2>;
 constexpr int kMostRings = 2;                     // around triangles that cross
 constexpr int kMostRounds = 50, kMostTries = 20;  // in each, for all faults of a kind
-constexpr int kLeastThatStays = 4;                // times what goes away with them
+constexpr int kLeastThatStays = 4;                // ratio of what stays to what is removed
 
 SurfaceFix fillAlong(const std::vector<int>& loop) {
     const Edge edge = sorted(loop[0], loop[1]);
@@ -30,7 +30,7 @@ int countOf(const Surface& surface, const SurfaceProblems& problems) {
     return count;
 }
 
-/// Proposes steps for one fault, and says what they would do.
+/// Proposes steps for one fault, and predicts their effect.
 class FaultFixer {
   public:
     FaultFixer(const Surface& source, const std::vector<SurfaceFix>& done)
@@ -53,13 +53,13 @@ class FaultFixer {
         return helps ? fix : FaultFix{};
     }
 
-    /// What steps that are known would do.
+    /// Returns given steps with their effect.
     FaultFix withEffect(std::vector<SurfaceFix> steps) const {
         FaultFix fix;
         fix.after = after(steps);
         fix.steps = std::move(steps);
         const Surface &before = m_now.surface, &then = fix.after.surface;
-        std::size_t k = 0;  // in what is left
+        std::size_t k = 0;  // in the remaining surface
         for (int t = 0; t < before.triangleCount(); ++t) {
             const bool stays = k < fix.after.numbers.size() && fix.after.numbers[k] == m_now.numbers[t];
             const bool turned = stays && then.triangles[k] != before.triangles[t];
@@ -74,14 +74,14 @@ class FaultFixer {
         return fix;
     }
 
-    /// For all cases of a kind together, or where that does not help for as many of them as it does.
+    /// Fixes all cases of a kind together or, if that fails, as many of them as possible.
     FaultFix fixForMost(const std::string& kind, int largestHole) {
         std::vector<std::vector<int>> cases;
         for (FaultKind& found : faultsOf(m_now.surface, m_problems))
             if (found.name == kind) cases = std::move(found.cases);
         if (kind == "hole")
             std::erase_if(cases, [&](const auto& hole) { return std::ssize(hole) > largestHole; });
-        if (kind == "turned_edge" && cases.size() > 1) cases.resize(1);  // the others may be turned with it
+        if (kind == "turned_edge" && cases.size() > 1) cases.resize(1);  // one step may turn the others, too
         int tries = kMostTries;
         return fixForMost(kind, cases, tries);
     }
@@ -109,7 +109,7 @@ class FaultFixer {
         return fix;
     }
 
-    /// Every hole that lies along nothing but these; what hangs there alone goes away.
+    /// Fills every hole bounded by these triangles only; what is connected by a vertex there is removed.
     std::vector<SurfaceFix> filled(const std::vector<int>& triangles) {
         const SoundPart sound(m_now.surface);
         std::vector<Edge> sides;
@@ -130,7 +130,7 @@ class FaultFixer {
         return steps;
     }
 
-    /// A slit with the triangle beside it, which the loop then goes around.
+    /// Fills a hole; a slit together with the triangle beside it, which the loop then includes.
     void fillOne(const SoundPart& sound, const std::vector<int>& loop, std::vector<SurfaceFix>& steps) const {
         const int beside = besideSlit(sound.surface, loop);
         if (beside < 0) return steps.push_back(fillAlong(loop));
@@ -168,8 +168,8 @@ class FaultFixer {
         return {};
     }
 
-    /// What may go where these cross, the least first: themselves, with what crosses them and all that
-    /// crosses that, unless it parts the surface, and with rings of their neighbours.
+    /// Returns removable triangles where these cross, smallest set first: themselves, with everything that
+    /// crosses them transitively, unless that separates the surface, and with rings of their neighbours.
     std::vector<std::vector<int>> aroundCrossing(const std::vector<int>& triangles) const {
         std::vector<std::vector<int>> choices;
         const auto choose = [&](std::vector<int> going) {
@@ -202,7 +202,7 @@ class FaultFixer {
         return all;
     }
 
-    /// The triangles that hang together by edges once some have gone.
+    /// Returns the components connected by edges after some triangles were removed.
     std::map<int, std::vector<int>> partsWithout(const std::vector<int>& going) const {
         const FixedSurface left = going.empty() ? m_now : after({drop(going)});
         const SoundPart sound(left.surface);
@@ -219,7 +219,7 @@ class FaultFixer {
         return parts;
     }
 
-    /// With what they hold to the rest, where that is less than half of them.
+    /// Adds the parts that they connect to the rest, if those are less than half of the surface.
     std::vector<int> withIslands(std::vector<int> going) const {
         const std::vector<int> around = withNeighbours(going);
         const std::size_t most = going.size() / 2;
@@ -248,7 +248,7 @@ class FaultFixer {
         return all;
     }
 
-    /// Those that the steps open, none of which touches an edge that was open.
+    /// Returns the holes that the steps create, none of which touches an edge that was open.
     std::vector<std::vector<int>> newHoles(const std::vector<SurfaceFix>& steps,
                                            const std::vector<Edge>& open) const {
         auto holes = holesOf(SoundPart(after(steps).surface).surface);

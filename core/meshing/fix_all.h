@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// For all cases of a kind together, again and again as long as that helps: what fixFor would do about each.
-/// Holes of more edges than `largestHole` stay.
+/// Fixes all cases of a kind repeatedly as long as that helps, in the way of fixFor. Holes of more than
+/// `largestHole` edges stay.
 FaultFix fixForAll(const Surface& surface, const std::vector<SurfaceFix>& done, const std::string& kind,
                    int largestHole);
 

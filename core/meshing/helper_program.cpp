@@ -27,7 +27,7 @@ void limitMemory(const char* megabytes) {
     setrlimit(RLIMIT_CORE, &noCore);
 }
 
-/// Of the processor's time: how busy the machine is does not decide what can be meshed.
+/// Limits CPU time, so that the load of the machine does not decide what can be meshed.
 void limitTime(const char* seconds) {
     const rlim_t soft = static_cast<rlim_t>(std::max(1, std::atoi(seconds)));
     const rlimit limit{soft, soft + 1};
@@ -37,7 +37,7 @@ void limitTime(const char* seconds) {
 }  // namespace
 
 void beginHelper(int argc, char** argv) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // the answer is useless once the parent has ended
     limitMemory(argc > 1 ? argv[1] : "4096");
     limitTime(argc > 2 ? argv[2] : "120");
 }

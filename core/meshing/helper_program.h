@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// What a program that computes for this one does first (see runChild): it ends when its parent does, and
-/// keeps to the memory in megabytes and the seconds of the processor's time that its arguments give.
+/// First call of a helper program (see runChild): it ends with its parent, and limits itself to the memory in
+/// megabytes and the CPU seconds in its arguments.
 void beginHelper(int argc, char** argv);
 
 std::string readAll(int fd);

@@ -23,7 +23,7 @@ std::string reasonOf(const MesherProcess& mesher, const ChildResult& result, dou
         case End::Stopped:
             throw Cancelled();
         case End::Signalled:
-            // Only somebody else sends these: the surface is not to blame.
+            // These signals come from outside: the surface is not the cause.
             if (result.code == SIGKILL || result.code == SIGTERM)
                 throw MesherLost(name + " was ended " + signal);
             return name + " failed inside " + signal;
@@ -37,7 +37,7 @@ std::string reasonOf(const MesherProcess& mesher, const ChildResult& result, dou
 
 std::string answerOf(const MesherProcess& mesher, const std::string& request, int triangles,
                      const std::stop_token& stop) {
-    // How busy the machine is should not decide what can be meshed: by the clock there is more time.
+    // The load of the machine must not decide what can be meshed: the wall-clock limit is generous.
     const double seconds = mesher.secondsPerPart * (1 + triangles / kTrianglesInPart);
     const ChildResult result =
         runChild(siblingProgram(mesher.program), request, 10 * seconds, kMegabytes, stop, seconds);

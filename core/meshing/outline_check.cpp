@@ -54,7 +54,7 @@ std::vector<Segment> segmentsOf(const Outline& outline) {
     return segments;
 }
 
-/// Where two collinear segments share more than a point: the middle of the common part.
+/// Returns the middle of the common part of two overlapping collinear segments.
 std::optional<Vec<2>> overlap(const Segment& s, const Segment& t) {
     const auto less = [](const Vec<2>& p, const Vec<2>& q) {
         return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());

@@ -11,13 +11,13 @@ struct Segment {
     Vec<2> a, b;
 };
 
-/// Two segments that cross, or run over each other, in more than a common point.
+/// Two segments that cross or overlap in more than a common end point.
 struct SegmentCrossing {
     std::array<int, 2> segments;  // increasing
     Vec<2> place;
 };
 
-/// All of them, in the order of the segments. Exact predicates.
+/// Returns all crossings in the order of the segments. Uses exact predicates.
 std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments);
 
 /// The outline without repeated consecutive points. Throws InputError naming polygon, point or place: no

@@ -38,7 +38,7 @@ using Triangulation = CGAL::Constrained_triangulation_plus_2<
 using Face = Triangulation::Face_handle;
 using Loop = std::vector<Vec<2>>;
 
-/// The plane cut along both outlines, and which pieces lie in which of them.
+/// The plane partitioned by both outlines, with the membership of each piece.
 class Pieces {
   public:
     Pieces(const Outline& base, const Outline& piece) {
@@ -66,14 +66,14 @@ class Pieces {
             for (const Vec<2>& p : loop) line.emplace_back(p.x(), p.y());
             if (line.size() < 2) continue;
             line.push_back(line.front());
-            // Edge by edge: a line that comes back over itself is then as good as any other.
+            // Inserts edge by edge, so that a line that retraces itself is valid, too.
             for (std::size_t k = 0; k + 1 < line.size(); ++k)
                 if (line[k] != line[k + 1])
                     m_owner[m_triangulation.insert_constraint(line[k], line[k + 1])] = which;
         }
     }
 
-    /// By which an edge changes what is inside.
+    /// Returns which insides an edge changes.
     unsigned change(const Face& face, int i) const {
         if (!face->is_constrained(i)) return 0;
         const auto a = face->vertex(Triangulation::cw(i)), b = face->vertex(Triangulation::ccw(i));
@@ -99,8 +99,8 @@ class Pieces {
         }
     }
 
-    /// From the edge opposite of corner i on, turning through wanted faces only: where pieces touch in a
-    /// point each has its own loop. Corners within straight lines are left out.
+    /// Walks from the edge opposite of corner i around wanted faces only: pieces that touch at a point get
+    /// separate loops. Collinear corners are left out.
     template <typename IsWanted>
     static Loop walk(Face face, int i, const IsWanted& isWanted) {
         std::vector<Point> corners;
@@ -151,7 +151,7 @@ void requireFinite(const Outline& outline) {
             if (!p.allFinite()) throw InputError("the outline has a point that is not finite");
 }
 
-/// Without what is too small or has no inside after rounding.
+/// Removes loops that are too small or empty after rounding.
 Outline withoutSpecks(Outline outline, double smallest) {
     std::erase_if(outline.loops, [&](const Loop& loop) {
         return loop.size() < 3 || !(std::abs(areaOf(loop)) > std::max(smallest, 2 / (kGrid * kGrid)));

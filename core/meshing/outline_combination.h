@@ -4,19 +4,19 @@
 
 namespace wend {
 
-enum class OutlineOperation { Add, TakeAway, Keep };  // what is in one or the other, in one only, in both
+enum class OutlineOperation { Add, TakeAway, Keep };  // union, difference, intersection
 
-/// What two outlines make together, each of them by even and odd; they may touch and cross themselves and
-/// each other in any way (CGAL, exact intersections). Corners that come anew lie on a grid of 2⁻¹² units;
-/// parts and holes of less area than `smallest` are dropped. The loops of the result do not cross, outer ones
-/// are counter-clockwise in (x, y), holes clockwise. It may be empty. Throws InputError for what is not
-/// finite.
+/// Combines two outlines, each with the even-odd rule; they may touch and cross themselves and each other in
+/// any way (CGAL, exact intersections). New corners are rounded to a grid of 2⁻¹² units; parts and holes
+/// smaller than `smallest` in area are dropped. The resulting loops do not cross, outer ones are
+/// counter-clockwise in (x, y), holes clockwise. The result may be empty. Throws InputError for non-finite
+/// input.
 Outline combined(const Outline& base, const Outline& piece, OutlineOperation operation, double smallest = 0);
 
-/// Of the even–odd inside.
+/// Returns the area of the even-odd inside.
 double areaOf(const Outline& outline);
 
-/// Whether a place is inside, by even and odd.
+/// Returns whether a point is inside by the even-odd rule.
 bool isInside(const Outline& outline, const Vec<2>& p);
 
 }  // namespace wend

@@ -4,9 +4,9 @@
 
 namespace wend {
 
-/// Removes points as long as no removed one is farther than `tolerance` from the new edge. Loops keep apart:
-/// the simplification runs in a constrained triangulation of all of them (CGAL Polyline_simplification_2) and
-/// never changes how they lie to each other.
+/// Removes points as long as every removed one is within `tolerance` of the new edge. The topology of the
+/// loops is preserved, because the simplification runs in a constrained triangulation of all of them (CGAL
+/// Polyline_simplification_2).
 Outline simplified(const Outline& outline, double tolerance);
 
 }  // namespace wend

@@ -49,7 +49,7 @@ void requireOptions(const PlanarMeshOptions& options) {
         if (!options.points[i].allFinite()) throw InputError("point " + std::to_string(i) + " is not finite");
 }
 
-/// Meshes one domain, keeping what is common to the tries.
+/// Meshes one domain and keeps the data shared by its attempts.
 class PlanarMesher {
   public:
     PlanarMesher(const PlanarDomain& domain, const PlanarMeshOptions& options)
@@ -60,8 +60,8 @@ class PlanarMesher {
 
   private:
     std::optional<SimplicialMesh<2>> attempt(double radius, int maxVertices) const;
-    /// The mesh at which only angle and outline ask for vertices, at the least `shortest` edge for which it
-    /// is not out of proportion.
+    /// Returns the mesh in which only angles and the outline require vertices, with the smallest `shortest`
+    /// edge that keeps its size reasonable.
     SimplicialMesh<2> coarsest();
     SimplicialMesh<2> searched(double radius);
     bool accepts(int count, int tries) const;
@@ -101,7 +101,8 @@ SimplicialMesh<2> PlanarMesher::byEdge() {
     return m_domain.unrefined();
 }
 
-/// Within 10 %, and nearer while few tries are made: the count is not a continuous function of the radius.
+/// Accepts a count within 10 %, and a closer one in the first attempts: the count is not a continuous
+/// function of the radius.
 bool PlanarMesher::accepts(int count, int tries) const {
     return std::abs(count - m_options.vertices) <= (tries < 3 ? 0.05 : 0.09) * m_options.vertices;
 }
@@ -117,9 +118,9 @@ SimplicialMesh<2> PlanarMesher::byCount() {
     return searched(radius);
 }
 
-/// Counts follow n(r) = n(∞) + c / r², c from the last try. A try that has too many vertices is repeated with
-/// a radius from n(∞), once that is known, and then with a larger least edge: boundaries that run side by
-/// side closely are what defies the rule.
+/// Models counts by n(r) = n(∞) + c / r² with c from the last attempt. After too many vertices the radius is
+/// recomputed with n(∞), once that is known, and then the smallest edge is increased: close parallel
+/// boundaries violate the model.
 SimplicialMesh<2> PlanarMesher::searched(double radius) {
     const int aim = m_options.vertices, enough = 2 * aim + 100;
     std::optional<SimplicialMesh<2>> best, atInfinity;
@@ -154,7 +155,7 @@ SimplicialMesh<2> meshExactly(Outline outline, const PlanarMeshOptions& options)
     return options.edge > 0 ? mesher.byEdge() : mesher.byCount();
 }
 
-/// Nothing if simplification takes away what the options need: a part with a point in it.
+/// Returns nothing if simplification removes what the options need: a part that contains a point.
 std::optional<SimplicialMesh<2>> meshSimplified(const Outline& outline, double tolerance,
                                                 const PlanarMeshOptions& options) {
     try {

@@ -22,21 +22,19 @@ struct PlanarMeshOptions {
     std::stop_token stop;
 };
 
-/// Conforming constrained Delaunay refinement (CGAL Delaunay_mesher_2) of the inside: triangles of even size
-/// (a bound on the circumradius; times the factor, if there is one), finer only where the outline or the
-/// points ask for it. Vertex i is options.points[i], bit for bit, for every point; all cells have positive
-/// measure det[x1 − x0, x2 − x0] / 2; the boundaries are subdivided outline segments. A point within 1e-9
-/// (relative to the bounding box's diagonal) of the outline becomes a point of the outline.
-///
-/// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one (after
-/// simplification within options.simplify); it does not fail. Where boundaries or points nearly touch, edges
-/// are not split for the angle's sake below 1e-5 of the aimed spacing, or below more if the mesh would become
-/// many times larger than the aim, so that meshing always ends.
-///
-/// The outline may touch itself in points; edges that cross or run over each other are refused. Polygons nest
-/// by even and odd. Throws InputError: outline empty, not finite, without area or crossing itself (with the
-/// place); a point that is outside or coincides with another (with index and coordinates); options out of
-/// range. Throws Cancelled when stopped.
+/// Meshes the inside by conforming constrained Delaunay refinement (CGAL Delaunay_mesher_2): uniform
+/// triangles (bounded circumradius, times the factor if there is one), finer only where the outline or the
+/// points require it. Vertex i is options.points[i], bit for bit, for every point; all cells have positive
+/// measure det[x1 − x0, x2 − x0] / 2; boundaries are subdivided outline segments. A point within 1e-9
+/// (relative to the bounding box's diagonal) of the outline becomes part of it.
+/// A target below what the outline needs at the minimum angle gives that smallest mesh (after simplification
+/// within options.simplify) instead of an error. Where boundaries or points nearly touch, edges are not split
+/// for the angle's sake below 1e-5 of the target spacing, or below more if the mesh would become many times
+/// larger than the target, so that meshing always ends.
+/// The outline may touch itself at points; crossing or overlapping edges are refused. Polygons nest by the
+/// even-odd rule. Throws InputError: outline empty, not finite, without area or crossing itself (with the
+/// place); a point outside or coincident with another (with index and coordinates); options out of range.
+/// Throws Cancelled when stopped.
 SimplicialMesh<2> meshOutline(const Outline& outline, const PlanarMeshOptions& options);
 
 }  // namespace wend

@@ -26,8 +26,8 @@ using Vertex = MarkedTriangulation::Vertex_handle;
 constexpr double boundaryPerRadius = 1.3;
 
 void insertOutline(MarkedTriangulation& triangulation, const Outline& outline) {
-    // All points at once (in spatial order) first: inserting them one by one with their edges is ten times
-    // slower.
+    // Inserts all points at once (in spatial order) first: inserting them one by one with their edges is ten
+    // times slower.
     std::vector<Point> points;
     std::vector<std::pair<std::size_t, std::size_t>> edges;
     for (const auto& loop : outline.loops) {
@@ -58,7 +58,7 @@ Vec<2> vec(const Point& p) {
     return {p.x(), p.y()};
 }
 
-/// How many edges of the length 1, times the factor, the parts of a segment up to each of some places hold.
+/// Returns how many edges of length 1, times the factor, fit into the segment up to each place.
 std::vector<double> lengthsAlong(const Point& a, const Point& b, const PlanarDomain::Factor& factor) {
     const int samples = factor ? kSamples : 1;
     const double step = std::sqrt(CGAL::squared_distance(a, b)) / samples;
@@ -69,7 +69,7 @@ std::vector<double> lengthsAlong(const Point& a, const Point& b, const PlanarDom
     return sums;
 }
 
-/// Where a segment is to be split, in ]0, 1[: into pieces of at most `length` times the factor.
+/// Returns where to split a segment, in ]0, 1[, into pieces of at most `length` times the factor.
 std::vector<double> splits(const Point& a, const Point& b, double length,
                            const PlanarDomain::Factor& factor) {
     const std::vector<double> sums = lengthsAlong(a, b, factor);
@@ -103,8 +103,8 @@ double areaOf(const Point& a, const Point& b, const Point& c, const PlanarDomain
            areaOf(ca, bc, c, factor, large) + areaOf(ab, bc, ca, factor, large);
 }
 
-/// Splits the edges of the outline evenly into pieces of at most `length`, times the factor. Left to the
-/// refinement they would be halved, and the number of vertices would go in powers of two.
+/// Splits the outline's edges evenly into pieces of at most `length` times the factor. The refinement would
+/// halve them, so that the number of vertices would grow in powers of two.
 void splitBoundaries(MarkedTriangulation& triangulation, double length, const PlanarDomain::Factor& factor) {
     std::vector<std::pair<Vertex, Vertex>> edges;
     for (const auto& edge : triangulation.finite_edges())
@@ -176,8 +176,8 @@ void requireInside(const MarkedTriangulation& triangulation) {
                              placeName<2>({v->point().x(), v->point().y()}) + ", is outside the shape");
 }
 
-/// CGAL's assertions (on in this file) throw; their own report on standard error adds nothing to that. Once:
-/// what reports them is one for all threads.
+/// CGAL's assertions (enabled in this file) throw; their output on standard error is redundant. Called once,
+/// because the handler is shared by all threads.
 void silenceCgal() {
     static std::once_flag silenced;
     std::call_once(silenced, [] {
@@ -187,7 +187,7 @@ void silenceCgal() {
     });
 }
 
-/// Runs f; what CGAL finds wrong becomes an InputError.
+/// Runs f and converts CGAL's errors to InputError.
 template <typename Function>
 auto guarded(const Function& f) {
     silenceCgal();
@@ -203,7 +203,7 @@ double sineSquared(double degrees) {
     return sine * sine;
 }
 
-/// False when the bounds on work are reached first.
+/// Returns false if the bounds on work are reached first.
 bool refine(MarkedTriangulation& triangulation, const RefinementBounds& bounds,
             const PlanarDomain::Factor& factor, const std::stop_token& stop) {
     triangulation.shortestSquared = bounds.shortest * bounds.shortest;

@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// What a refinement must reach and where it gives up.
+/// Targets and limits of a refinement.
 struct RefinementBounds {
     double circumradius = 0;  // of every triangle at most, times the factor there
     double minAngle = 25;     // degrees
@@ -29,7 +29,7 @@ class PlanarDomain {
     PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points, Factor factor = {});
     ~PlanarDomain();
 
-    /// As many edges of the length that is wanted there fit in: ∫ f⁻² dA and ∫ f⁻¹ ds.
+    /// Return how many edges of the local target length fit in: ∫ f⁻² dA and ∫ f⁻¹ ds.
     double area() const;
     double perimeter() const;
     int vertexCount() const;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Only for planar_refinement.cpp: the CGAL types of the refinement.
+// CGAL types of the refinement, for planar_refinement.cpp only.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -41,12 +41,12 @@ using Cdt =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// What a vertex's info holds that is no number in the mesh.
+/// Values of a vertex's info that are not mesh indices.
 constexpr int newVertex = -1;
 constexpr int frameVertex = -2;
 
-/// The triangulation as the mesher sees it: keeps the faces' marks up to date through its one way to add a
-/// point, and holds the length below which boundaries count as conforming.
+/// The triangulation of the mesher: updates the faces' marks whenever a point is added, and stores the length
+/// below which boundaries count as conforming.
 class MarkedTriangulation : public Cdt {
   public:
     using Cdt::Cdt;
@@ -113,8 +113,8 @@ class SizeAndAngle {
     Is_bad is_bad_object() const { return Is_bad(*this); }  // NOLINT(readability-identifier-naming)
 
   private:
-    /// Triangles whose edges are all at or below `shortest` are never bad: their circumcentres may lie beyond
-    /// a boundary that counts as conforming. Triangles with one such edge are not refined for their angle.
+    /// Triangles with all edges at most `shortest` are never bad: their circumcentres may be beyond a
+    /// boundary that counts as conforming. Triangles with one such edge are not refined for their angle.
     Quality quality(const Face_handle& face) const {
         const Point &p = face->vertex(0)->point(), &q = face->vertex(1)->point(),
                     &r = face->vertex(2)->point();
@@ -149,9 +149,8 @@ class SizeAndAngle {
 
 namespace CGAL::Mesh_2 {
 
-/// A boundary segment needs its diametral circle empty on its inner side only (CGAL's own rule looks at
-/// both): what lies across a gap outside of the shape has no part in the mesh, and narrow gaps would be
-/// filled with tiny edges for nothing.
+/// A boundary segment needs an empty diametral circle on its inner side only (CGAL's own rule tests both):
+/// points across a gap are not part of the mesh, and narrow gaps would be filled with tiny edges.
 template <>
 struct Is_locally_conforming_Gabriel<wend::planar::MarkedTriangulation> {
     using Triangulation = wend::planar::MarkedTriangulation;

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Signed solid angle of a triangle seen from p (van Oosterom and Strackee 1983): 4π in all for each time
-/// that a closed surface goes around it.
+/// Returns the signed solid angle of a triangle seen from p (van Oosterom and Strackee 1983): 4π in total for
+/// each time that a closed surface encloses p.
 inline double solidAngle(const Vec<3>& p, const Vec<3>& x, const Vec<3>& y, const Vec<3>& z) {
     const Vec<3> a = x - p, b = y - p, c = z - p;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();

@@ -6,11 +6,11 @@
 
 namespace wend {
 
-/// What counts of a surface: without triangles that are degenerate, double or of missing vertices, and with
-/// one vertex at every place.
+/// The valid part of a surface: without degenerate, duplicate or dangling triangles, and with merged
+/// vertices.
 struct SoundPart {
     Surface surface;
-    std::vector<int> triangles;  // whose they are in the whole surface
+    std::vector<int> triangles;  // their numbers in the whole surface
 
     explicit SoundPart(const Surface& whole);
     /// The triangles that are connected with one through edges and agree with it, in the whole surface's

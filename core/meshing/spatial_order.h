@@ -6,9 +6,9 @@
 
 namespace wend {
 
-/// Numbers the vertices from `first` on, and the cells by their centroids, along a Hilbert curve: what is
-/// near in space is near in memory, without which assembly and products take twice as long on large meshes.
-/// Returns the new number of every vertex.
+/// Sorts the vertices from `first` on, and the cells by their centroids, along a Hilbert curve for memory
+/// locality, without which assembly and products take twice as long on large meshes. Returns the new number
+/// of every vertex.
 template <int Dim>
 std::vector<int> sortSpatially(SimplicialMesh<Dim>& mesh, int first);
 

@@ -36,15 +36,15 @@ struct SurfaceProblems {
 
     /// TetGen's input must be closed and free of crossings; orientation does not matter to it.
     bool boundsVolume() const;
-    /// One line: "12 open edges (first: 3–17), 4 pairs of triangles intersect (first: 20, 81)". Empty if
-    /// there is nothing.
+    /// Returns one line: "12 open edges (first: 3–17), 4 pairs of triangles intersect (first: 20, 81)". Empty
+    /// without problems.
     std::string summary() const;
-    /// All triangles that take part in a problem, each once, increasing: to be shown and saved.
+    /// Returns all triangles that are part of a problem, each once, in increasing order.
     std::vector<int> triangles(const Surface& surface) const;
 };
 
-/// Finds all of them. Crossings are exact (CGAL predicates); triangles that share a vertex or an edge count
-/// as crossing where they meet elsewhere too. At most `limit` crossings are listed.
+/// Finds all problems. Crossings are exact (CGAL predicates); triangles that share a vertex or an edge count
+/// as crossing if they meet elsewhere, too. At most `limit` crossings are listed.
 SurfaceProblems checkSurface(const Surface& surface, int limit = 10000);
 
 struct RepairReport {

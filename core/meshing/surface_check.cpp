@@ -28,7 +28,7 @@ Ids sortedIds(Ids ids) {
     return ids;
 }
 
-/// Exact tests on triangles whose coincident vertices have one id.
+/// Exact tests of triangles with merged vertices.
 class Crossing {
   public:
     explicit Crossing(const Points<3>& points) : m_points(points) {}
@@ -63,7 +63,7 @@ class Crossing {
         return shared;
     }
 
-    /// Two triangles on one edge: do they lie in one plane on the same side of it?
+    /// Returns whether two triangles with a common edge are coplanar and on the same side of it.
     bool foldedOnto(const Ids& a, const Ids& b) const {
         const Point p = point(a[0]), q = point(a[1]), r = point(a[2]), s = point(b[2]);
         return CGAL::orientation(p, q, r, s) == CGAL::COPLANAR &&
@@ -73,7 +73,7 @@ class Crossing {
     const Points<3>& m_points;
 };
 
-/// Of a heap of triangles there may be millions: the search is left when enough are found.
+/// There may be millions of crossings, so the search stops when enough are found.
 void findCrossings(const Surface& surface, const std::vector<Ids>& canonical, const std::vector<bool>& usable,
                    int limit, const std::stop_token& stop, SurfaceProblems& problems) {
     struct Enough {};

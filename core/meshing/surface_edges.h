@@ -18,13 +18,13 @@ std::array<int, 2> sorted(int a, int b);
 /// The edges of a loop of vertices, each in increasing order.
 std::vector<std::array<int, 2>> sidesOf(const std::vector<int>& loop);
 
-/// Whether a side of a triangle goes from one vertex to the other.
+/// Returns whether a side of a triangle runs from one vertex to the other.
 bool runsAlong(const std::array<int, 3>& triangle, int from, int to);
 
-/// All edges, in increasing order of their vertices. Triangles with bad indices are passed over.
+/// Returns all edges in increasing order of their vertices. Triangles with invalid indices are skipped.
 std::vector<SurfaceEdge> edgesOf(const Surface& surface);
 
-/// For each vertex the first vertex at the same place (bit for bit; itself if there is none).
+/// Returns for each vertex the first one at the same place (bit for bit; itself if there is none).
 std::vector<int> canonicalVertices(const Points<3>& points);
 
 }  // namespace wend

@@ -13,7 +13,7 @@
 namespace wend {
 namespace {
 
-/// One vertex at each place, and no triangle that names one twice or repeats another.
+/// Merges vertices, and removes triangles that repeat a vertex or another triangle.
 Surface cleaned(const Surface& surface) {
     const std::vector<int> first = canonicalVertices(surface.points);
     Surface clean{surface.points, {}, {}};
@@ -28,8 +28,8 @@ Surface cleaned(const Surface& surface) {
     return clean;
 }
 
-/// The corners of all triangles, those that turn about one vertex being one: where fans meet in a point only,
-/// each has a vertex of its own.
+/// Groups the corners of all triangles around vertices: where fans meet in a point only, each has a vertex of
+/// its own.
 class Corners {
   public:
     Corners(const Surface& surface, const std::vector<SurfaceEdge>& edges)
@@ -96,7 +96,7 @@ double signedVolume(const Surface& surface, const Part& part) {
     return volume;
 }
 
-/// Of closed parts that do not cross, however they are oriented.
+/// Assumes closed parts that do not cross, with any orientation.
 bool encloses(const Surface& surface, const Part& part, const Vec<3>& p) {
     if (!part.box.contains(p)) return false;
     double angle = 0;
@@ -142,7 +142,7 @@ bool isOriented(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
     });
 }
 
-/// Every edge is run along as often in one direction as in the other.
+/// Returns whether every edge is used equally often in both directions.
 bool isClosed(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
     return std::ranges::all_of(edges, [&](const SurfaceEdge& edge) {
         const auto [from, to] = edge.vertices;

@@ -6,9 +6,9 @@
 
 namespace wend {
 
-/// What an engineer asks of a surface before anything else. Vertices at one place count as one.
+/// Basic facts about a surface. Coincident vertices count as one.
 struct SurfaceFacts {
-    Vec<3> low = Vec<3>::Zero(), high = Vec<3>::Zero();  // box around what the triangles have
+    Vec<3> low = Vec<3>::Zero(), high = Vec<3>::Zero();  // bounding box of the triangles
     double area = 0;
     int edges = 0;
     double shortestEdge = 0, meanEdge = 0, longestEdge = 0;

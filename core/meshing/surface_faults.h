@@ -7,13 +7,13 @@
 
 namespace wend {
 
-/// One kind of what is wrong with a surface, and the triangles of each case of it.
+/// One kind of fault of a surface, with the triangles of each case.
 struct FaultKind {
     std::string name;  // one word: hole, crossing, crowded_edge, flat, duplicate, turned_edge, missing_vertex
     std::vector<std::vector<int>> cases;
 };
 
-/// All kinds that there are, the gravest first. A hole is all open edges that are connected.
+/// Returns all kinds that occur, the most serious first. A hole consists of connected open edges.
 std::vector<FaultKind> faultsOf(const Surface& surface, const SurfaceProblems& problems);
 
 }  // namespace wend

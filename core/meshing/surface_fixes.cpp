@@ -67,7 +67,7 @@ class Fixer {
         return true;
     }
 
-    Surface m_all;                          // with what went away
+    Surface m_all;                          // including removed triangles
     std::vector<bool> m_gone;               // triangles
     std::vector<std::vector<int>> m_holes;  // as far as they are known
 };

@@ -15,7 +15,7 @@ struct Side {
     int from, to;
 };
 
-/// In increasing order of where they begin.
+/// In increasing order of their starts.
 std::vector<Side> sidesOf(const Surface& surface) {
     std::vector<Side> sides;
     for (const SurfaceEdge& edge : edgesOf(surface)) {
@@ -50,8 +50,8 @@ Points<3> vertexNormals(const Surface& surface) {
     return normals;
 }
 
-/// Which side follows which. Where several begin at one vertex, a hole goes on with the first of them
-/// clockwise around the vertex' normal: beyond it are the next triangles.
+/// Successors of open sides. If several start at one vertex, a hole continues with the first of them
+/// clockwise around the vertex normal, next to the following triangles.
 class Followers {
   public:
     Followers(const Surface& surface, const std::vector<Side>& sides)
@@ -68,7 +68,7 @@ class Followers {
     }
 
   private:
-    /// −1 if there is none that does not follow another one already.
+    /// Returns −1 if every candidate already has a predecessor.
     int after(const Side& side) {
         const auto first = std::lower_bound(m_sides.begin(), m_sides.end(), side.to,
                                             [](const Side& s, int vertex) { return s.from < vertex; });
@@ -86,7 +86,7 @@ class Followers {
         return best;
     }
 
-    /// The angle from where a side comes from to where the next one goes to, in [0, 2π).
+    /// Returns the angle from a side's reverse to the next one, in [0, 2π).
     double clockwise(const Side& in, const Side& out) const {
         const Vec<3> at = m_surface.points.col(in.to), n = m_normals.col(in.to).normalized();
         const Vec<3> from = m_surface.points.col(in.from) - at, to = m_surface.points.col(out.to) - at;
@@ -101,7 +101,7 @@ class Followers {
     std::vector<bool> m_taken;
 };
 
-/// The triangles of a surface, whichever way they are turned.
+/// The triangles of a surface in either orientation.
 class Known {
   public:
     explicit Known(const Surface& surface) : m_triangles(surface.triangles) {
@@ -119,7 +119,7 @@ class Known {
 
 constexpr double kSlit = 1e-6;  // width of a slit, relative to its length
 
-/// The loop with a triangle beside one of its sides taken away: the third vertex comes between.
+/// Returns the loop after the triangle beside one of its sides is removed: it includes the third vertex.
 std::vector<int> around(const std::vector<int>& loop, const std::array<int, 3>& triangle) {
     std::vector<int> ring;
     for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -159,7 +159,8 @@ std::vector<std::vector<int>> holeLoops(const Surface& surface) {
             path.push_back(sides[s].from);
             const int back = place[sides[s].to];
             if (back < 0) continue;
-            loops.emplace_back(path.begin() + back, path.end());  // came back: what lies between is a hole
+            // back at an earlier vertex: the part in between is a hole
+            loops.emplace_back(path.begin() + back, path.end());
             for (const int id : loops.back()) place[id] = -1;
             path.resize(static_cast<std::size_t>(back));
         }

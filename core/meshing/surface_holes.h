@@ -11,13 +11,13 @@ namespace wend {
 /// must be oriented consistently.
 std::vector<std::vector<int>> holeLoops(const Surface& surface);
 
-/// Those of them that can be filled: a triangle that hangs at one vertex only has the same boundary as a
-/// hole.
+/// Returns the loops that can be filled: the boundary of a triangle connected by one vertex only looks like a
+/// hole, too.
 std::vector<std::vector<int>> holesOf(const Surface& surface);
 
-/// The triangle beside the longest side of a loop that is no more than a slit: where a vertex lies on an edge
-/// that knows nothing of it, what would fill the hole has no area. With that triangle gone the hole can be
-/// filled. −1 if it is no slit.
+/// Returns the triangle beside the longest side of a loop that is only a slit: where a vertex is on an edge
+/// without belonging to it, a filling would have no area. Without that triangle the hole can be filled.
+/// Returns −1 if it is no slit.
 int besideSlit(const Surface& surface, const std::vector<int>& loop);
 
 /// Closes a hole along its loop: a triangle, or a fan around the centre of the boundary.
@@ -28,7 +28,7 @@ struct FilledHoles {
     std::vector<int> larger;       // the numbers of edges of those that stayed
 };
 
-/// Closes holes of at most `largest` edges, slits with the triangle beside them made anew.
+/// Fills holes of at most `largest` edges, and slits together with the triangle beside them.
 FilledHoles fillHoles(Surface& surface, int largest);
 
 }  // namespace wend

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// TetGen prints to standard output: the reply takes the pipe, the chatter goes nowhere.
+/// TetGen prints to standard output: the reply keeps the pipe, and the output is discarded.
 int takeStandardOutput() {
     const int pipe = dup(STDOUT_FILENO);
     const int nowhere = open("/dev/null", O_WRONLY);
@@ -79,7 +79,7 @@ double factorAt(const std::array<double, 3>& p) {
     return sum;
 }
 
-/// Whether a cell is larger than its place wants.
+/// Returns whether a cell is larger than the local target.
 bool isTooLarge(double* a, double* b, double* c, double* d, double*, double) {
     std::array<double, 3> centre;
     double e[3][3];
@@ -139,6 +139,6 @@ int main(int argc, char** argv) {
     wend::TetgenRequest request;
     if (!unpack(wend::readAll(STDIN_FILENO), request)) return 2;
     const bool written = wend::writeAll(pipe, pack(mesh(request)));
-    // Not exit(): after an error of TetGen its destructors free what it has freed already.
+    // Not exit(): after an error TetGen's destructors free memory twice.
     _exit(written ? 0 : 1);
 }

@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// What goes through the pipes between the program and wend-tetgen.
+/// Messages between the program and wend-tetgen.
 struct TetgenRequest {
     std::string switches;
     std::vector<double> points;   // 3 per vertex
@@ -27,7 +27,7 @@ struct TetgenReply {
 /// Bytes of all members one after another (see array_bytes.h).
 std::string pack(const TetgenRequest& request);
 std::string pack(const TetgenReply& reply);
-/// False if the bytes are too few or too many.
+/// Returns false if the bytes are too few or too many.
 bool unpack(const std::string& bytes, TetgenRequest& request);
 bool unpack(const std::string& bytes, TetgenReply& reply);
 

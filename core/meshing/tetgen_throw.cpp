@@ -1,6 +1,6 @@
-// As Debian ships TetGen 1.5.0, terminatetetgen() frees the mesh before it throws, and unwinding frees it
-// again. The symbol is weak in the library; this definition takes its place, and the code it throws can be
-// caught. tetgen.h must not be included here.
+// In Debian's TetGen 1.5.0, terminatetetgen() frees the mesh before it throws, and unwinding frees it again.
+// The symbol is weak in the library; this definition replaces it, and the code that it throws can be caught.
+// tetgen.h must not be included here.
 
 class tetgenmesh;
 

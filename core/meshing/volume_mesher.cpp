@@ -65,7 +65,7 @@ std::vector<std::array<int, 3>> joinedTriangles(const Surface& surface) {
     return triangles;
 }
 
-/// All neighbours must agree for the winding number of a shell to mean anything.
+/// Orients neighbours consistently, so that the winding number of a shell is meaningful.
 Surface oriented(const Surface& surface) {
     RepairReport report;
     Surface copy{surface.points, joinedTriangles(surface), surface.labels};
@@ -168,8 +168,8 @@ class VolumeMesher {
         request.sizeCounts.assign(sizes.counts.begin(), sizes.counts.end());
     }
 
-    /// All points of the surface, then those that the mesher has made, and its cells and boundary in terms of
-    /// them: it would drop points that no triangle has, and with them the numbers of the others.
+    /// Returns all points of the surface, followed by those of the mesher, with cells and boundary in terms
+    /// of them: the mesher drops unused points, which would renumber the others.
     TetgenReply renumbered(const TetgenReply& reply) const {
         const auto sent = static_cast<std::ptrdiff_t>(m_sent.size());
         if (static_cast<std::ptrdiff_t>(reply.points.size()) < 3 * sent)
@@ -185,7 +185,7 @@ class VolumeMesher {
         return result;
     }
 
-    /// Keeps the regions that lie inside, one test per region, and drops vertices that only other cells had.
+    /// Keeps the regions inside, with one test per region, and drops vertices of other cells.
     VolumeMesh read(const TetgenReply& raw) const {
         const TetgenReply reply = renumbered(raw);
         const Eigen::Map<const Points<3>> points(reply.points.data(), 3,
@@ -261,8 +261,8 @@ class VolumeMesher {
     std::vector<int> m_labels;  // those that there are, each once, increasing
 };
 
-/// Inner vertices go with 1/maxVolume: a secant search in the logarithm, held between what is known to give
-/// too many and too few, at most ten runs.
+/// The number of inner vertices is proportional to 1/maxVolume: a secant search in the logarithm, bracketed
+/// by known bounds, with at most ten runs.
 VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& options) {
     double maxVolume = mesher.volume() / (5.0 * options.vertices);
     VolumeMesh best;

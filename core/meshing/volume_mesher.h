@@ -11,8 +11,7 @@
 
 namespace wend {
 
-/// How long edges are to be relative to elsewhere: factors on a regular grid over the surface's box,
-/// trilinear between.
+/// Relative edge lengths: factors on a regular grid over the surface's box, with trilinear interpolation.
 struct SizeGrid {
     Vec<3> low = Vec<3>::Zero(), spacing = Vec<3>::Ones();
     std::array<int, 3> counts{};  // of nodes, x running fastest; 0: the same everywhere
@@ -31,7 +30,7 @@ struct VolumeMeshOptions {
     int vertices = 0;  // that cells have; > 0: aim, met within 15 % if the kept surface allows it; maxVolume
                        // then does not count
     bool keepSurface = true;  // the input's vertices and triangles stay as they are (-Y)
-    SizeGrid sizes;           // volumes go with the factor's cube
+    SizeGrid sizes;           // volumes are proportional to the factor's cube
     double timeLimit = 120;   // seconds of computing, for each 50 000 triangles of the surface that it begins
     std::stop_token stop;
 };
@@ -39,7 +38,7 @@ struct VolumeMeshOptions {
 struct VolumeMesh {
     SimplicialMesh<3> mesh;                    // with keepSurface, vertices 0 … n−1 are the surface's
     std::vector<std::array<int, 3>> boundary;  // the boundary triangles
-    std::vector<int> boundaryLabels;           // the label of the input triangle that each one lies in
+    std::vector<int> boundaryLabels;           // label of the input triangle that contains each one
     bool aimMet = true;  // false: the surface alone has too many (or -Y allows too few) vertices
 
     /// Vertices that cells have: of several at one place only one is among them.
@@ -58,10 +57,10 @@ class SurfaceError : public InputError {
     SurfaceProblems problems;
 };
 
-/// The volume between the shells of a closed surface (inside where an odd number of shells encloses: a shell
-/// in a shell is a hole), by TetGen in a process of its own (wend-tetgen beside the program): it can neither
-/// crash, hang nor exit Wend. Throws SurfaceError: what is wrong with the surface (checkSurface); InputError:
-/// that and how TetGen failed, or that time ran out; Cancelled.
+/// Meshes the volume between the shells of a closed surface (inside of an odd number of shells: a shell in a
+/// shell is a hole) with TetGen in the process wend-tetgen, so that it cannot crash, block or exit Wend.
+/// Throws SurfaceError with the surface's problems (checkSurface); InputError with these and TetGen's
+/// failure, or if time ran out; Cancelled.
 VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options);
 
 }  // namespace wend

@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-/// Whether t lies in a range, seen from one side of its ends.
+/// Returns whether t is in a range, seen from one side of its ends.
 bool within(double t, double from, double to, Side side) {
     return side == Side::After ? from <= t && t < to : from < t && t <= to;
 }

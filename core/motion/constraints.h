@@ -24,21 +24,20 @@ struct ConstrainedPoint {
     }
 };
 
-/// One handle in time: its motions one after another, and when it acts at all.
+/// A handle over time: its consecutive motions and its active range.
 template <int Dim>
 class HandleTimeline {
   public:
-    /// Throws InputError for a motion that makes no sense, motions out of order or overlapping, an empty
-    /// active range.
+    /// Throws InputError for invalid motions, motions out of order or overlapping, and an empty active range.
     explicit HandleTimeline(const Handle<Dim>& handle);
 
     bool active(double t, Side side) const;
-    /// Which motion acts, or −1: the handle holds still (or is not active).
+    /// Returns the active motion, or −1 if the handle holds still or is inactive.
     int motionAt(double t, Side side) const;
-    /// From where a point was when the current motion began to where it is; identity where the handle holds
-    /// still.
+    /// Returns the map from a point's place at the start of the current motion to its place at t; identity if
+    /// the handle holds still.
     MovingMap<Dim> at(double t, Side side) const;
-    /// All times at which the constraints or their velocities are not smooth.
+    /// Returns all times at which the constraints or their velocities are not smooth.
     std::vector<double> breakpoints() const;
 
   private:
@@ -46,11 +45,10 @@ class HandleTimeline {
     double m_activeFrom, m_activeTo;
 };
 
-/// The points that handles prescribe, and where these want them to be.
-///
-/// A constrained point's *anchor* at time t is where it was when the motion that acts from t on began (or
-/// where it stands, if the handle holds still): its trajectory is M(t′) anchor. A handle that becomes active
-/// later, be it in the middle of a motion, takes its points from where they are then.
+/// The points that handles prescribe, with their trajectories.
+/// A constrained point's *anchor* at time t is its place when the motion that acts from t on began (or its
+/// place, if the handle holds still): its trajectory is M(t′) anchor. A handle that becomes active later,
+/// possibly in the middle of a motion, takes its points from where they are then.
 template <int Dim>
 class Constraints {
   public:
@@ -63,8 +61,8 @@ class Constraints {
                 const Normalization<Dim>& units = {});
 
     const std::vector<ConstrainedPoint>& points() const { return m_points; }
-    /// Vertices of handles that slide (Handle::slides), which are not among the points, and the coordinates
-    /// in which they are held: bit k stands for coordinate k.
+    /// Returns the vertices of sliding handles (Handle::slides), which are not among the points, with the
+    /// coordinates in which they are held: bit k is coordinate k.
     const std::vector<std::pair<int, unsigned>>& sliders() const { return m_sliders; }
     const HandleTimeline<Dim>& timeline(int handle) const { return m_timelines[handle]; }
     /// `handle "name"`, or by number if it has none.
@@ -78,17 +76,17 @@ class Constraints {
     double lastBreakpoint(double t) const;
 
     std::vector<int> activePoints(double t, Side side) const;
-    /// Whether any active handle is inside a window.
+    /// Returns whether any active handle moves.
     bool moving(double t, Side side) const;
 
     /// The anchor of a point that is at p at time t.
     Vec<Dim> anchor(int id, const Vec<Dim>& p, double t, Side side = Side::After) const;
     /// Anchors for going on from a shape at time t.
     Anchors anchors(const Points<Dim>& shape, double t, Side side = Side::After) const;
-    /// Anchors for going on over the breakpoint t, from those that led to it.
+    /// Updates anchors across the breakpoint t.
     void crossBreakpoint(double t, const Points<Dim>& shape, Anchors& anchors) const;
-    /// Anchors for going on from a shape at time t, given those that other constraints had there: kept to the
-    /// bit where a point was constrained before and its trajectory leads on, else as anchors().
+    /// Returns anchors for continuing from a shape at time t, given those of other constraints at that time:
+    /// kept to the bit for points that were constrained before on the same trajectory, else as anchors().
     Anchors adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
                   const Points<Dim>& shape, double t) const;
 

@@ -24,17 +24,18 @@ template <int Dim>
 struct Curve {
     std::vector<CurvePiece<Dim>> pieces;
 
-    /// The piece among [first, last[ that u lies in (at a joint the later one).
+    /// Returns the piece in [first, last[ that contains u (at a joint the later one).
     int locate(double u, int first, int last) const;
-    /// First pieces of the stretches between jumps of γ′: 0 and every piece at whose start γ′ jumps.
+    /// Returns the first pieces of the intervals between jumps of γ′: 0 and every piece at whose start γ′
+    /// jumps.
     std::vector<int> smoothStretches() const;
 };
 
 /// A chain of cubics over 3k + 1 control points, each taking the same share of u.
 template <int Dim>
 Curve<Dim> bezierCurve(const std::vector<Vec<Dim>>& points);
-/// The points that splines and polylines go through, by their numbers: without those that repeat their
-/// predecessor up to 1e-12 of the length, two at least. Piece k lies between the k-th and the next.
+/// Returns the indices of the points that splines and polylines interpolate, without repetitions up to 1e-12
+/// of the length, at least two. Piece k is between the k-th and the next.
 template <int Dim>
 std::vector<int> distinctPoints(const std::vector<Vec<Dim>>& points);
 /// The C² interpolating cubic spline with natural ends (γ″ = 0) over chord lengths.

@@ -4,9 +4,10 @@
 
 namespace wend {
 
-/// How far along its path a motion is, u = e(s), at the fraction s of its window; e(0) = 0 and e(1) = 1:
+/// Returns the fraction of the path u = e(s) at the fraction s of the motion's duration, with e(0) = 0 and
+/// e(1) = 1:
 ///   linear s · in s² · out s (2 − s) · inOut s² (3 − 2s).
-/// `in` starts and `out` ends at rest, `inOut` does both.
+/// `in` starts and `out` ends with zero speed, `inOut` both.
 double ease(Ease kind, double s);
 /// e′(s).
 double easeRate(Ease kind, double s);

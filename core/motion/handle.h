@@ -11,8 +11,8 @@
 
 namespace wend {
 
-/// What a file says about an object and nothing here knows, kept for the next save: JSON pointers relative to
-/// the object, and the values as JSON text.
+/// Unknown content of a file's objects, kept for the next save: JSON pointers relative to the object, and the
+/// values as JSON text.
 using Extras = std::vector<std::pair<std::string, std::string>>;
 
 enum class Ease { Linear, In, Out, InOut };
@@ -54,11 +54,11 @@ struct Motion {
     Extras extras = {};
 };
 
-/// Vertex ids, points anywhere in the rest shape, or all vertices inside a region.
+/// The points of a handle: vertex ids, points anywhere in the rest shape, or all vertices inside a region.
 template <int Dim>
 using Placement = std::variant<std::vector<int>, std::vector<Vec<Dim>>, Region<Dim>>;
 
-/// How a handle is treated where it is worked on; the shape does not depend on it.
+/// Properties of a handle for editing; the shape does not depend on them.
 struct HandleTraits {
     bool locked = false;                  // is neither moved nor removed
     bool hidden = false;                  // is neither drawn nor picked; it holds all the same
@@ -78,8 +78,7 @@ struct Handle {
     double activeFrom = -std::numeric_limits<double>::infinity();
     double activeTo = std::numeric_limits<double>::infinity();
     Extras extras = {};
-    unsigned slides =
-        0;  // bit k: along coordinate k the points go where they like, and are held in the others
+    unsigned slides = 0;  // bit k: the points are free along coordinate k, and held along the others
     HandleTraits traits = {};
 };
 

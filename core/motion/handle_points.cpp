@@ -16,9 +16,9 @@ namespace {
 // inside.
 constexpr double kSameVertex = 1e-12;
 constexpr double kRegionBoundary = 1e-9;
-// A point drawn on the outline lies outside by rounding; in barycentric coordinates.
+// Barycentric tolerance: points drawn on the outline are outside by rounding.
 constexpr double kOutside = 1e-9;
-// A weight that only rounding has made: the point lies on the opposite facet.
+// Weights below are rounding: the point is on the opposite facet.
 constexpr double kNoWeight = 1e-12;
 
 template <int Dim>

@@ -24,7 +24,7 @@ class HandlePlacer {
     const SimplicialMesh<Dim>& m_rest;
     const Normalization<Dim>& m_units;
     double m_size;
-    std::vector<int> m_standsFor;  // per vertex, the one of a cell that it goes with; −1: none
+    std::vector<int> m_standsFor;  // per vertex its twin that belongs to a cell; −1 for none
     PointLocator<Dim> m_locator;
 };
 

@@ -8,22 +8,16 @@
 
 namespace wend {
 
-/// The rotation Q(u) = F(u) F(0)ᵀ of a frame F that is carried along a curve with its first column on the
-/// tangent.
-///
+/// The rotation Q(u) = F(u) F(0)ᵀ of a frame F along a curve, with the tangent as its first column.
 /// It is the continuous solution of Q′ = [ω]× Q, Q(0) = I, with
 ///   Minimal: ω = T × T′ (no spin about the tangent; Wang et al. 2008),
 ///   Frenet:  ω = T × T′ + τ T, per unit of u; on straight pieces and past inflections, where the normal of
-///   Frenet is
-///            undefined or flips, the frame is carried on without spin (it keeps a fixed offset to the normal
-///            from there).
-/// In the plane both are the tangent's rotation. Straight, planar and Frenet pieces are closed forms; Minimal
-/// on a spatial piece steps over a table by double reflection.
-///
-/// A corner of the curve would tear the shape if the frame jumped with the tangent. The turn (the least
-/// rotation from tangent to tangent) is spread over half of the shorter neighbouring piece on either side
-/// instead, with a continuous rate. Where the curve turns back exactly (cusp, hairpin), the frame goes on
-/// backwards.
+/// Frenet is undefined or flips, the frame continues without spin (at a fixed offset to the normal).
+/// In the plane both are the tangent's rotation. Straight, planar and Frenet pieces have closed forms;
+/// Minimal on a spatial piece integrates a table by double reflection.
+/// A jump of the frame at a corner of the curve would tear the shape. The rotation (the smallest from tangent
+/// to tangent) is therefore spread over half of the shorter neighbouring piece on either side, with a
+/// continuous rate. At exact reversals (cusps, hairpins) the frame continues backwards.
 class MovingFrame {
   public:
     MovingFrame(const Curve<3>& curve, FrameKind kind);
@@ -32,10 +26,10 @@ class MovingFrame {
         Mat<3> rotation = Mat<3>::Identity();  // Q(u)
         Vec<3> omega = Vec<3>::Zero();         // per unit of u
     };
-    /// At u, which lies in the given piece of the curve.
+    /// Returns the sample at u, which is in the given piece of the curve.
     Sample at(double u, int piece) const;
-    /// F(0): tangent, normal and binormal at the start; the normal is arbitrary if the curve starts straight
-    /// (in the plane z = 0 it lies in the plane). Identity for a curve that never moves.
+    /// Returns F(0): tangent, normal and binormal at the start; the normal is arbitrary if the curve starts
+    /// straight (in the plane z = 0 it is in the plane). Identity for a curve that never moves.
     const Mat<3>& start() const { return m_start; }
 
   private:

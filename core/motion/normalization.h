@@ -5,9 +5,9 @@
 
 namespace wend {
 
-/// x̂ = (x − c) / s with the centroid c and the size s of the rest shape (ShapeSize): the frame that the
-/// deformation is computed in, where a tolerance or a smoothing length means the same for every shape in
-/// every orientation.
+/// The map x̂ = (x − c) / s with the centroid c and the size s of the rest shape (ShapeSize): the
+/// computational frame, in which a tolerance or a smoothing length means the same for every shape in every
+/// orientation.
 template <int Dim>
 struct Normalization {
     Vec<Dim> centre = Vec<Dim>::Zero();

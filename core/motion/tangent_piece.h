@@ -4,10 +4,9 @@
 
 namespace wend {
 
-/// The tangent of one cubic piece and what can be said of its bending. The hodograph h(v) = dγ/dv is a
-/// quadratic; a common root of its components (a handle drawn onto its own end, a cusp) is divided out, so
-/// that the direction g(v) stays smooth there: at a cusp the tangent is continued with its sign and the curve
-/// runs backwards from it.
+/// The tangent of a cubic piece and its rates. The hodograph h(v) = dγ/dv is a quadratic; a common root of
+/// its components (a Bézier handle on its own end point, a cusp) is divided out, so that the direction g(v)
+/// stays smooth: at a cusp the tangent keeps its sign and the curve runs backwards from it.
 class TangentPiece {
   public:
     enum class Shape {
@@ -16,7 +15,7 @@ class TangentPiece {
         Planar,    // constant binormal; inflections only occur here
         Spatial    // torsion nowhere zero, no inflection, no cusp
     };
-    /// `size`: the extent of the whole curve, below 1e-13 of which a piece counts as still.
+    /// `size`: the extent of the whole curve; pieces below 1e-13 of it count as points.
     TangentPiece(const CurvePiece<3>& piece, double size);
 
     Shape shape() const { return m_shape; }
@@ -28,7 +27,8 @@ class TangentPiece {
     Vec<3> binormal(double v) const;
     /// dT/dv.
     Vec<3> tangentRate(double v) const;
-    /// Torsion times dσ/dv (σ arc length): how fast Frenet's frame turns about the tangent. Spatial only.
+    /// Returns the torsion times dσ/dv (σ arc length): the rotation rate of Frenet's frame about the tangent.
+    /// Spatial only.
     double torsionRate(double v) const;
     /// (γ(w) − γ(v)) / (w − v), without cancellation.
     Vec<3> chord(double v, double w) const;

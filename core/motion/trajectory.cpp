@@ -111,7 +111,7 @@ Mat<Dim> spin(const Vec<Dim>& axis) {
     }
 }
 
-/// What a motion does as a function of its parameter u ∈ [0, 1]; velocity per unit of u.
+/// Returns a motion as a function of its parameter u ∈ [0, 1]; velocity per unit of u.
 template <int Dim>
 MovingMap<Dim> mapOf(const Translate<Dim>& motion, double u) {
     return {{Mat<Dim>::Identity(), u * motion.by}, {Mat<Dim>::Zero(), motion.by}};
@@ -128,7 +128,7 @@ MovingMap<Dim> mapOf(const Rotate<Dim>& motion, double u) {
 
 template <int Dim>
 struct Trajectory<Dim>::Path {
-    /// A curve and what its points carry along.
+    /// A curve and its moving frame.
     struct Carried {
         Curve<Dim> curve;
         std::optional<MovingFrame> frame;
@@ -178,7 +178,7 @@ struct Trajectory<Dim>::Path {
     double parameter(double t) const {
         return ease(easing, std::clamp((t - start) / (end - start), 0.0, 1.0));
     }
-    /// Which stretch t belongs to; decided in time, on the same doubles that breakTimes() gives out.
+    /// Returns the interval of t; decided in time, on the same doubles that breakTimes() returns.
     size_t stretchAt(double t, Side side) const {
         const auto at = side == Side::After ? std::upper_bound(breaks.begin(), breaks.end(), t)
                                             : std::lower_bound(breaks.begin(), breaks.end(), t);
@@ -202,7 +202,7 @@ void Trajectory<Dim>::Path::setBreaks(const Carried& carried) {
     }
 }
 
-/// Q(u) and its ω with the twist: Q Rot(T(0), ψ), which turns about Q T(0).
+/// Returns Q(u) and its ω with the twist: Q Rot(T(0), ψ), which rotates about Q T(0).
 template <int Dim>
 MovingFrame::Sample Trajectory<Dim>::Path::Carried::turned(double u, int piece) const {
     if (!frame || u == 0) {

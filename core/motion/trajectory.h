@@ -21,14 +21,14 @@ struct MovingMap {
     AffineMap<Dim> velocity;  // the analytic derivative of position: d/dt (A x + b) = velocity(x)
 };
 
-/// At a time where the velocity jumps: the value of the stretch that ends there or of the one that begins.
+/// The side of a time at which the velocity jumps: the interval that ends there, or the one that begins.
 enum class Side { Before, After };
 
-/// One motion, ready to evaluate: M(t) with M(start) = identity, for t in [start, end]; the end value after
-/// it. A curve moves x to γ + s Q (x − γ(0)), Q the rotation of its frame, twist included, and s the scale,
-/// both linear in the curve's parameter. A stroke's times are mapped linearly to the window. Throws
-/// InputError for a motion that makes no sense (window reversed, fewer points than the interpolation needs,
-/// a zero axis, times that do not increase, a scale ≤ 0, twist in 2D …), naming the key.
+/// One motion, ready to evaluate: M(t) with M(start) = identity, for t in [start, end]; the end value
+/// afterwards. A curve moves x to γ + s Q (x − γ(0)), with the rotation Q of its frame including the twist,
+/// and the scale s, both linear in the curve's parameter. A stroke's times are mapped linearly to the
+/// interval. Throws InputError for an invalid motion (reversed interval, fewer points than the interpolation
+/// needs, a zero axis, times that do not increase, a scale ≤ 0, twist in 2D …), naming the key.
 template <int Dim>
 class Trajectory {
   public:
@@ -39,13 +39,13 @@ class Trajectory {
 
     double start() const;
     double end() const;
-    /// The side matters at break times only; outside [start, end] the position stands still.
+    /// The side matters at break times only; outside [start, end] the position is constant.
     MovingMap<Dim> at(double t, Side side = Side::After) const;
     /// Times inside ]start, end[ where the velocity jumps (corners of polylines and strokes, loose Bézier
     /// joints): an integrator must not step across.
     const std::vector<double>& breakTimes() const;
-    /// For drawing: the curve's point γ and its frame F (columns: tangent, normal …, twisted; the axes where
-    /// no frame is carried) at time t. For Translate and Rotate γ is the displacement resp. the centre and F
+    /// For drawing: return the curve's point γ and its frame F (columns: tangent, normal …, twisted; the axes
+    /// if no frame is used) at time t. For Translate and Rotate γ is the displacement or the centre, and F
     /// the rotation.
     Vec<Dim> curvePoint(double t) const;
     Mat<Dim> frame(double t) const;

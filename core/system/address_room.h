@@ -7,14 +7,14 @@
 
 namespace wend {
 
-/// Whether the process runs under a limit on its addresses (ulimit -v).
+/// Returns whether the process runs under a limit on its address space (ulimit -v).
 inline bool limitsAddresses() {
     rlimit limit{};
     return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
-/// Whether so many bytes of addresses can still be had. Under a limit on them (ulimit -v) libraries end the
-/// process while they are being initialized. System calls alone: it may be called before anything is
+/// Returns whether that many bytes of address space are available. Under a limit (ulimit -v) libraries end
+/// the process during their initialization. Uses system calls only, so it may be called before anything is
 /// initialized.
 inline bool hasAddressRoom(std::size_t bytes) {
     if (!limitsAddresses()) return true;

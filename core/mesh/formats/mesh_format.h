@@ -33,6 +33,9 @@ MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files
 std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options);
 
+/// Readers: return the content of the files, with the order and number of vertices and cells, all indices
+/// valid and all numbers finite. The reader of TetGen takes a .node and an .ele file, the others one. Throw
+/// InputError("", reason with line, byte or cell) for damaged content and unsupported cells.
 MeshFile readObj(std::span<const MeshSource> files);
 MeshFile readPly(std::span<const MeshSource> files);
 MeshFile readOff(std::span<const MeshSource> files);
@@ -44,6 +47,9 @@ MeshFile readVtk(std::span<const MeshSource> files);
 MeshFile readVtu(std::span<const MeshSource> files);
 MeshFile readUcd(std::span<const MeshSource> files);
 
+/// Printers: return the bytes of one file, or of one per extension in the format's order. Numbers read back
+/// as the same doubles, or as floats in the encodings that say so. Throw InputError for cells that the format
+/// cannot hold.
 std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printPly(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printOff(const MeshFile& mesh, const MeshWriteOptions& options);
