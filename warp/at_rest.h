@@ -4,12 +4,12 @@
 
 namespace wend {
 
-/// Whether the view shows the whole picture, pixel by pixel, on the shape at rest: nothing has moved.
+/// Returns whether the view shows the whole picture, pixel by pixel, on the undeformed shape.
 bool isAtRest(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view);
 
-/// Copies the source's own pixels into a strip wherever one within `margin` pixels is the shape's. An outline
-/// around what is opaque leaves narrow gaps open, so that limbs come apart; their soft edges reach into the
-/// gaps and are cut there. Where nothing has moved nothing must be.
+/// Copies the source's own pixels into a strip where the shape is within `margin` pixels. An outline from
+/// alpha leaves narrow gaps open, so that limbs come apart, and cuts soft edges that reach into the gaps;
+/// undeformed places must not be cut.
 void copyAtRest(const WarpJob& job, int margin, int top, Image& strip);
 
 }  // namespace wend

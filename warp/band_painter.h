@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Paints the rows of one band of a picture of numbers of type T: the cells, each over those before it; what
-/// no cell covers; what shows through where the shape covers itself; the outline's pixels.
+/// Paints the rows of one band of a picture of numbers of type T: the cells in painting order, the outside,
+/// what shows through where the shape overlaps itself, and the outline's pixels.
 template <typename T>
 class BandPainter {
   public:
@@ -55,7 +55,7 @@ class BandPainter {
         return m_levels[static_cast<std::size_t>(filter.level)];
     }
 
-    /// Whether all pixels that may be read for positions of a box are in the picture.
+    /// Returns whether all pixels needed for positions in a box are inside the picture.
     bool inner(const Vec<2>& low, const Vec<2>& high, const CellFilter& filter) const {
         const TexelLevel& level = levelOf(filter);
         const Eigen::Vector2i& reach = filter.ellipse.wholeReach;
@@ -84,7 +84,7 @@ class BandPainter {
         return inner(a.cwiseMin(b), a.cwiseMax(b), cell.filter);
     }
 
-    /// What a map and a filter give at the centre of a pixel.
+    /// Samples a map with a filter at the centre of a pixel.
     OutColour sample(const CellMap& map, const CellFilter& filter, int x, int y) const {
         SpanTask task = m_task;
         task.level = levelOf(filter);
@@ -174,7 +174,7 @@ class BandPainter {
         std::uint64_t samples;
     };
 
-    /// What the cells cover of the outline's pixels, cell by cell in painting order.
+    /// Returns the covered pieces of the outline's pixels, cell by cell in painting order.
     std::vector<Piece> pieces() const {
         std::vector<Piece> list;
         for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
@@ -197,7 +197,7 @@ class BandPainter {
         }
     }
 
-    /// What shows of each cell, from the top one down, and of the outside where there is none.
+    /// Composites the cells from the top one down, and the outside where there is none.
     void resolve(int x, int y, const Piece* begin, const Piece* end) {
         Layers seen = layers();
         for (const Piece* piece = end; piece != begin;) {

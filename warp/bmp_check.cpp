@@ -59,7 +59,7 @@ std::string bmpProblem(const InputFile& file) {
     const BmpHeader header(bytes);
     if (header.width < 1 || header.height == 0) return "has no pixels";
     if (!header.depthFits() || !header.packingFits()) return "has a header that makes no sense";
-    // Two bytes are up to 255 packed pixels.
+    // Two bytes encode up to 255 packed pixels.
     const bool isPacked = header.packing == kRunsOf8 || header.packing == kRunsOf4;
     const double needed = isPacked ? header.width * header.rows() / 128 : header.stored();
     return header.pixels + needed > static_cast<double>(file.size()) ? "claims more pixels than it can hold"

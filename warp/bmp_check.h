@@ -6,10 +6,10 @@
 
 namespace wend {
 
-/// What is wrong with a BMP's header, empty if nothing: one of unknown length, a depth or a way of packing
-/// that the format does not have or not together, more colours than the depth can name, pixels without a
-/// place in the file. Why: OpenImageIO expands packed pixels as it opens a file, before their size could be
-/// looked at, and takes any depth for one that can be packed.
+/// Returns what is wrong with a BMP's header, or an empty string: an unknown length, a depth or packing that
+/// the format does not have, too many colours for the depth, pixels outside the file. Necessary because
+/// OpenImageIO expands packed pixels when it opens a file, before their size could be checked, and accepts
+/// packing with any depth.
 std::string bmpProblem(const InputFile& file);
 
 }  // namespace wend

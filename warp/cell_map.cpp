@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kAnisotropy = 8;  // longest axis of an ellipse in pixels of its level
 constexpr double kBlendBegin =
-    1.01;  // stretch up to which bicubic is good enough: turns are 1 but for rounding
-constexpr double kBlendWidth = 0.34;  // over which it goes over into elliptical
+    1.01;  // stretch up to which bicubic is good enough: rotations are 1 up to rounding
+constexpr double kBlendWidth = 0.34;  // width of the transition to elliptical filtering
 
 /// Singular values of a 2 × 2 matrix, largest first, and the left singular vectors: the eigenvalues' roots
 /// and eigenvectors of J Jᵀ.
@@ -24,7 +24,7 @@ class LeftSingular {
         m_values = Vec<2>(std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius)));
     }
     const Vec<2>& values() const { return m_values; }
-    /// As columns.
+    /// Returns the vectors as columns.
     Mat<2> vectors() const {
         const double angle = std::atan2(m_mixed, m_difference) / 2;
         Mat<2> result;

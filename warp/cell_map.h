@@ -6,8 +6,8 @@
 namespace wend {
 
 /// The inverse affine map of one cell, pose → rest, written as source = destination −
-/// displacement(destination): where nothing is displaced it is exact. Every position is computed from its own
-/// coordinates alone, so that a window shows the bits of the whole.
+/// displacement(destination), which is exact without displacement. Every position is computed from its own
+/// coordinates alone, so that a crop has the same bits as the whole.
 struct CellMap {
     Vec<2> anchor;        // of the pose
     Vec<2> displacement;  // there
@@ -31,12 +31,12 @@ struct CellMap {
 /// pixels and stretching by at least 1 in every direction: |u|² = xx dx² + 2 xy dx dy + yy dy².
 struct Ellipse {
     float xx = 1, xy = 0, yy = 1;
-    /// Of a position between two pixels, the ellipse holds at most so many before the first of them, and one
-    /// more after it.
+    /// For a position between two pixels, the ellipse reaches at most this many pixels before the first of
+    /// them, and one more after it.
     Eigen::Vector2i wholeReach = {1, 1};
 };
 
-/// How a cell is sampled: from which level of the pyramid, and with which ellipse.
+/// The sampling of a cell: the level of the pyramid and the ellipse.
 struct CellFilter {
     int level = 0;
     double shrink = 1;  // size of a pixel of the picture in pixels of the level

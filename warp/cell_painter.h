@@ -12,12 +12,12 @@ struct WarpJob;
 class CellPainter {
   public:
     virtual ~CellPainter() = default;
-    /// Paints what the cells cover, by the pixels' centres; the rest stays zero. `strip` begins at row `top`
-    /// of the output. False if it cannot: the processor then does this strip and all later ones.
+    /// Paints the pixels whose centres are covered by cells; others stay zero. `strip` begins at row `top` of
+    /// the output. Returns false on failure: the CPU then does this and all later strips.
     virtual bool paint(const WarpJob& job, int top, Image& strip) = 0;
 };
 
-/// Makes one for a warp whose cells are known; nothing if it cannot.
+/// Makes a painter for a warp with known cells; null if it cannot.
 using MakeCellPainter = std::function<std::unique_ptr<CellPainter>(const WarpJob&)>;
 
 }  // namespace wend

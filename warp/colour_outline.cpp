@@ -15,7 +15,7 @@ namespace {
 constexpr double kSimplify = 0.5;  // pixels
 constexpr float kMinimum = 1e-3F;  // of full scale: how far inside and outside are apart at least
 
-/// How far the colours of all pixels are from one of them.
+/// The differences of all pixels' colours from one of them.
 class ColourDistances {
   public:
     ColourDistances(const Image& image, int x, int y) : m_width(image.width), m_channels(image.channels) {
@@ -41,7 +41,7 @@ class ColourDistances {
     }
 
   private:
-    /// Colours of what is transparent do not count.
+    /// Colours of transparent pixels do not count.
     void weigh(const Image& image, float* pixel) const {
         if (!image.alpha || !image.unassociated) return;
         for (int c = 0; c + 1 < m_channels; ++c) pixel[c] *= std::clamp(pixel[m_channels - 1], 0.0F, 1.0F);
@@ -51,7 +51,7 @@ class ColourDistances {
     std::vector<float> m_distances;
 };
 
-/// The pixels that the first one leads to over their sides.
+/// Returns the 4-connected component of the first pixel.
 std::vector<bool> connected(const ColourDistances& distances, int width, int height, int x, int y,
                             float tolerance) {
     std::vector<bool> reached(static_cast<std::size_t>(width) * height);

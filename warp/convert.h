@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// How pixels are stored.
+/// The storage of pixels.
 struct PixelLayout {
     PixelType type = PixelType::UInt8;
     int channels = 4;
@@ -22,9 +22,8 @@ void loadRow(const Image& image, int y, float* out);
 /// The opposite of loadRow: integers are clamped and rounded to the nearest.
 void storeRow(Image& image, int y, const float* in);
 
-/// The picture in another layout; the same pixels if it is its own. Gray becomes equal colours; colours that
-/// the layout has no room for are dropped; without room for alpha the picture is laid over white; a new alpha
-/// is opaque.
+/// Returns the picture in another layout; unchanged if it already has it. Grey becomes equal colours; surplus
+/// colours are dropped; without alpha the picture is placed on white; a new alpha is opaque.
 Image converted(const Image& image, const PixelLayout& layout);
 
 }  // namespace wend

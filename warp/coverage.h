@@ -50,12 +50,12 @@ class TriangleRows {
     Edge m_long, m_upper, m_lower;
 };
 
-/// What is the same for every pose of a mesh whose cells have these depths (see WarpOptions; empty: equal).
+/// Data shared by all poses of a mesh with these depths of cells (see WarpOptions; empty: equal).
 struct PaintingPlan {
     PaintingPlan(const SimplicialMesh<2>& mesh, const std::vector<float>& depth);
 
-    std::vector<int> order;                   // of the cells: the last one lies on top
-    std::vector<std::array<int, 2>> outline;  // edges, of the shape and of parts that lie nearer than others
+    std::vector<int> order;                   // of the cells: the last one is on top
+    std::vector<std::array<int, 2>> outline;  // edges of the shape, and of parts in front of others
 };
 
 }  // namespace wend

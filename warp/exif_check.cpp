@@ -15,7 +15,7 @@ constexpr std::size_t kEntry = 12, kMaxValue = 0x10000;  // in bytes
 constexpr unsigned kMakerNote = 0x927c;
 constexpr std::array kDirectories{0x8769U, 0x8825U, 0xa005U};  // EXIF, GPS, interoperability
 
-/// A number that says nothing, of the type BYTE, under a tag that nobody knows.
+/// A meaningless number of type BYTE under an unknown tag.
 constexpr std::string_view kUnknown("\xff\xff\0\1\0\0\0\1\0\0\0\0", kEntry);
 constexpr std::string_view kUnknownLittle("\xff\xff\1\0\1\0\0\0\0\0\0\0", kEntry);
 
@@ -37,14 +37,14 @@ class ExifBlock {
         return m_big ? bigEndian(m_bytes, m_from + at, size) : littleEndian(m_bytes, m_from + at, size);
     }
 
-    /// How many entries a directory has; 0 if it is not all inside.
+    /// Returns the number of entries of a directory; 0 if it is not completely inside.
     std::size_t entriesOf(std::size_t at) const {
         if (at > m_size || m_size - at < 2) return 0;
         const std::size_t count = number(at, 2);
         return count * kEntry <= m_size - at - 2 ? count : 0;
     }
 
-    /// False if it is not there, or was before.
+    /// Returns false if it is missing or was visited before.
     bool mendDirectory(std::size_t at) {
         const std::size_t count = entriesOf(at);
         if (count == 0 || !m_seen.insert(at).second) return false;
@@ -64,7 +64,7 @@ class ExifBlock {
         return size <= 4 || (size <= kMaxValue && at <= m_size && size <= m_size - at);
     }
 
-    /// As a camera's own directory, which is read if it is Canon's.
+    /// Checks a camera's own directory, which is read for Canon's.
     bool directoryFits(std::size_t at) const {
         const std::size_t count = entriesOf(at);
         for (std::size_t k = 0; k < count; ++k)

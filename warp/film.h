@@ -13,7 +13,7 @@ struct Image;
 /// equal times, again and again. In memory are its frames as they will be in the file.
 class Film {
   public:
-    /// `path`: the name to speak of. Throws InputError for a rate that the format does not hold.
+    /// `path`: the name for messages. Throws InputError for a rate that the format does not support.
     Film(const std::string& path, double framesPerSecond, bool lossy);
     ~Film();
 

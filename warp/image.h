@@ -56,8 +56,8 @@ struct Image {
     const std::byte* row(int y) const { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
     /// Zeros for pixels.
     void makePixels();
-    /// Room for them and no pixels yet: of a large picture in large pages of memory, where the system has
-    /// them on request. To bring in small ones would take longer than to paint them.
+    /// Reserves memory without initializing it: for large pictures in huge pages if available, because
+    /// faulting in small ones would take longer than painting.
     void reservePixels();
     std::byte* row(int y) { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
     std::vector<std::byte> iccProfile() const {
@@ -77,18 +77,18 @@ Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels,
                 std::vector<std::string>* notices = nullptr);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
-/// that the format holds; without alpha in the format the picture is laid over white. Throws InputError.
+/// supported one; without alpha in the format the picture is placed on white. Throws InputError.
 void writeImage(const std::string& path, const Image& image);
 
-/// Makes rows: those from `top` on, as many as `strip` has. It comes with the picture's layout and zeros.
+/// Makes rows: as many as `strip` has, from `top` on. The strip has the picture's layout and zeros.
 using MakeRows = std::function<void(int top, Image& strip)>;
 
-/// The same for a picture (`header`: without its pixels) whose rows are made while others are written, in
-/// strips of `stripRows` from top to bottom, on another thread. What `makeRows` throws comes through; nothing
-/// is written then. It may be asked for the same rows again.
+/// Writes a picture (`header`: without pixels) whose rows are made while others are written, in strips of
+/// `stripRows` from top to bottom, on another thread. Exceptions of `makeRows` are rethrown, and nothing is
+/// written then. It may be called again for the same rows.
 void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows);
 
-/// Whether writeImage() knows the extension.
+/// Returns whether writeImage() supports the extension.
 bool canWriteImage(const std::string& path);
 
 /// Size, type and channels without the pixels.

@@ -16,7 +16,7 @@ namespace {
 
 enum class Association { Unassociated, Associated, Either };
 
-/// What a format can hold.
+/// Capabilities of a format.
 struct Format {
     PictureFormat id;
     std::array<std::string_view, 3> extensions;

@@ -13,11 +13,11 @@ namespace wend {
 /// A colour in a picture's own scale: its channels, then alpha if one is added.
 using OutColour = std::array<float, 5>;
 
-/// What is seen of a pixel whose 8 × 8 places are covered by colours that lie over one another: their sum in
-/// associated form, each weighted with what those above let through. One colour alone stays as it is.
+/// Composites colours over 8 × 8 samples of a pixel: their sum in associated form, each weighted with what
+/// those above let through. A single colour is unchanged.
 class Layers {
   public:
-    /// `full`: the number that stands for opaque.
+    /// `full`: the number that represents opaque.
     Layers(const Image& layout, float full)
         : m_channels(static_cast<std::size_t>(layout.channels)),
           m_alpha(layout.alpha),
@@ -30,10 +30,10 @@ class Layers {
 
     /// Places that nothing has covered.
     std::uint64_t bare() const { return ~m_covered; }
-    /// Places through which something below can be seen.
+    /// Returns the samples that are not fully covered.
     std::uint64_t open() const { return m_open; }
 
-    /// Below all that was put before.
+    /// Adds a colour below all earlier ones.
     void put(const OutColour& colour, std::uint64_t places) {
         places &= m_open;
         if (places == 0) return;
@@ -62,7 +62,7 @@ class Layers {
     static double opacity(double alpha) { return alpha < 1 ? std::max(alpha, 0.0) : 1; }
     bool isAlpha(std::size_t c) const { return m_unassociated && c == m_channels - 1; }
 
-    /// How much of the places lies open, which `alpha` covers now.
+    /// Covers samples by `alpha`, and returns how much of them was visible.
     double pass(std::uint64_t places, double alpha) {
         double shown = 0;
         for (std::uint64_t rest = places; rest != 0; rest &= rest - 1) {
@@ -83,7 +83,7 @@ class Layers {
     bool m_alpha, m_unassociated, m_single = true;
     double m_full;
     std::uint64_t m_covered = 0, m_open = kAll;
-    std::array<double, 64> m_through;  // of what lies below a place, that is seen
+    std::array<double, 64> m_through;  // transmittance above each sample
     std::array<double, 5> m_sum{};
     OutColour m_first{};
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kExif("Exif\0\0", 6);
 
-/// Records of five bytes (a mark, two numbers, how much follows) and what follows.
+/// Records of five bytes (a mark, two numbers, the length of the data), followed by data.
 bool iptcFits(std::string_view data) {
     while (!data.empty() && data[0] == '\x1c') {
         if (data.size() < 5) return false;
@@ -24,7 +24,7 @@ bool iptcFits(std::string_view data) {
     return true;
 }
 
-/// Of what Photoshop puts beside a picture, the first resource is looked at, if it is IPTC.
+/// Of Photoshop's resources, only the first is checked, if it is IPTC.
 bool photoshopFits(std::string_view data) {
     constexpr std::string_view mark("Photoshop 3.0\0", 14), iptc("8BIM\x04\x04", 6);
     constexpr std::size_t head = 26;
@@ -34,8 +34,8 @@ bool photoshopFits(std::string_view data) {
     return size <= data.size() - head && iptcFits(data.substr(head, size));
 }
 
-/// A JPEG is a row of segments: 0xff, a kind, the length of the rest with its two bytes, the rest. After the
-/// kind "scan" come pixels, in which 0xff and 0 is no segment.
+/// A JPEG is a sequence of segments: 0xff, a kind, the length including its two bytes, the data. After the
+/// kind "scan" come pixels, in which 0xff 0 is no segment.
 class JpegSegments {
   public:
     explicit JpegSegments(std::string bytes) : m_bytes(std::move(bytes)) {}
@@ -56,7 +56,7 @@ class JpegSegments {
     static bool isBare(unsigned kind) { return kind == 0x01 || (kind >= 0xd0 && kind <= 0xd8); }
     unsigned kindAt(std::size_t at) const { return static_cast<unsigned char>(m_bytes[at]); }
 
-    /// Of the kind at that place; gives the place behind it.
+    /// Checks the segment at that place, and returns the place after it.
     std::size_t mendSegment(std::size_t at) {
         if (m_bytes.size() - at < 3) return m_bytes.size();
         const std::size_t length = bigEndian(m_bytes, at + 1, 2), data = at + 3;
@@ -64,13 +64,13 @@ class JpegSegments {
             std::min<std::size_t>(std::max<std::size_t>(length, 2) - 2, m_bytes.size() - data);
         if ((kindAt(at) == kApp1 && !app1Fits(data, size)) ||
             (kindAt(at) == kApp13 && !photoshopFits(std::string_view(m_bytes).substr(data, size)))) {
-            m_bytes[at] = '\xef';  // a kind that nobody reads
+            m_bytes[at] = '\xef';  // a kind that no reader uses
             m_mended = true;
         }
         return data + size;
     }
 
-    /// EXIF, whose entries are mended, or XMP, whose name of 28 bytes ends with a zero byte.
+    /// EXIF, whose entries are sanitized, or XMP, whose 28-byte name ends with zero.
     bool app1Fits(std::size_t data, std::size_t size) {
         const std::string_view text = std::string_view(m_bytes).substr(data, size);
         if (!text.starts_with(kExif)) return size > 28;

@@ -7,9 +7,9 @@
 
 namespace wend {
 
-/// The bytes of a JPEG or PNG with what does not keep to its place in its EXIF (mendExif) and IPTC hidden;
-/// empty if all keeps to it, or in other formats: then the file is good as it is. A photograph is not refused
-/// for what an odd program has written beside its pixels.
+/// Returns the bytes of a JPEG or PNG with invalid EXIF (mendExif) and IPTC data hidden; empty if all is
+/// valid, or for other formats: then the file is used as it is. A photograph is not refused because of its
+/// metadata.
 std::string bytesWithSoundMetadata(const InputFile& file, PictureFormat format);
 
 }  // namespace wend

@@ -7,7 +7,7 @@ namespace wend {
 
 Image upright(Image image, int orientation) {
     if (orientation < 2 || orientation > 8) return image;
-    const bool swapped = orientation >= 5;  // the stored rows are the columns of what is shown
+    const bool swapped = orientation >= 5;  // stored rows are displayed columns
     const bool flipX = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
     const bool flipY = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
     Image result = image;

@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// The picture that an EXIF orientation tag (1 to 8, anything else means upright) asks to show: turned and
-/// mirrored so that it stands upright.
+/// Returns the picture rotated and mirrored according to an EXIF orientation tag (1 to 8; other values mean
+/// upright).
 Image upright(Image image, int orientation);
 
 }  // namespace wend

@@ -26,7 +26,7 @@ void requireOptions(const AlphaOutlineOptions& o) {
         throw InputError("the outline's simplification must be 0 … 1000 pixels");
 }
 
-/// One number of a pixel, full being 1.
+/// Returns a number of a pixel, with full = 1.
 float sample(PixelType type, const std::byte* at) {
     return withPixelType(type, [at](auto kind) {
         decltype(kind) value;
@@ -35,7 +35,7 @@ float sample(PixelType type, const std::byte* at) {
     });
 }
 
-/// Alpha minus threshold at a row of the contour's nodes. What is not a number counts as transparent.
+/// Alpha minus threshold in a row of the contour's nodes. NaN counts as transparent.
 class AlphaRows {
   public:
     AlphaRows(const Image& image, double threshold)
@@ -76,7 +76,7 @@ void requireAlpha(const Image& image) {
 }
 
 std::vector<std::vector<Vec<2>>> withoutSpecks(std::vector<std::vector<Vec<2>>> loops, double smallest) {
-    // A loop within a dropped one is smaller still and goes with it.
+    // Loops inside a dropped one are smaller and are dropped, too.
     const auto isSpeck = [&](const auto& loop) { return std::abs(loopArea(loop)) < smallest; };
     loops.erase(std::remove_if(loops.begin(), loops.end(), isSpeck), loops.end());
     if (loops.empty())

@@ -79,9 +79,8 @@ void ContourTracer::addVerticalVertices(int row) {
                 addVertex(m_grid.x(i), between(m_grid.y(row), m_grid.y(row + 1), m_upper[i], m_lower[i]));
 }
 
-/// Going round the cell's corners, each run of inside corners is entered through one edge and left through
-/// another; a contour segment goes from the one to the other. With two runs, they are joined if the cell's
-/// mean is inside.
+/// In cyclic order of the cell's corners, each run of inside corners is entered through one edge and left
+/// through another, connected by a contour segment. Two runs are joined if the cell's mean is inside.
 void ContourTracer::linkCell(const std::array<float, 4>& corners, const Edges& edges) {
     std::array<int, 2> entries{}, exits{};
     int runs = 0;

@@ -7,10 +7,9 @@
 
 namespace wend {
 
-/// Where a picture is sampled for contours. Node columns 2 … width + 1 are at the pixels' centres; columns 1
-/// and width + 2 are on the picture's border and repeat the nearest pixel; columns 0 and width + 3 stand on
-/// the same border and are always outside, so that contours close along the border itself, corners included.
-/// Rows likewise.
+/// The sampling of a picture for contours. Node columns 2 … width + 1 are at the pixels' centres; columns 1
+/// and width + 2 are on the picture's border and repeat the nearest pixel; columns 0 and width + 3 are on the
+/// same border and always outside, so that contours close along the border, including corners. Rows likewise.
 struct ContourGrid {
     int width = 0, height = 0;
 
@@ -18,7 +17,7 @@ struct ContourGrid {
     int rows() const { return height + 4; }
     double x(int column) const { return coordinate(column, width); }
     double y(int row) const { return coordinate(row, height); }
-    /// The pixel whose value a node has.
+    /// Returns the pixel whose value a node has.
     static int pixel(int node, int size) { return node <= 2 ? 0 : node >= size + 1 ? size - 1 : node - 2; }
 
   private:

@@ -75,7 +75,8 @@ void GrownShape::findNearest(const Segment& s, int index) {
     });
 }
 
-/// Of another loop, or so far along the same one that the contour between encloses a notch, not a bay.
+/// Returns whether the segments belong to different loops, or are so far apart along one that the contour in
+/// between encloses a notch rather than a bay.
 bool GrownShape::isFarAlong(const Segment& a, const Segment& b) const {
     if (a.loop != b.loop) return true;
     const double way = std::abs(a.arc - b.arc);
@@ -83,7 +84,7 @@ bool GrownShape::isFarAlong(const Segment& a, const Segment& b) const {
     return std::min(way, m_lengths[a.loop] - way) > 2 * chord + 2;
 }
 
-/// For an inside node, what faces its nearest point of the contour.
+/// Finds for each inside node the contour opposite of its nearest contour point.
 void GrownShape::findFacing(const Segment& s) {
     visitNear(s, 2 * m_margin + m_gap + beyond, [&](Node& n, const Vec<2>& p) {
         if (n.distance > (n.inside ? 0 : m_margin) + beyond) return;
@@ -96,8 +97,8 @@ void GrownShape::findFacing(const Segment& s) {
     });
 }
 
-/// Even-odd along each row. Signs are those of the pixel that a node repeats: the contours themselves run on
-/// the border.
+/// Applies the even-odd rule along each row, with the signs of the pixels that nodes repeat, because the
+/// contours run on the border.
 void GrownShape::markInside(const std::vector<int>& segments) {
     std::vector<std::vector<double>> crossings(m_lastRow - m_firstRow + 1);
     for (int index : segments) {

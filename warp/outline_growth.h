@@ -6,12 +6,11 @@
 
 namespace wend {
 
-/// The shape within closed contours, grown by `margin` but leaving gaps of `gap` open, as rows of a function
+/// The shape inside closed contours, grown by `margin` with gaps of `gap` left open, as rows of a function
 /// whose zero contours are the grown outline: a level set cannot cross itself.
-///
-/// At an outside point with distance d to the nearest contour and d' to the nearest one that faces it (on the
-/// other side of the point, and of another loop or far along the same loop), the gap there is w = d + d', and
-/// the value is μ − d with μ = clamp((w − gap) / 2, 0, margin).
+/// At an outside point with distance d to the nearest contour and d' to the nearest opposite one (on the
+/// other side of the point, and of another loop or far along the same one), the gap is w = d + d', and the
+/// value is μ − d with μ = clamp((w − gap) / 2, 0, margin).
 class GrownShape {
   public:
     GrownShape(const ContourGrid& grid, const std::vector<std::vector<Vec<2>>>& loops, double margin,

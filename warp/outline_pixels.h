@@ -11,8 +11,8 @@
 
 namespace wend {
 
-/// The pixels that the border of the shape passes through, or the border of a part that lies nearer than what
-/// it hangs on, and which of 8 × 8 places in each a triangle covers.
+/// The pixels on the outline of the shape, or of a part in front of what it is attached to, with the coverage
+/// of triangles at 8 × 8 samples each.
 class OutlinePixels {
   public:
     struct Pixel {
@@ -20,12 +20,12 @@ class OutlinePixels {
     };
 
     OutlinePixels() = default;
-    /// None.
+    /// Makes an empty set.
     OutlinePixels(int bands, int bandRows) : m_bandRows(bandRows), m_bands(static_cast<std::size_t>(bands)) {}
     /// `pixels`: the vertices in pixels of the output.
     OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height, int bandRows);
 
-    /// By rows, then from left to right.
+    /// Returns the pixels by rows, then from left to right.
     const std::vector<Pixel>& pixels(int band) const {
         return m_bands[static_cast<std::size_t>(band)].pixels;
     }
@@ -40,9 +40,10 @@ class OutlinePixels {
     struct Band {
         std::vector<Pixel> pixels;
         std::vector<int> rowStart;  // of every row, and the end
-        std::vector<int> before;    // how many lie left of every column of kColumn pixels, and of the end
+        std::vector<int> before;    // number of pixels left of every kColumn-th column, and of the end
 
-        /// Whether there may be one from x to x: most cells lie inside the shape, where there is none.
+        /// Returns whether there may be one between two columns: most cells are inside the shape, where there
+        /// is none.
         bool hasAny(double left, double right) const {
             const auto last = static_cast<double>(before.size()) - 1;
             const auto from = static_cast<std::size_t>(std::clamp(std::floor(left / kColumn), 0.0, last)),

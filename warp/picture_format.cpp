@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Bytes at a place that tell a format.
+/// A signature: bytes at an offset.
 template <class What>
 struct Mark {
     std::size_t at;

@@ -7,16 +7,16 @@
 
 namespace wend {
 
-/// The formats whose readers are entered, each tried with damaged files (docs/reliability.md), and last one
-/// that is only written.
+/// The formats with accepted readers, each tested with damaged files (docs/reliability.md), and last a
+/// write-only one.
 enum class PictureFormat { Png, Jpeg, Tiff, Exr, Webp, Hdr, Bmp, Tga, Pnm, Jpeg2000 };
 
-/// Which of them a file is of: by its first bytes, never by its name, and never by trying one reader after
-/// the other. TGA has no mark; there the whole header has to make sense. Throws InputError(path, reason) that
-/// says what the file is instead, where that can be told.
+/// Returns the format of a file by its first bytes, never by its name or by trying readers. TGA has no
+/// signature; its whole header must be plausible. Throws InputError(path, reason), which names the actual
+/// kind of file if it is known.
 PictureFormat pictureFormat(const InputFile& file);
 
-/// The extensions that such files usually have, lower case, with the dot.
+/// Returns the usual extensions of these formats in lower case, with the dot.
 const std::vector<std::string>& pictureFileExtensions();
 
 }  // namespace wend

@@ -19,7 +19,7 @@ const PictureLibrary& loaded(const std::string& path) {
         throw OutOfMemory(path,
                           "there is not enough memory for what reads and writes pictures: 736 MB more are "
                           "needed (see ulimit -v)");
-    // Lazily: these libraries bring dozens of others, and binding all their functions takes most of a short
+    // Lazy binding: these libraries load dozens of others, and binding all functions takes most of a short
     // run.
     void* module = dlopen(siblingProgram("wend-pictures.so").c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* entry = module ? dlsym(module, "wendPictureLibrary") : nullptr;

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// Which cells cover the centres of the pixels of some rows: the one on top, and all where the shape covers
+/// The cells that cover the pixel centres of some rows: the top one, and all of them where the shape overlaps
 /// itself.
 class PixelCells {
   public:
@@ -28,7 +28,7 @@ class PixelCells {
         }
     }
 
-    /// Row by row; −1 where there is none.
+    /// Returns the top cells row by row; −1 for none.
     const std::vector<int>& onTop() const { return m_onTop; }
 
     /// Calls visit(pixel, cells) for all pixels that several cells cover, with the cells from the top one

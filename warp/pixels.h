@@ -26,7 +26,7 @@ decltype(auto) withPixelType(PixelType type, F&& f) {
     }
 }
 
-/// The number that stands for 1 (opaque, white).
+/// The number that represents 1 (opaque, white).
 template <typename T>
 inline constexpr float kFull = 1;
 template <>

@@ -48,8 +48,7 @@ Header headerOf(std::string_view data) {
     return header;
 }
 
-/// Scanlines of one length; an interlaced picture has seven sets of them. A byte for its filter stands before
-/// each.
+/// Scanlines of equal length; an interlaced picture has seven sets. A filter byte precedes each.
 struct Rows {
     std::uint64_t count, bytes;
 };
@@ -102,8 +101,8 @@ class Trial {
             if (made < m_buffer.size()) break;
         }
     }
-    /// All scanlines are there, and so is the end of the compressed data, which libpng asks for as well;
-    /// damage behind the scanlines is an end, too.
+    /// Returns whether all scanlines and the end of the compressed data exist, which libpng requires; damage
+    /// after the scanlines counts as the end.
     bool isWhole() { return done() && m_ended; }
 
   private:
@@ -156,7 +155,7 @@ class Walk {
         if (!std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; }))
             throw Problem("has a chunk " + name + ", which is no name of one");
         if (std::islower(static_cast<unsigned char>(name[0]))) {
-            m_dataEnded = m_dataBegan;  // what may be missing is not looked at
+            m_dataEnded = m_dataBegan;  // optional data is not checked
             return;
         }
         requireChecksum(name, position, length);

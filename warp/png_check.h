@@ -6,11 +6,10 @@
 
 namespace wend {
 
-/// What is wrong with a PNG's structure, empty if nothing: a chunk that is cut off, damaged (its checksum
-/// does not fit), unknown but needed, or out of place; a header that makes no sense; more pixels than can
-/// come out of so little data; pixels whose compression is damaged (in files of moderate size: to expand the
-/// data of larger ones would take as long again as to read them). Why: libpng prints a line of its own for
-/// each of these, and allocation goes by what a 74-byte file may claim.
+/// Returns what is wrong with a PNG's structure, or an empty string: a truncated, damaged (wrong checksum),
+/// unknown critical or misplaced chunk; an invalid header; more pixels than the data can encode; damaged
+/// compression (in files of moderate size: checking larger ones would take as long as reading them).
+/// Necessary because libpng prints messages for these, and allocates by what a 74-byte file claims.
 std::string pngProblem(const InputFile& file);
 
 }  // namespace wend

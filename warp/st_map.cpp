@@ -20,7 +20,7 @@ const Cell<2>& cellOf(const SimplicialMesh<2>& mesh, int cell) {
     return mesh.cells[static_cast<std::size_t>(cell)];
 }
 
-/// Writes the source position of every pixel whose centre a cell covers.
+/// Writes the source position of every pixel whose centre is covered by a cell.
 class StPainter {
   public:
     StPainter(const Points<2>& from, const Points<2>& to, const View& view, double width, double height)
@@ -69,8 +69,7 @@ class StPainter {
     Image m_image;
 };
 
-/// Of every pixel on an outline the cell that shows most of itself: from the nearest one down, each takes the
-/// places that are left.
+/// Chooses for every outline pixel the cell with the largest visible share, from the nearest down.
 void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Points<2>& from,
                   const Points<2>& to, const View& view, const PaintingPlan& plan) {
     const Points<2> pixels = (to.colwise() - view.origin) / view.scale;

@@ -49,8 +49,8 @@ struct TgaHeader {
     }
 };
 
-/// The largest of so many numbers of colours, of a byte each. A packet is a byte (how many, and whether they
-/// are one and the same) and what it says.
+/// Returns the largest of that many colour indices of a byte each. A packet is a byte (its length, and
+/// whether it repeats one value) and its data.
 unsigned largestIndex(std::string_view data, double count, bool packed) {
     unsigned largest = 0;
     const auto take = [&](std::size_t from, std::size_t size) {

@@ -7,12 +7,12 @@
 
 namespace wend {
 
-/// Whether a file of that size begins as a TGA picture: the format has no mark, so the whole header has to
-/// make sense.
+/// Returns whether a file of that size starts as a TGA picture: the format has no signature, so the whole
+/// header must be plausible.
 bool isTga(std::string_view head, double size);
 
-/// What is wrong with a TGA's palette, empty if nothing: a pixel whose colour it does not hold. Why:
-/// OpenImageIO takes such a colour from whatever lies behind the palette in memory.
+/// Returns what is wrong with a TGA's palette, or an empty string: a pixel index outside of it. Necessary
+/// because OpenImageIO reads such colours out of bounds.
 std::string tgaProblem(const InputFile& file);
 
 }  // namespace wend

@@ -15,7 +15,7 @@ namespace wend {
 
 inline constexpr int kBandRows = 32;
 
-/// First pixel whose centre is at or after x.
+/// Returns the first pixel whose centre is at or after x.
 inline int firstPixel(double x, int size) {
     const double bounded = std::clamp(x - 0.5, 0.0, static_cast<double>(size));
     const int whole = static_cast<int>(bounded);  // std::ceil is a call without SSE 4.1

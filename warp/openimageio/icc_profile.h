@@ -7,12 +7,12 @@
 
 namespace wend {
 
-/// Whether an ICC profile is one of a picture with so many channels of colour: one for other colours than the
-/// pixels' (the CMYK one of a converted JPEG) or a broken one is not the picture's.
+/// Returns whether an ICC profile matches the number of colour channels: a broken one, or one for other
+/// colours (the CMYK profile of a converted JPEG), does not belong to the picture.
 bool profileFits(const OIIO::ParamValue& profile, int colours);
 
-/// Whether its header and its table of tags keep the rules of ICC.1, section 7, as far as libpng asks for
-/// them: otherwise it prints a line of its own, and does not write the file.
+/// Returns whether its header and tag table obey ICC.1, section 7, as far as libpng checks: otherwise it
+/// prints a message and does not write the file.
 bool profileIsStrict(const OIIO::ParamValue& profile);
 
 /// A profile of colours with the curve of a grey one, and the colorants of BT.709: so equal colours stay the

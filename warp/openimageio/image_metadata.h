@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// All that OpenImageIO says about a picture besides its pixels.
+/// OpenImageIO's description of a picture apart from its pixels.
 struct OpenImageIOMetadata final : Image::Metadata {
     OIIO::ImageSpec spec;
 

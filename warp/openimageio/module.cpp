@@ -1,4 +1,4 @@
-// What the program finds in the module.
+// The interface of the module.
 
 #include <OpenImageIO/imageio.h>
 
@@ -13,7 +13,7 @@
 namespace wend {
 namespace {
 
-/// A variable of the environment that is not there for a while.
+/// Unsets an environment variable for its lifetime.
 class Unset {
   public:
     explicit Unset(const char* name) : m_name(name) {
@@ -35,7 +35,7 @@ class Unset {
 
 class OpenImageIO final : public PictureLibrary {
   public:
-    /// It looks for plug-ins now, and nowhere.
+    /// Makes OpenImageIO search for plug-ins now, without any path.
     OpenImageIO() {
         const Unset own("OIIO_LIBRARY_PATH"), all("LD_LIBRARY_PATH");
         OIIO::attribute("plugin_searchpath", "");

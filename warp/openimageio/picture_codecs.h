@@ -13,7 +13,7 @@ OIIO_NAMESPACE_BEGIN
 // NOLINTBEGIN(readability-identifier-naming)
 OIIO_API ImageInput* png_input_imageio_create();
 OIIO_API ImageInput* jpeg_input_imageio_create();
-OIIO_API ImageInput* jpeg2000_input_imageio_create();  // only for what Wend itself has written
+OIIO_API ImageInput* jpeg2000_input_imageio_create();  // only for files that Wend has written
 OIIO_API ImageInput* tiff_input_imageio_create();
 OIIO_API ImageInput* openexr_input_imageio_create();
 OIIO_API ImageInput* webp_input_imageio_create();
@@ -36,7 +36,7 @@ OIIO_NAMESPACE_END
 
 namespace wend {
 
-/// What makes OpenImageIO's reader and writer of a format, and how the writer is to compress.
+/// OpenImageIO's reader and writer of a format, and the writer's compression.
 struct PictureCodec {
     OIIO::ImageInput* (*reader)() = nullptr;
     OIIO::ImageOutput* (*writer)() = nullptr;

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// As PictureLibrary says.
+/// See PictureLibrary.
 StoredPicture readStoredHeader(const PictureSource& source);
 StoredPicture readStored(const PictureSource& source, double maxMegapixels, void (*goOn)());
 

@@ -14,7 +14,7 @@
 #include "core/mesh/checked_file.h"
 #include "warp/exif_check.h"
 
-// As in OpenImageIO/tiffutils.h, which wants libtiff's headers for the rest of what it declares.
+// As in OpenImageIO/tiffutils.h, whose other declarations need libtiff's headers.
 OIIO_NAMESPACE_BEGIN
 // NOLINTBEGIN(readability-identifier-naming)
 OIIO_API void encode_exif(const ImageSpec& spec, std::vector<char>& blob, OIIO::endian order);
@@ -69,7 +69,7 @@ Bytes profileOf(const OIIO::ImageSpec& spec) {
     return {bytes, bytes + profile->datasize()};
 }
 
-/// Date, author, camera and what else EXIF has a place for; empty without any of it.
+/// Returns date, author, camera and other EXIF entries; empty if there are none.
 Bytes exifOf(const OIIO::ImageSpec& spec) {
     if (spec.extra_attribs.size() == 0) return {};
     std::vector<char> blob;
@@ -94,7 +94,7 @@ std::string_view chunk(const WebPMux* mux, const char* name) {
 bool prepareWebp(WebPConfig& config, bool lossy) {
     constexpr float kQuality = 90;
     if (!WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, kQuality)) return false;
-    config.use_sharp_yuv = 1;  // thin coloured lines stay what they are
+    config.use_sharp_yuv = 1;  // preserves thin coloured lines
     if (lossy) return true;
     config.exact = 1;
     return WebPConfigLosslessPreset(&config, 3) != 0;

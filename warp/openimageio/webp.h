@@ -11,23 +11,22 @@
 
 namespace wend {
 
-/// How the encoder is to work; false if the library is of another version.
+/// Configures the encoder; false if the library's version differs.
 bool prepareWebp(WebPConfig& config, bool lossy);
 
 /// The pixels of an image, for the encoder; `picture` is initialized here, and freed by the caller.
 bool importWebp(WebPPicture& picture, const Image& image);
 
-/// A file, of one picture or a film, with the profile of `spec` and, as EXIF and XMP, what it says about the
-/// picture.
+/// Returns a file of a picture or a film with the profile of `spec` and its metadata as EXIF and XMP.
 std::vector<std::uint8_t> withMetadata(std::vector<std::uint8_t> file, const OIIO::ImageSpec& spec);
 
-/// Writes 8-bit RGB or RGBA (colours not associated), without loss unless `lossy`, with that metadata.
-/// Returns what went wrong, empty on success.
+/// Writes 8-bit RGB or RGBA (unassociated), lossless unless `lossy`, with that metadata. Returns the error,
+/// or an empty string.
 std::string writeWebp(const std::string& path, const Image& image, const OIIO::ImageSpec& spec,
                       bool lossy = false);
 
-/// Reads into an image whose size and channels are set; the colours are then unassociated. False for what is
-/// no single picture (an animation) or damaged: nothing is changed then.
+/// Reads into an image with given size and channels; colours are then unassociated. Returns false without
+/// changes for animations and damaged files.
 bool readWebp(const std::string& path, Image& image);
 
 /// How many pictures an animation has; 1 of others.

@@ -57,7 +57,7 @@ class WebpFilm final : public FilmEncoder {
         if (!m_encoder) fail("there is not enough memory");
     }
 
-    /// When a frame begins, in whole milliseconds: what is rounded does not add up.
+    /// Returns the start of a frame in whole milliseconds, without accumulated rounding.
     int timeOf(int frame) const {
         const double time = std::round(1000 * frame / m_writing.framesPerSecond);
         if (time > std::numeric_limits<int>::max()) fail("a WebP film lasts 24 days at most");

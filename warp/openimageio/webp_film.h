@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// As PictureLibrary::film says.
+/// See PictureLibrary::film.
 std::unique_ptr<FilmEncoder> makeWebpFilm(const FilmToWrite& writing);
 
 }  // namespace wend

@@ -35,7 +35,7 @@ OIIO::TypeDesc fileType(PixelType type) {
     return types[static_cast<std::size_t>(type)];
 }
 
-/// Of a large picture, the usual level of compression takes five times the time for 6 % less.
+/// For large pictures, the default compression takes five times as long for 6 % less.
 constexpr const char* kQuickZip = "zip:4";
 constexpr int kQuickPng = 4;
 
@@ -62,7 +62,7 @@ void setPlace(PictureFormat format, const Image& image, const OpenImageIOMetadat
     }
 }
 
-/// Where a format has no place for it, or its library would refuse the file.
+/// Drops profiles that the format does not support or its library rejects.
 void dropOddProfile(PictureFormat format, OIIO::ImageSpec& spec) {
     const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
     if (!profile) return;
@@ -70,7 +70,7 @@ void dropOddProfile(PictureFormat format, OIIO::ImageSpec& spec) {
         spec.erase_attribute("ICCProfile");
 }
 
-/// How an attempt to write ended: the reason of a failure, empty on success, and whether it is the disk's.
+/// The result of an attempt to write: the error, empty on success, and whether the disk is the cause.
 struct Attempt {
     std::string problem;
     bool disk = false;
@@ -82,7 +82,8 @@ std::size_t mixed(std::size_t sum, Bytes bytes) {
     return sum * 31 + std::hash<Bytes>()(bytes);
 }
 
-/// Writes all rows; `failed` tells of what the format's library does not see. `sum` gets that of the rows.
+/// Writes all rows; `failed` reports errors that the format's library misses. `sum` receives the checksum of
+/// the rows.
 template <typename Failed>
 std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const PictureToWrite& writing,
                        const OIIO::ImageSpec& spec, std::size_t& sum) {
@@ -101,8 +102,8 @@ std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const Pi
     return error.empty() ? "the disk may be full" : error;
 }
 
-/// What is wrong with a finished file when it is opened again and its rows from the `first` on are read;
-/// empty if nothing is. Only the reader of its own format may look at it. `sum` gets that of the rows.
+/// Reopens a finished file with the reader of its own format, and reads its rows from `first` on. Returns the
+/// error, or an empty string. `sum` receives the checksum of the rows.
 std::string tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& spec, int first,
                           std::size_t& sum) {
     const std::unique_ptr<OIIO::ImageInput> input(codecOf(writing.format).reader());
@@ -123,8 +124,8 @@ std::string tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& 
     return {};
 }
 
-/// libtiff tells of most that goes wrong, but not of all when it closes; and what it writes cannot go through
-/// a file of ours, since OpenImageIO then does not let it read what it has written. All pixels are compared.
+/// libtiff reports most errors, but not all when it closes; and its output cannot go through our own file
+/// object, because OpenImageIO then cannot read back what it has written. So all pixels are compared.
 Attempt tryWriteTiff(OIIO::ImageOutput& output, const PictureToWrite& writing, const OIIO::ImageSpec& spec) {
     std::size_t written = 0, read = 0;
     std::string problem = tryWriteTo(
@@ -134,10 +135,10 @@ Attempt tryWriteTiff(OIIO::ImageOutput& output, const PictureToWrite& writing, c
     return {problem};
 }
 
-/// None of the formats' libraries tells of a full disk in every case, and that of JPEG ends the process: what
-/// they write goes through a file that looks.
+/// No format library reports a full disk in every case, and that of JPEG ends the process, so their output
+/// goes through a file object that checks.
 Attempt tryWrite(const PictureToWrite& writing, OIIO::ImageSpec spec) {
-    std::optional<CheckedProxy> proxy;  // outlives the output, whose end may write
+    std::optional<CheckedProxy> proxy;  // outlives the output, whose destructor may write
     const std::unique_ptr<OIIO::ImageOutput> output(codecOf(writing.format).writer());
     if (writing.format == PictureFormat::Tiff) return tryWriteTiff(*output, writing, spec);
     OIIO::Filesystem::IOProxy* const pointer = &proxy.emplace(writing.temporary);

@@ -6,11 +6,11 @@
 
 namespace wend {
 
-/// What a file of that format says of a picture: size, depth, and what its source brought along, as far as
-/// the format has a place for it.
+/// Returns the description of a picture for that format: size, depth, and the metadata of its source that the
+/// format supports.
 OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image);
 
-/// As PictureLibrary::write says.
+/// See PictureLibrary::write.
 void writeStored(const PictureToWrite& writing);
 
 }  // namespace wend
