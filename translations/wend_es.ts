@@ -909,7 +909,7 @@
     </message>
     <message>
         <source>Choose what to keep</source>
-        <translation>Elegir qué conservar</translation>
+        <translation>Conservar</translation>
     </message>
 </context>
 <context>

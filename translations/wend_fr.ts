@@ -909,7 +909,7 @@
     </message>
     <message>
         <source>Choose what to keep</source>
-        <translation>Choisir quoi conserver</translation>
+        <translation>Conserver</translation>
     </message>
 </context>
 <context>
