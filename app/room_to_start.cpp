@@ -49,7 +49,7 @@ void requireRoom(int argc, char** argv, char** environment) {
     say("wend: ");
     if (argc > 1) say(argv[argc > 2 && argv[2][0] != '-' ? 2 : 1]), say(": ");
     say("there is not enough memory to start: 256 MB more are needed (see ulimit -v)\n");
-    _exit(1);
+    _exit(5);  // ExitCode::Machine
 }
 
 // The dynamic linker calls what stands here before the libraries' constructors.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # full_disk.sh WEND: writes every kind of file onto a disk (a tmpfs) that is 0 to 4 pages too small for it, with an old file in
-# place. With room enough the file must come out byte for byte as elsewhere; without, the program must say so in one line, exit
-# with 3, and leave the old file and nothing else. Mounting needs root, or the right to be root in a namespace of one's own.
+# place. With room enough the file must come out byte for byte as elsewhere; without, the program must say in one line how much is
+# free, exit with 5, and leave the old file and nothing else. Mounting needs root, or the right to be root in a namespace of one's own.
 set -u
 if [ -z "${own_mounts:-}" ]; then
     for way in --mount "--mount --map-root-user"; do
@@ -80,7 +80,7 @@ attempt() {
                 esac || fail "${file#*/} with room enough: another file"
             done
         else
-            [ "$code" -eq 3 ] && [ "$(wc -l <<<"$said")" -eq 1 ] || fail "$kept, $missing pages short: exit $code, $said"
+            [ "$code" -eq 5 ] && [[ $said == wend:*"the disk is full, only "*" are free" ]] && [ "$(wc -l <<<"$said")" -eq 1 ] || fail "$kept, $missing pages short: exit $code, $said"
             [ "$(cat "$disk/$kept")" = old ] || fail "$kept, $missing pages short: the old file is gone"
             [ "$(ls -A "$disk")" = "$kept" ] || fail "$kept, $missing pages short: left $(ls -A "$disk")"
         fi

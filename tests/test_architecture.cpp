@@ -22,7 +22,7 @@ const QString kRoot = QStringLiteral(WEND_SOURCE_DIR);
 /// Folder → the other folders that it may include from.
 const QMap<QString, QStringList> kAllowed = {
     {"core/system", {}},
-    {"core/mesh", {}},
+    {"core/mesh", {"core/system"}},
     {"core/meshing", {"core/mesh"}},
     {"core/motion", {"core/mesh"}},
     {"core/energy", {"core/system", "core/mesh"}},

@@ -191,6 +191,10 @@
         <translation>bei %1 ist es so schnell, dass Zahlen überlaufen; weniger weit führen oder der Bewegung mehr Zeit geben</translation>
     </message>
     <message>
+        <source>the shape needs about %1 of memory; %2 are free; fewer vertices need less</source>
+        <translation>die Form braucht etwa %1 Speicher; %2 sind frei; weniger Ecken brauchen weniger</translation>
+    </message>
+    <message>
         <source>%1 and %2 move the point %3 in different ways at time %4</source>
         <translation>%1 und %2 bewegen den Punkt %3 zur Zeit %4 verschieden</translation>
     </message>
@@ -301,6 +305,10 @@
     <message>
         <source>the disk may be full</source>
         <translation>der Datenträger ist vielleicht voll</translation>
+    </message>
+    <message>
+        <source>the disk is full, only %1 are free</source>
+        <translation>der Datenträger ist voll, nur %1 sind frei</translation>
     </message>
     <message>
         <source>the folder %1 does not exist</source>

@@ -191,6 +191,10 @@
         <translation>va tan rápido cerca de %1 que los números se desbordan; llévelo menos lejos o dé más tiempo al movimiento</translation>
     </message>
     <message>
+        <source>the shape needs about %1 of memory; %2 are free; fewer vertices need less</source>
+        <translation>la forma necesita unos %1 de memoria; hay %2 libres; con menos vértices necesita menos</translation>
+    </message>
+    <message>
         <source>%1 and %2 move the point %3 in different ways at time %4</source>
         <translation>%1 y %2 mueven el punto %3 de modo distinto en el tiempo %4</translation>
     </message>
@@ -301,6 +305,10 @@
     <message>
         <source>the disk may be full</source>
         <translation>puede que el disco esté lleno</translation>
+    </message>
+    <message>
+        <source>the disk is full, only %1 are free</source>
+        <translation>el disco está lleno, solo quedan %1 libres</translation>
     </message>
     <message>
         <source>the folder %1 does not exist</source>

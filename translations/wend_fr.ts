@@ -191,6 +191,10 @@
         <translation>c’est si rapide près de %1 que les nombres débordent&#x202f;; allez moins loin ou donnez plus de temps au mouvement</translation>
     </message>
     <message>
+        <source>the shape needs about %1 of memory; %2 are free; fewer vertices need less</source>
+        <translation>la forme demande environ %1 de mémoire ; %2 sont libres ; moins de sommets en demandent moins</translation>
+    </message>
+    <message>
         <source>%1 and %2 move the point %3 in different ways at time %4</source>
         <translation>%1 et %2 déplacent différemment le point %3 au temps %4</translation>
     </message>
@@ -301,6 +305,10 @@
     <message>
         <source>the disk may be full</source>
         <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <source>the disk is full, only %1 are free</source>
+        <translation>le disque est plein, il ne reste que %1</translation>
     </message>
     <message>
         <source>the folder %1 does not exist</source>

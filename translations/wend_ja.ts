@@ -191,6 +191,10 @@
         <translation>%1 の近くで速すぎて、数値があふれます。動きを小さくするか、動きに時間をかけてください</translation>
     </message>
     <message>
+        <source>the shape needs about %1 of memory; %2 are free; fewer vertices need less</source>
+        <translation>この形にはメモリが約 %1 必要ですが、空きは %2 です。頂点を減らすと少なくて済みます</translation>
+    </message>
+    <message>
         <source>%1 and %2 move the point %3 in different ways at time %4</source>
         <translation>%1 と %2 が点 %3 を時刻 %4 に異なる向きへ動かしています</translation>
     </message>
@@ -301,6 +305,10 @@
     <message>
         <source>the disk may be full</source>
         <translation>ディスクがいっぱいかもしれません</translation>
+    </message>
+    <message>
+        <source>the disk is full, only %1 are free</source>
+        <translation>ディスクがいっぱいです（空きは %1 だけです）</translation>
     </message>
     <message>
         <source>the folder %1 does not exist</source>

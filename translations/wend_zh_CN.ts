@@ -191,6 +191,10 @@
         <translation>在 %1 附近过快，数值溢出；请移动得近一些，或给运动更多时间</translation>
     </message>
     <message>
+        <source>the shape needs about %1 of memory; %2 are free; fewer vertices need less</source>
+        <translation>该形状约需 %1 内存；可用 %2；减少顶点可降低需求</translation>
+    </message>
+    <message>
         <source>%1 and %2 move the point %3 in different ways at time %4</source>
         <translation>%1 和 %2 在时刻 %4 以不同方式移动点 %3</translation>
     </message>
@@ -301,6 +305,10 @@
     <message>
         <source>the disk may be full</source>
         <translation>磁盘可能已满</translation>
+    </message>
+    <message>
+        <source>the disk is full, only %1 are free</source>
+        <translation>磁盘已满，仅剩 %1</translation>
     </message>
     <message>
         <source>the folder %1 does not exist</source>

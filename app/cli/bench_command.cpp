@@ -5,6 +5,7 @@
 #include "app/bench/bench.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/terminal.h"
 #include "app/document/file/text_file.h"
 #include "app/session/run/output_set.h"
 #include "core/mesh/error.h"
@@ -19,7 +20,7 @@ ExitCode runBench(const Arguments& arguments) {
         throw UsageError("--keep is for the case paper");
     if (!folder.empty() && !std::filesystem::is_directory(folder))
         throw InputError(folder, "is no folder that is there");
-    const Interrupt interrupt;
+    const Interrupt interrupt([] { Terminal::error(kCancelled); });
     BenchOptions options;
     options.cases = arguments.files();
     options.folder = folder;

@@ -17,6 +17,7 @@
 #include "app/cli/terminal.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/printable.h"
+#include "core/mesh/safe_file.h"
 
 namespace wend {
 namespace {
@@ -62,7 +63,8 @@ std::string overview() {
            "  --version                   the version\n\n"
            "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 an input cannot be read or makes no "
            "sense\n"
-           "(or an output cannot be written), 4 the deformation could not be completed.\n";
+           "(or an output cannot be written), 4 the deformation could not be completed, 5 the machine has "
+           "not the\nmemory or the disk that is needed.\n";
 }
 
 std::string joinedCases() {
@@ -99,20 +101,22 @@ ExitCode dispatch(const std::vector<std::string>& words) {
     return command->run(Arguments(command->name, rest));
 }
 
-constexpr const char* kNoMemory = "there is not enough memory";
+[[noreturn]] void noMemory() {
+    Terminal::lastWord("there is not enough memory", static_cast<int>(ExitCode::Machine));
+}
 
 /// What threads throw comes here, and what is thrown while there is no memory to throw it.
 void endInOneLine() {
     try {
         if (const auto error = std::current_exception()) std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
-        Terminal::lastWord(kNoMemory);
+        noMemory();
     } catch (const std::system_error&) {
-        Terminal::lastWord(kNoMemory);
+        noMemory();
     } catch (const std::exception& error) {
-        Terminal::lastWord(error.what());
+        Terminal::lastWord(error.what(), static_cast<int>(ExitCode::Internal));
     }
-    Terminal::lastWord("internal error");
+    Terminal::lastWord("internal error", static_cast<int>(ExitCode::Internal));
 }
 
 /// What the system says of a folder or a link.
@@ -128,22 +132,25 @@ std::string said(const std::filesystem::filesystem_error& error) {
 ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } catch (const UsageError& error) {
     Terminal::error(error.what());
     return ExitCode::Usage;
+} catch (const DiskFull& error) {
+    Terminal::error(messageOf(error));
+    return ExitCode::Machine;
 } catch (const InputError& error) {
     Terminal::error(messageOf(error));
     return ExitCode::Input;
 } catch (const Cancelled&) {
-    Terminal::error("cancelled; nothing was written");
+    Terminal::error(kCancelled);
     return ExitCode::Incomplete;
 } catch (const std::filesystem::filesystem_error& error) {
     Terminal::error(said(error));
-    return ExitCode::Input;
+    return error.code() == std::errc::no_space_on_device ? ExitCode::Machine : ExitCode::Input;
 } catch (const OutOfMemory& error) {
     Terminal::error(error.what());
-    return ExitCode::Internal;
+    return ExitCode::Machine;
 } catch (const std::bad_alloc&) {
-    Terminal::lastWord(kNoMemory);
+    noMemory();
 } catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again) Terminal::lastWord(kNoMemory);  // a thread
+    if (error.code() == std::errc::resource_unavailable_try_again) noMemory();  // a thread
     Terminal::error("internal error: " + std::string(error.what()));
     return ExitCode::Internal;
 } catch (const std::exception& error) {

@@ -16,6 +16,9 @@ ExitCode runReference(const Arguments& arguments);
 /// On standard output. Throws InputError if that is full or closed.
 ExitCode print(const std::string& text);
 
+/// What is said of work that was cancelled.
+inline constexpr const char* kCancelled = "cancelled; nothing was written";
+
 /// The only file on the line; throws UsageError if there is none or there are several.
 std::string onlyFile(const Arguments& arguments, const std::string& what);
 

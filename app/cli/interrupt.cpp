@@ -1,15 +1,20 @@
 #include "app/cli/interrupt.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <stdexcept>
 
+#include "app/cli/cli.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/safe_file.h"
 
 namespace wend {
 namespace {
+
+constexpr int kPatience = 330;  // milliseconds from a wish to stop to the end of the process
 
 // A signal handler reaches nothing but globals, and may do little more than write to a pipe.
 std::atomic<int> interruptPipe = -1;
@@ -24,15 +29,31 @@ extern "C" void onInterrupt(int) {
 
 }  // namespace
 
-Interrupt::Interrupt() {
+Interrupt::Interrupt(std::function<void()> sayCancelled) : m_sayCancelled(std::move(sayCancelled)) {
     if (pipe(m_pipe) != 0) throw std::runtime_error("no pipe could be opened");
     interruptPipe = m_pipe[1];
-    m_waiter = std::thread([this] {
-        char why = 0;
-        while (read(m_pipe[0], &why, 1) == 1 && why == 's') m_source.request_stop();
-    });
+    m_waiter = std::thread([this] { wait(); });
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
+}
+
+/// Until this object goes, or to the end of the process.
+void Interrupt::wait() {
+    const auto next = [this] {
+        char why = 0;
+        return read(m_pipe[0], &why, 1) == 1 ? why : 'e';
+    };
+    char why = next();
+    while (why == 's') {
+        m_source.request_stop();
+        pollfd signal{m_pipe[0], POLLIN, 0};
+        const bool late = poll(&signal, 1, kPatience) == 0;
+        if (late && abandonPendingFiles()) {
+            m_sayCancelled();
+            _exit(static_cast<int>(ExitCode::Incomplete));
+        }
+        why = next();
+    }
 }
 
 Interrupt::~Interrupt() {

@@ -144,7 +144,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);
     requirePossible(*input.project, outputs);
 
-    Interrupt interrupt;
+    Interrupt interrupt([&] { terminal.end(kCancelled); });
     terminal.progress("meshing", 0);
     const Meshed meshed = meshOf(input, path, interrupt.token());
     for (const std::string& notice : meshed.notices) terminal.warn(path + ": " + notice);
@@ -162,6 +162,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     if (arguments.has("--json")) printJson(meshed);
     return ExitCode::Done;
 } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
     throw error.named(arguments.files().front());
 }
 

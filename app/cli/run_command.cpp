@@ -1,3 +1,5 @@
+#include <atomic>
+#include <charconv>
 #include <filesystem>
 
 #include "app/cli/commands.h"
@@ -12,6 +14,7 @@
 #include "app/session/shape/material_picture.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
+#include "core/mesh/same_file.h"
 
 namespace wend {
 namespace {
@@ -24,6 +27,7 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     outputs.stMap = arguments.text("--stmap");
     outputs.frames = arguments.text("--frames");
     outputs.report = arguments.text("--report");
+    outputs.states = arguments.text("--states");
     outputs.material.phi = arguments.text("--phi-picture");
     outputs.material.stiffness = arguments.text("--stiffness-picture");
     outputs.material.direction = arguments.text("--direction-picture");
@@ -35,6 +39,7 @@ RunOutputs outputsFrom(const Arguments& arguments) {
           &outputs.material.phi, &outputs.material.stiffness, &outputs.material.direction})
         standardOutputs += *name == "-";
     if (standardOutputs > 1) throw UsageError("only one output can go to standard output (-)");
+    if (outputs.states == "-") throw UsageError("--states cannot go to standard output (-)");
     if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
     if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
     if (arguments.has("--fps") && !isAnimation(outputs.frames))
@@ -44,15 +49,44 @@ RunOutputs outputsFrom(const Arguments& arguments) {
 
 bool asksForAnything(const RunOutputs& outputs) {
     return !(outputs.image + outputs.mesh + outputs.velocity + outputs.stMap + outputs.frames +
-             outputs.report)
+             outputs.report + outputs.states)
                 .empty() ||
            outputs.material.any();
+}
+
+/// "3/8".
+Shard shardFrom(const std::string& text) {
+    Shard shard;
+    const char *first = text.data(), *last = first + text.size();
+    const auto index = std::from_chars(first, last, shard.index);
+    const bool divided = index.ec == std::errc() && index.ptr != last && *index.ptr == '/';
+    const auto count = divided ? std::from_chars(index.ptr + 1, last, shard.count) : index;
+    if (!divided || count.ec != std::errc() || count.ptr != last || shard.index < 1 ||
+        shard.index > shard.count)
+        throw UsageError("--shard: \"" + text + "\" is not I/N with I from 1 to N");
+    return shard;
+}
+
+/// A shard is painted from states, and it is frames that are divided.
+void requireShardOfFrames(const RunOptions& options) {
+    const RunOutputs& outputs = options.outputs;
+    if (options.from.empty()) throw UsageError("--shard needs states (--from FILE)");
+    if (outputs.frames.empty() || isAnimation(outputs.frames))
+        throw UsageError("--shard is for --frames with #### in the name");
+    RunOutputs others = outputs;
+    others.frames.clear();
+    if (asksForAnything(others)) throw UsageError("with --shard nothing but --frames is written");
 }
 
 RunOptions optionsFrom(const Arguments& arguments) {
     RunOptions options = runOptionsFrom(arguments.values());
     options.outputs = outputsFrom(arguments);
     options.at = arguments.given("--at");
+    options.from = arguments.text("--from");
+    if (arguments.has("--shard")) {
+        options.shard = shardFrom(arguments.text("--shard"));
+        requireShardOfFrames(options);
+    }
     options.backEnd = arguments.values().choice<BackEndKind>("--backend");
     return options;
 }
@@ -101,7 +135,10 @@ ExitCode runRun(const Arguments& arguments) {
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
     override(project, arguments);
     paint(project, folderOf(path), arguments);
-    const std::vector<OwnInput> inputs = inputsOf(project.domain, project.design, path, folderOf(path));
+    std::vector<OwnInput> inputs = inputsOf(project.domain, project.design, path, folderOf(path));
+    // Its own states go on growing.
+    if (!options.from.empty() && !sameFile(options.from, options.outputs.states))
+        inputs.push_back({OwnFile::States, options.from});
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
     if (!asksForAnything(options.outputs))
@@ -109,15 +146,26 @@ ExitCode runRun(const Arguments& arguments) {
     if (options.at && *options.at > project.end)
         terminal.warn(path + ": nothing moves after its end at time " + shortNumber(project.end));
 
-    Interrupt interrupt;
+    std::atomic<double> kept = -1;  // the time up to which there are states
+    const auto cancelled = [&] {
+        return kept < 0 ? std::string(kCancelled)
+                        : "cancelled; " + options.outputs.states + " has the states up to time " +
+                              shortNumber(kept) + ", nothing else was written";
+    };
+    Interrupt interrupt([&] { terminal.end(cancelled()); });
     RunWatch watch;
     watch.stop = interrupt.token();
     watch.notice = [&](const std::string& text) { terminal.warn(path + ": " + text); };
     watch.summary = [&](const std::string& text) { terminal.tell(path + ": " + text); };
     watch.progress = [&](const std::string& work, double fraction) { terminal.progress(work, fraction); };
-    const AdvanceResult result = runProject(project, path, options, watch);
-    if (result.outcome == Outcome::Done) return ExitCode::Done;
-    Terminal::error(path + ": " + result.message);
+    watch.kept = [&](double time) { kept = time; };
+    try {
+        const AdvanceResult result = runProject(project, path, options, watch);
+        if (result.outcome == Outcome::Done) return ExitCode::Done;
+        Terminal::error(path + ": " + result.message);
+    } catch (const Cancelled&) {
+        terminal.end(cancelled());
+    }
     return ExitCode::Incomplete;
 }
 

@@ -55,6 +55,13 @@ void Terminal::tell(const std::string& text) {
     if (m_shown) warn(text);
 }
 
+void Terminal::end(const std::string& text) {
+    const std::scoped_lock lock(m_mutex);
+    m_shown = false;
+    clearLine();
+    error(text);
+}
+
 void Terminal::error(const std::string& text) {
     say("wend: " + printable(text) + "\n");
 }
@@ -64,14 +71,14 @@ void Terminal::setFile(const std::string& path) {
     *std::ranges::copy(name, currentFile.begin()).out = '\0';
 }
 
-void Terminal::lastWord(const char* what) noexcept {
+void Terminal::lastWord(const char* what, int code) noexcept {
     static std::atomic_flag said;  // several threads may find out at once
     while (said.test_and_set()) pause();
     const char* separator = currentFile[0] != 0 ? ": " : "";
     const std::array<const char*, 5> parts{"wend: ", currentFile.data(), separator, what, "\n"};
     for (const char* part : parts)
         if (write(STDERR_FILENO, part, std::strlen(part)) < 0) break;
-    _exit(1);
+    _exit(code);
 }
 
 void Terminal::clearLine() {

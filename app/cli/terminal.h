@@ -19,15 +19,16 @@ class Terminal {
     void warn(const std::string& text);
     /// Where progress is shown.
     void tell(const std::string& text);
+    /// Like error(), over the line of progress.
+    void end(const std::string& text);
 
     /// "wend: text" as one line, whatever the text holds.
     static void error(const std::string& text);
     /// What is worked on: lastWord() names it.
     static void setFile(const std::string& path);
-    /// For when there is no memory left, from any thread: one line about the file, and the end, with exit
-    /// code
-    /// 1. Nothing is cleaned up; what was being written was not yet in its place.
-    [[noreturn]] static void lastWord(const char* what) noexcept;
+    /// Says one line about the file and ends the process with that exit code: from any thread, and when there
+    /// is no memory left. Nothing is cleaned up; what was being written was not yet in its place.
+    [[noreturn]] static void lastWord(const char* what, int code) noexcept;
 
   private:
     void clearLine();

@@ -43,6 +43,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "its region holds no vertex"),
     QT_TRANSLATE_NOOP("Core", "point %1 lies outside the shape"),
     QT_TRANSLATE_NOOP("Core", "vertex %1 belongs to no cell"),
+    QT_TRANSLATE_NOOP("Core", "the shape needs about %1 of memory; %2 are free; fewer vertices need less"),
     // Pictures and outlines.
     QT_TRANSLATE_NOOP("Core", "the picture has no alpha channel to take an outline from"),
     QT_TRANSLATE_NOOP("Core", "the picture has no pixels"),
@@ -66,6 +67,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "cannot be read: %1"),
     QT_TRANSLATE_NOOP("Core", "cannot be written: %1"),
     QT_TRANSLATE_NOOP("Core", "the disk may be full"),
+    QT_TRANSLATE_NOOP("Core", "the disk is full, only %1 are free"),
     QT_TRANSLATE_NOOP("Core", "the folder %1 does not exist"),
     QT_TRANSLATE_NOOP("Core", "the folder %1 is not writable"),
     QT_TRANSLATE_NOOP("Core", "is read-only: make it writable first, or choose another name"),

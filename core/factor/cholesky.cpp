@@ -12,6 +12,7 @@
 #include <mutex>
 #include <new>
 
+#include "core/system/abandonable.h"
 #include "core/system/address_room.h"
 
 namespace wend {
@@ -131,14 +132,18 @@ struct Cholesky::Handles {
         cholmod_free_dense(&work1, &common);
         cholmod_free_dense(&work2, &common);
     }
-    std::vector<int> orderBlocks(int blockSize, Ordering ordering);
-    void analyze(int blockSize, Ordering ordering);
+    std::vector<int> orderBlocks();
+    void analyze();
+    void factorize();
+
+    int blockSize = 1;
+    Ordering ordering = Ordering::MinimumDegree;
 };
 
 /// The fill-reducing order of the graph of blocks: a third of the work of the scalar graph. Nested dissection
 /// by METIS's cuts, whose parts and cuts CHOLMOD orders by minimum degree: METIS's own order of a cut
 /// scatters what is added to its front, so that a factorization in the plane takes a sixth longer.
-std::vector<int> Cholesky::Handles::orderBlocks(int blockSize, Ordering ordering) {
+std::vector<int> Cholesky::Handles::orderBlocks() {
     const auto* start = static_cast<const int*>(matrix->p);
     const auto* row = static_cast<const int*>(matrix->i);
     const std::size_t blocks = matrix->ncol / blockSize;
@@ -163,25 +168,44 @@ std::vector<int> Cholesky::Handles::orderBlocks(int blockSize, Ordering ordering
     return order;
 }
 
-void Cholesky::Handles::analyze(int blockSize, Ordering ordering) {
+void Cholesky::Handles::analyze() {
+    const SerialOpenMp serial;
     const std::lock_guard lock(analysisMutex());
     std::vector<int> order;
-    for (int block : orderBlocks(blockSize, ordering))
+    for (int block : orderBlocks())
         for (int k = 0; k < blockSize; ++k) order.push_back(block * blockSize + k);
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 1;
     factor = cholmod_analyze_p(matrix, order.data(), nullptr, 0, &common);
+    if (factor == nullptr) throw std::bad_alloc();
 }
 
-Cholesky::Cholesky() : m_handles(std::make_unique<Handles>()) {
+void Cholesky::Handles::factorize() {
+    const SerialOpenMp serial;
+    const BlasBuffer buffer;
+    common.status = CHOLMOD_OK;
+    cholmod_factorize(matrix, factor, &common);
+    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+}
+
+Cholesky::Cholesky() : m_handles(std::make_shared<Handles>()) {
     useOneBlasThread();
 }
 Cholesky::~Cholesky() = default;
 
-void Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
-                       Ordering ordering) {
-    const SerialOpenMp serial;
+/// A small matrix takes no longer than a look at whether to stop may.
+bool Cholesky::run(void (*work)(Handles&), const std::stop_token& stop) {
+    constexpr std::size_t kSmall = 15000;
+    const bool small = m_handles->matrix->ncol < kSmall;
+    const auto whole = [work, handles = m_handles] { work(*handles); };
+    if (runAbandonable(whole, small ? std::stop_token() : stop)) return true;
+    m_handles = std::make_shared<Handles>();
+    return false;
+}
+
+bool Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
+                       Ordering ordering, const std::stop_token& stop) {
     auto& h = *m_handles;
     h.release();
     const std::size_t n = columnStart.size() - 1;
@@ -190,8 +214,13 @@ void Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<in
     std::copy(columnStart.begin(), columnStart.end(), static_cast<int*>(h.matrix->p));
     std::copy(row.begin(), row.end(), static_cast<int*>(h.matrix->i));
     std::fill_n(static_cast<double*>(h.matrix->x), row.size(), 0.0);
-    h.analyze(blockSize, ordering);
-    if (h.factor == nullptr) throw std::bad_alloc();
+    h.blockSize = blockSize;
+    h.ordering = ordering;
+    return run([](Handles& handles) { handles.analyze(); }, stop);
+}
+
+bool Cholesky::isAnalyzed() const {
+    return m_handles->factor != nullptr;
 }
 
 double Cholesky::factorFlops() const {
@@ -200,6 +229,14 @@ double Cholesky::factorFlops() const {
 
 double Cholesky::factorEntries() const {
     return m_handles->common.lnz;
+}
+
+double Cholesky::bytes() const {
+    return sizeof(double) * static_cast<double>(m_handles->factor->xsize);
+}
+
+bool Cholesky::hasNumbers() const {
+    return m_handles->factor->x != nullptr;
 }
 
 Supernodes Cholesky::supernodes() const {
@@ -225,15 +262,10 @@ std::span<double> Cholesky::values() {
 
 // cholmod_factorize returns TRUE also where it stopped at a pivot ≤ 0: only `minor` tells; NaN passes through
 // all of it.
-Cholesky::Status Cholesky::factorize() {
-    const SerialOpenMp serial;
-    const BlasBuffer buffer;
-    auto& h = *m_handles;
+Cholesky::Status Cholesky::factorize(const std::stop_token& stop) {
     if (!allFinite(values())) return Status::NotFinite;
-    h.common.status = CHOLMOD_OK;
-    cholmod_factorize(h.matrix, h.factor, &h.common);
-    if (h.common.status == CHOLMOD_OUT_OF_MEMORY || h.common.status == CHOLMOD_TOO_LARGE)
-        throw std::bad_alloc();
+    if (!run([](Handles& handles) { handles.factorize(); }, stop)) return Status::Stopped;
+    const auto& h = *m_handles;
     const bool good = h.common.status == CHOLMOD_OK && h.factor->minor == h.factor->n;
     return good ? Status::Done : Status::NotPositiveDefinite;
 }

@@ -1,8 +1,10 @@
 #include "core/factor/factor.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
+#include "core/system/memory.h"
 #include "core/system/simd_target.h"
 
 namespace wend {
@@ -22,23 +24,33 @@ constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr std::array<Limits, 5> kLimits = {
     {{300, 180}, {400, 180}, {400, 180}, {kAlways, 1000}, {kAlways, kAlways}}};
 
+constexpr double kLong = 2e10;  // floating-point operations: half a second and more
+
 }  // namespace
 
-void Factor::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
-                     Ordering ordering) {
+bool Factor::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
+                     Ordering ordering, const std::stop_token& stop) {
     m_own = OfCholmod();
-    m_cholesky.analyze(columnStart, row, blockSize, ordering);
+    return m_cholesky.analyze(columnStart, row, blockSize, ordering, stop);
+}
+
+void Factor::requireRoom(double bytes, double toTake) {
+    m_needed = std::max(m_needed, bytes);
+    if (toTake > 0) requireMemory(toTake);
 }
 
 /// One of this kind that is there already keeps what follows from the pattern.
 template <class Real>
-bool Factor::factorizeOwn(WorkerPool& workers, const std::stop_token& stop) {
+bool Factor::factorizeOwn(WorkerPool& workers, const std::stop_token& stop, const FactorProgress& progress) {
     using Own = SupernodalFactor<Real>;
     if (!std::holds_alternative<Own>(m_own)) {
         m_own = OfCholmod();  // never two at a time
         m_own.template emplace<Own>(m_cholesky.supernodes(), m_cholesky.columnStart(), m_cholesky.row());
     }
-    return std::get<Own>(m_own).factorize(m_cholesky.values(), workers, stop);
+    Own& own = std::get<Own>(m_own);
+    requireRoom(own.bytes(workers.threads()), own.bytesToTake(workers.threads()));
+    const bool isLong = flops() > kLong;
+    return own.factorize(m_cholesky.values(), workers, stop, isLong ? progress : FactorProgress());
 }
 
 FactorKind Factor::quickest(FactorKind kind) const {
@@ -48,14 +60,19 @@ FactorKind Factor::quickest(FactorKind kind) const {
     return flops() <= limit * entries() ? kind : FactorKind::Reference;
 }
 
-Factor::Status Factor::factorize(FactorKind kind, WorkerPool& workers, std::stop_token stop) {
+Factor::Status Factor::factorize(FactorKind kind, WorkerPool& workers, std::stop_token stop,
+                                 const FactorProgress& progress) {
     const auto stopped = [&] { return stop.stop_requested() ? Status::Stopped : Status::Done; };
-    if (kind == FactorKind::Single && (factorizeOwn<float>(workers, stop) || stop.stop_requested()))
+    if (kind == FactorKind::Single && (factorizeOwn<float>(workers, stop, progress) || stop.stop_requested()))
         return stopped();
-    if (kind != FactorKind::Reference && (factorizeOwn<double>(workers, stop) || stop.stop_requested()))
+    if (kind != FactorKind::Reference &&
+        (factorizeOwn<double>(workers, stop, progress) || stop.stop_requested()))
         return stopped();
     m_own = OfCholmod();
-    switch (m_cholesky.factorize()) {
+    requireRoom(m_cholesky.bytes(), m_cholesky.hasNumbers() ? 0 : m_cholesky.bytes());
+    switch (m_cholesky.factorize(stop)) {
+        case Cholesky::Status::Stopped:
+            return Status::Stopped;
         case Cholesky::Status::NotFinite:
             return Status::NotFinite;
         case Cholesky::Status::NotPositiveDefinite:

@@ -52,7 +52,6 @@ void SupernodalFactor<Real>::placePanels() {
     for (int s = 0; s < m_symbolic.count(); ++s)
         m_panelStart.push_back(m_panelStart.back() + dense::kPad<Real> +
                                static_cast<std::size_t>(leading(s)) * m_symbolic.columnsOf(s));
-    m_panels = LargeArray<Real>(m_panelStart.back() + dense::kPad<Real>);
     m_inverse.resize(m_symbolic.order.size());
 }
 
@@ -99,7 +98,26 @@ std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group) {
 }
 
 template <class Real>
-void SupernodalFactor<Real>::reserveStacks(int threads) {
+double SupernodalFactor<Real>::stackBytes(int threads) const {
+    return sizeof(Real) * (static_cast<double>(m_threadStacks) + threads * static_cast<double>(m_stackSize));
+}
+
+template <class Real>
+double SupernodalFactor<Real>::bytes(int threads) const {
+    return sizeof(Real) * static_cast<double>(m_panelStart.back()) + stackBytes(std::max(threads, m_threads));
+}
+
+template <class Real>
+double SupernodalFactor<Real>::bytesToTake(int threads) const {
+    const double panels =
+        m_panels.data() == nullptr ? sizeof(Real) * static_cast<double>(m_panelStart.back()) : 0;
+    if (threads <= m_threads) return panels;
+    return panels + stackBytes(threads) - (m_threads > 0 ? stackBytes(m_threads) : 0);
+}
+
+template <class Real>
+void SupernodalFactor<Real>::reserve(int threads) {
+    if (m_panels.data() == nullptr) m_panels = LargeArray<Real>(m_panelStart.back() + dense::kPad<Real>);
     if (threads <= m_threads) return;
     m_threads = threads;
     m_updates = {};  // never two at a time
@@ -221,6 +239,7 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     if (!m_kernels->factorColumns(panel(s), leading(s), 0, columns, leading(s), inverse(s))) return false;
     makeUpdate(s, 0, updateRows(s), stacks);
     m_kernels->prepareSolves(panel(s), leading(s), columns, 0, leading(s), inverse(s));
+    m_meter->add(work(s));
     return true;
 }
 
@@ -234,10 +253,12 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
         if (m_stop.stop_requested()) return false;
         if (!m_kernels->factorColumns(front, rows, from, to, below, inverses)) return false;
         workers.forPieces(rows - below, 16 * dense::kPad<Real>, [&](int begin, int end) {
+            if (m_stop.stop_requested()) return;
             m_kernels->continueColumns(front, rows, from, to, below + begin, below + end, inverses);
         });
+        m_meter->add(work(s) * (to - from) / columns / 2);
     }
-    return true;
+    return !m_stop.stop_requested();
 }
 
 template <class Real>
@@ -252,7 +273,9 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     });
     if (!factorPanel(s, workers)) return false;
     workers.forPieces(below, kUpdateColumns, [&](int begin, int end) {
-        if (!m_stop.stop_requested()) makeUpdate(s, begin, end, stacks);
+        if (m_stop.stop_requested()) return;
+        makeUpdate(s, begin, end, stacks);
+        m_meter->add(work(s) * (end - begin) / below / 2);
     });
     const int top = dense::padded<Real>(columns);
     workers.forPieces(leading(s) - top, 16 * dense::kPad<Real>, [&](int begin, int end) {
@@ -279,11 +302,37 @@ bool SupernodalFactor<Real>::factorSubtrees(std::span<const double> values, Work
 }
 
 template <class Real>
+double SupernodalFactor<Real>::work(int s) const {
+    const double rows = m_symbolic.rowsOf(s);
+    return m_symbolic.columnsOf(s) * rows * rows;
+}
+
+template <class Real>
+void SupernodalFactor<Real>::Meter::start(const FactorProgress& progress, double work) {
+    m_progress = progress;
+    m_work = work;
+    m_done = 0;
+    m_told = 0;
+}
+
+template <class Real>
+void SupernodalFactor<Real>::Meter::add(double work) {
+    if (!m_progress) return;
+    const double done = std::min(1.0, (m_done.fetch_add(work) + work) / m_work);
+    const int hundredths = static_cast<int>(100 * done);
+    int told = m_told;
+    if (hundredths > told && m_told.compare_exchange_strong(told, hundredths)) m_progress(done);
+}
+
+template <class Real>
 bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers,
-                                       std::stop_token stop) {
+                                       std::stop_token stop, const FactorProgress& progress) {
     m_stop = std::move(stop);
     m_kernels = &dense::kernels<Real>();
-    reserveStacks(workers.threads());
+    double all = 0;
+    for (int s = 0; s < m_symbolic.count(); ++s) all += work(s);
+    m_meter->start(progress, all);
+    reserve(workers.threads());
     return factorSubtrees(values, workers) &&
            std::all_of(m_tree.separator.begin(), m_tree.separator.end(), [&](int s) {
                return factorFront(s, values, m_updates.data() + m_separatorStacks, workers);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -11,6 +14,10 @@
 #include "core/system/large_array.h"
 
 namespace wend {
+
+/// Gets the part of a factorization that is done, in [0, 1], at most once for each hundredth and from any
+/// thread.
+using FactorProgress = std::function<void(double)>;
 
 /// A supernodal multifrontal Cholesky factorization. In double precision it solves, on small fronts, in half
 /// of CHOLMOD's time; in single precision in half of that again (half the bytes, twice the lanes), as a
@@ -26,9 +33,15 @@ class SupernodalFactor {
 
     /// From the values of the pattern; false if a pivot is not positive, or if it was stopped: looked at
     /// between fronts, and between the pieces of great ones.
-    bool factorize(std::span<const double> values, WorkerPool& workers, std::stop_token stop = {});
+    bool factorize(std::span<const double> values, WorkerPool& workers, std::stop_token stop = {},
+                   const FactorProgress& progress = {});
     /// x ≈ K⁻¹ b; false if that is not finite.
     bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
+
+    /// Bytes of the factor with the update matrices of so many threads, and those of them that the next
+    /// factorization takes.
+    double bytes(int threads) const;
+    double bytesToTake(int threads) const;
 
   private:
     struct Run {  // rows of an update matrix that are consecutive in the parent's front, too
@@ -41,7 +54,8 @@ class SupernodalFactor {
     void placePanels();
     void placeUpdates();
     std::size_t placeUpdates(std::span<const int> group);
-    void reserveStacks(int threads);
+    double stackBytes(int threads) const;
+    void reserve(int threads);
     void placeWorkspaces();
     void mapUpdates();
     void mapEntries(std::span<const int> columnStart, std::span<const int> row);
@@ -56,6 +70,19 @@ class SupernodalFactor {
         return (m_isSubtreeRoot[s] ? m_updates.data() : stacks) + m_updateStart[s];
     }
 
+    /// Counts the work on a front, or on a part of it, as done: its columns times the square of its rows.
+    class Meter {
+      public:
+        void start(const FactorProgress& progress, double work);
+        void add(double work);
+
+      private:
+        FactorProgress m_progress;
+        double m_work = 1;
+        std::atomic<double> m_done = 0;
+        std::atomic<int> m_told = 0;  // hundredths
+    };
+    double work(int s) const;
     bool factorSubtrees(std::span<const double> values, WorkerPool& workers);
     bool factorFront(int s, std::span<const double> values, Real* stacks);
     bool factorFront(int s, std::span<const double> values, Real* stacks, WorkerPool& workers);
@@ -72,8 +99,9 @@ class SupernodalFactor {
 
     Supernodes m_symbolic;
     EliminationTree m_tree;
-    std::stop_token m_stop;                           // of the factorization that goes on
-    const dense::Kernels<Real>* m_kernels = nullptr;  // those of the factorization
+    const dense::Kernels<Real>* m_kernels = nullptr;             // those of the factorization
+    std::stop_token m_stop;                                      // of the factorization that goes on …
+    std::unique_ptr<Meter> m_meter = std::make_unique<Meter>();  // … and how far it is
     std::vector<std::size_t> m_panelStart, m_updateStart;
     std::vector<int> m_runStart;  // per supernode: into m_runs, for its update matrix
     std::vector<Run> m_runs;

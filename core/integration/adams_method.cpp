@@ -136,6 +136,15 @@ Points<Dim> AdamsMethod<Dim>::at(double t, const Points<Dim>&) const {
     return x;
 }
 
+template <int Dim>
+void AdamsMethod<Dim>::adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) {
+    m_from = t;
+    m_to = to;
+    m_start = x;
+    m_order = step.order;
+    m_fields = step.fields;
+}
+
 template class AdamsMethod<2>;
 template class AdamsMethod<3>;
 

@@ -30,6 +30,8 @@ class AdamsMethod final : public StepMethod<Dim> {
     void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
     bool needsEndField() const override { return false; }
     Points<Dim> at(double t, const Points<Dim>& endField) const override;
+    DenseStep<Dim> dense() const override { return {m_order, nullptr, m_fields}; }
+    void adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) override;
 
   private:
     std::vector<WeightedField<Dim>> integral(const std::vector<PastField<Dim>>& fields, int count,

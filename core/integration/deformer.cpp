@@ -61,6 +61,7 @@ void Deformer<Dim>::setHandles(std::vector<Handle<Dim>> handles) {
 template <int Dim>
 void Deformer<Dim>::prepare() {
     m_integrator->activate(Side::After);
+    m_integrator->velocitySolver().analyze();
 }
 
 template <int Dim>
@@ -69,8 +70,8 @@ AdvanceResult Deformer<Dim>::advance(double time, const Watch& watch) {
 }
 
 template <int Dim>
-Points<Dim> Deformer<Dim>::velocity() {
-    return m_integrator->velocity();
+Points<Dim> Deformer<Dim>::velocity(const std::stop_token& stop) {
+    return m_integrator->velocity(stop);
 }
 
 template <int Dim>

@@ -9,7 +9,7 @@
 #include "core/assembly/back_end.h"
 #include "core/energy/material.h"
 #include "core/integration/integration_options.h"
-#include "core/integration/step_method.h"
+#include "core/integration/step_record.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
@@ -34,7 +34,16 @@ struct Statistics {
     /// Sum of the method's error estimates of accepted steps, relative to the size; 0 with prescribed steps.
     /// Later steps may amplify or damp errors, so this is an order of magnitude.
     double errorEstimate = 0;
+    double needed = 0;   // bytes of the largest factor
     CopiedBytes copied;  // to and from a device, since the deformer was made
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [taken, refused, solves, factors, rounds, analyzing, assembling, factoring, solving, inAll, off,
+               value, sum, bytes, moved] = *this;
+        archive(taken, refused, solves, factors, rounds, analyzing, assembling, factoring, solving, inAll,
+                off, value, sum, bytes);
+    }
 };
 
 /// The shape at a time, with everything needed to continue to the same bits.
@@ -87,19 +96,26 @@ class Deformer {
     /// Integrates to `time`, where the last step is cut; without a moving handle the shape stays. `frames`
     /// (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense output,
     /// without changing the steps. `progress` gets the time after every accepted step. If it ends early,
-    /// state() is the last valid one.
+    /// state() is the last valid one. Throws NotEnoughMemory before
+    /// a factor is made that the machine has not the memory for.
     struct Watch {
         std::vector<double> frames;
         std::function<void(const State<Dim>&)> onFrame;
         std::function<void(double)> progress;
         std::stop_token stop;
+        /// Gets the part of a factorization that is done, within a step, if that takes long; from any thread.
+        std::function<void(double)> factorizing;
+        /// Gets every step that was computed, once state() is the shape at its end.
+        std::function<void(const StepRecord<Dim>&)> onStep;
+        /// Steps that are taken from here as long as there are any. They begin where state() is.
+        StepSource<Dim>* known = nullptr;
     };
     AdvanceResult advance(double time, const Watch& watch = {});
 
     /// v̂ at the current state, one column per vertex, in the domain's units per unit of time. Between two
     /// motions the one that begins counts; if nothing moves from here on, the one that ends. No columns if
-    /// the solver fails.
-    Points<Dim> velocity();
+    /// the solver fails or is stopped.
+    Points<Dim> velocity(const std::stop_token& stop = {});
     /// Why the last advance() ended early, or velocity() has no columns.
     AdvanceResult failure() const;
     /// Return W of the current state, the energy of its map from rest, and its distance from equilibrium,

@@ -174,6 +174,7 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
     m_constraints->evaluate(m_ids, state.anchors, t, side, m_targets, m_prescribed);
     m_solver->setMemoryRate(memoryRate(t, side));
     m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
+    m_solver->setProgress(m_watch ? m_watch->factorizing : nullptr);
     ++statistics.evaluations;
     const bool reuses = m_solver->reuses();
     m_failure.outcome =
@@ -205,29 +206,61 @@ void Deformer<Dim>::Integrator::unfold(double t, Points<Dim>& shape, const Point
     }
 }
 
-/// The frames strictly inside the step that m_method holds; one at its end is the state itself.
 template <int Dim>
-void Deformer<Dim>::Integrator::emitFrames(double from, double to) {
-    if (!m_watch || !m_watch->onFrame) return;
-    const auto& times = m_watch->frames;
-    if (m_frame >= times.size() || times[m_frame] >= to) return;
-    Points<Dim> endField;
+bool Deformer<Dim>::Integrator::hasFramesBefore(double to) const {
+    return m_watch && m_watch->onFrame && m_frame < m_watch->frames.size() && m_watch->frames[m_frame] < to;
+}
+
+/// The field at the end of the step that m_method holds, where the method needs it for frames or for a record
+/// of the step; null otherwise.
+template <int Dim>
+Nodal<Dim> Deformer<Dim>::Integrator::endField(double from, double to) {
+    const bool isWanted = hasFramesBefore(to) || (m_watch && m_watch->onStep);
+    if (!isWanted || !method().needsEndField()) return nullptr;
+    auto field = std::make_shared<Points<Dim>>();
     // The step is done: a wish to stop does not count before the frames in it are out.
     const Watch* const watch = std::exchange(m_watch, nullptr);
-    if (method().needsEndField()) {
-        m_solver->stages().combine(std::make_shared<const Points<Dim>>(m_next), {});
-        if (!evaluate(to, Side::Before, endField)) endField = (m_next - state.normalized) / (to - from);
-    }
+    m_solver->stages().combine(std::make_shared<const Points<Dim>>(m_next), {});
+    if (!evaluate(to, Side::Before, *field)) *field = (m_next - state.normalized) / (to - from);
     m_watch = watch;
-    for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
-        Points<Dim> shape = method().at(times[m_frame], endField);
-        project(times[m_frame], shape);
-        unfold(times[m_frame], shape, 2 * times[m_frame] < from + to ? state.normalized : m_next);
+    return field;
+}
+
+/// The frames strictly inside the step that m_method holds; one at its end is the state itself.
+template <int Dim>
+void Deformer<Dim>::Integrator::emitFrames(double from, double to, const Nodal<Dim>& endField) {
+    const Points<Dim> none;
+    for (; hasFramesBefore(to); ++m_frame) {
+        const double time = m_watch->frames[m_frame];
+        Points<Dim> shape = method().at(time, endField ? *endField : none);
+        project(time, shape);
+        unfold(time, shape, 2 * time < from + to ? state.normalized : m_next);
         State<Dim> frame;
-        frame.time = times[m_frame];
+        frame.time = time;
         frame.points = inDomain(shape);
         m_watch->onFrame(frame);
     }
+}
+
+/// One step further towards a time; false if the run ends, m_failure says why.
+template <int Dim>
+bool Deformer<Dim>::Integrator::goesOn(double time) {
+    activate(Side::After);
+    if (m_watch->stop.stop_requested()) {
+        m_failure = {};
+        m_failure.cancelled = true;
+        return false;
+    }
+    if (m_watch->known && m_watch->known->hasNext()) {
+        takeKnownStep();
+        return true;
+    }
+    if (flows(state.time, Side::After)) {
+        recall();
+        return step(nextStop(time));
+    }
+    standStill(nextStop(time));
+    return true;
 }
 
 template <int Dim>
@@ -243,16 +276,7 @@ AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch
     };
     emitHere();
     while (good && state.time < time) {
-        activate(Side::After);
-        if (watch.stop.stop_requested()) {
-            m_failure.cancelled = true;
-            good = false;
-        } else if (flows(state.time, Side::After)) {
-            recall();
-            good = step(nextStop(time));
-        } else {
-            standStill(nextStop(time));
-        }
+        good = goesOn(time);
         if (good) emitHere();
     }
     m_watch = nullptr;
@@ -262,7 +286,7 @@ AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch
 }
 
 template <int Dim>
-Points<Dim> Deformer<Dim>::Integrator::velocity() {
+Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
     const bool begins = flows(state.time, Side::After);
     const Side side = begins || !flows(state.time, Side::Before) ? Side::After : Side::Before;
     activate(side);
@@ -271,7 +295,11 @@ Points<Dim> Deformer<Dim>::Integrator::velocity() {
     Points<Dim> v;
     m_solver->setVelocityTolerance(0);  // the request is for an exact field
     m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
+    Watch watch;
+    watch.stop = stop;
+    m_watch = &watch;
     const bool good = evaluate(state.time, side, v);
+    m_watch = nullptr;
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     state.anchors = anchors;
     collectStatistics();
@@ -291,13 +319,14 @@ double Deformer<Dim>::Integrator::restForce() {
 template <int Dim>
 void Deformer<Dim>::Integrator::collectStatistics() {
     const SolverStatistics& solver = m_solver->statistics();
-    statistics.factorizations = solver.factorizations;
-    statistics.solverIterations = solver.iterations;
-    statistics.analyze = solver.analyze;
-    statistics.assemble = solver.assemble;
-    statistics.factor = solver.factor;
-    statistics.solve = solver.solve;
-    statistics.energy = m_solver->energy();
+    statistics.factorizations = m_before.factorizations + solver.factorizations;
+    statistics.solverIterations = m_before.solverIterations + solver.iterations;
+    statistics.analyze = m_before.analyze + solver.analyze;
+    statistics.assemble = m_before.assemble + solver.assemble;
+    statistics.factor = m_before.factor + solver.factor;
+    statistics.solve = m_before.solve + solver.solve;
+    statistics.needed = std::max(m_before.needed, solver.needed);
+    statistics.energy = statistics.evaluations > m_before.evaluations ? m_solver->energy() : m_before.energy;
     statistics.copied = m_solver->copied();
 }
 

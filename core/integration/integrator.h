@@ -27,7 +27,7 @@ struct Deformer<Dim>::Integrator {
     void restore(const State<Dim>& state);
     void activate(Side side);
     AdvanceResult advance(double time, const Watch& watch);
-    Points<Dim> velocity();
+    Points<Dim> velocity(const std::stop_token& stop);
     /// Why the last of both failed.
     AdvanceResult stopped() const;
     double restForce();
@@ -69,11 +69,18 @@ struct Deformer<Dim>::Integrator {
     bool step(double stop);
     std::optional<double> attempt(const Nodal<Dim>& start, double to);
     void accept(double to, bool shortened, bool cut);
+    void emitStanding(double to);
     void standStill(double to);
+    void takeKnownStep();
+    void repeat(const StepRecord<Dim>& step);
+    void record(StepRecord<Dim> step);
     void arrive(double to);
 
     // Output of frames and failures.
-    void emitFrames(double from, double to);
+    bool goesOn(double time);
+    bool hasFramesBefore(double to) const;
+    Nodal<Dim> endField(double from, double to);
+    void emitFrames(double from, double to, const Nodal<Dim>& endField);
     void unfold(double t, Points<Dim>& shape, const Points<Dim>& end);
     void measureError(double t);
     int fastestPoint() const;
@@ -94,7 +101,8 @@ struct Deformer<Dim>::Integrator {
 
     std::vector<int> m_ids;  // the active constrained points, as the solver has them
     Points<Dim> m_targets, m_prescribed;
-    Points<Dim> m_next;  // the result of an attempt, projected
+    Points<Dim> m_next;   // the result of an attempt, projected
+    Statistics m_before;  // of the run that known steps are from
     Failure m_failure;
     const Watch* m_watch = nullptr;
     size_t m_frame = 0;

@@ -141,24 +141,68 @@ void Deformer<Dim>::Integrator::accept(double to, bool shortened, bool cut) {
     ++statistics.steps;
     if (m_options.steps == 0) statistics.errorEstimate += method().error() * m_options.tolerance;
     remember();  // frames may need a field of their own
-    emitFrames(state.time, to);
+    StepRecord<Dim> made{state.time, to, nullptr, endField(state.time, to), {}};
+    if (m_watch && m_watch->onStep) made.dense = method().dense();
+    emitFrames(state.time, to, made.endField);
     state.normalized = m_next;
     method().accept(state.pace, shortened, cut);
     arrive(to);
+    record(std::move(made));
+}
+
+/// With the shape that it leads to, unless nothing moved.
+template <int Dim>
+void Deformer<Dim>::Integrator::record(StepRecord<Dim> step) {
+    if (!m_watch || !m_watch->onStep) return;
+    collectStatistics();
+    if (!step.dense.fields.empty()) step.next = std::make_shared<const Points<Dim>>(m_next);
+    m_watch->onStep(step);
+}
+
+/// After the last one the state is what that run went on with.
+template <int Dim>
+void Deformer<Dim>::Integrator::takeKnownStep() {
+    StepSource<Dim>& known = *m_watch->known;
+    repeat(known.next());
+    if (known.hasNext()) return;
+    known.resume(state, m_before);
+    statistics = m_before;
+}
+
+/// What accept() and standStill() do of the step.
+template <int Dim>
+void Deformer<Dim>::Integrator::repeat(const StepRecord<Dim>& step) {
+    if (!step.next) {
+        emitStanding(step.to);
+    } else {
+        method().adopt(step.dense, step.from, step.to, std::make_shared<const Points<Dim>>(state.normalized));
+        m_next = *step.next;
+        emitFrames(step.from, step.to, step.endField);
+        state.normalized = m_next;
+    }
+    arrive(step.to);
+}
+
+/// The frames before a time up to which nothing moves.
+template <int Dim>
+void Deformer<Dim>::Integrator::emitStanding(double to) {
+    for (; hasFramesBefore(to); ++m_frame) {
+        State<Dim> frame;
+        frame.time = m_watch->frames[m_frame];
+        frame.points = state.points;
+        m_watch->onFrame(frame);
+    }
 }
 
 /// No handle moves: v̂ = 0, nothing to solve.
 template <int Dim>
 void Deformer<Dim>::Integrator::standStill(double to) {
+    const double from = state.time;
     m_next = state.normalized;
-    while (m_watch && m_frame < m_watch->frames.size() && m_watch->frames[m_frame] < to) {
-        State<Dim> frame;
-        frame.time = m_watch->frames[m_frame++];
-        frame.points = state.points;
-        if (m_watch->onFrame) m_watch->onFrame(frame);
-    }
+    emitStanding(to);
     ++statistics.steps;
     arrive(to);
+    record({from, to, nullptr, nullptr, {}});
 }
 
 template <int Dim>
@@ -186,8 +230,10 @@ void Deformer<Dim>::Integrator::measureError(double t) {
 template double Deformer<2>::Integrator::nextStop(double) const;
 template bool Deformer<2>::Integrator::step(double);
 template void Deformer<2>::Integrator::standStill(double);
+template void Deformer<2>::Integrator::takeKnownStep();
 template double Deformer<3>::Integrator::nextStop(double) const;
 template bool Deformer<3>::Integrator::step(double);
 template void Deformer<3>::Integrator::standStill(double);
+template void Deformer<3>::Integrator::takeKnownStep();
 
 }  // namespace wend

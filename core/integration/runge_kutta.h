@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/assembly/stage_vectors.h"
@@ -64,10 +65,33 @@ class RungeKuttaStep {
 
     /// y at t + θ h between the ends of a Dormand–Prince step, of order 4 (Hairer, Nørsett, Wanner I, II.6).
     Points<Dim> dense(double theta) const;
+    /// The slopes that dense() or, without the one at the end, hermite() needs, in the order of the stages;
+    /// and a step that was taken elsewhere, from y over h.
+    std::vector<Nodal<Dim>> denseSlopes() const {
+        std::vector<Nodal<Dim>> slopes;
+        for (int i = 0; i < m_tableau.stages; ++i)
+            if (isDense(i)) slopes.push_back(m_k[i]);
+        return slopes;
+    }
+    void adopt(double h, const Nodal<Dim>& y, const Nodal<Dim>& result, std::span<const Nodal<Dim>> slopes) {
+        m_h = h;
+        m_y = y;
+        m_result = result;
+        auto slope = slopes.begin();
+        for (int i = 0; i < m_tableau.stages && slope != slopes.end(); ++i)
+            if (isDense(i)) m_k[i] = *slope++;
+    }
     /// The same for the others, of order 3, from the slope at the result: the cubic Hermite polynomial.
     Points<Dim> hermite(double theta, const Points<Dim>& endSlope) const;
 
   private:
+    static constexpr std::array<double, 7> kQuartic = {
+        -12715105075.0 / 11282082432,  0,
+        87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
+        701980252875.0 / 199316789632, -1453857185.0 / 822651844,
+        69997945.0 / 29380423};
+
+    bool isDense(int stage) const { return m_tableau.firstSameAsLast ? kQuartic[stage] != 0 : stage == 0; }
     /// h Σ w_i k_i.
     std::vector<WeightedField<Dim>> terms(const std::array<double, 7>& weights, int count) const {
         std::vector<WeightedField<Dim>> sum;
@@ -93,11 +117,6 @@ Points<Dim> RungeKuttaStep<Dim>::hermite(double theta, const Points<Dim>& endSlo
 /// The Hermite cubic and a quartic term that the middle stages determine.
 template <int Dim>
 Points<Dim> RungeKuttaStep<Dim>::dense(double theta) const {
-    static constexpr std::array<double, 7> kQuartic = {
-        -12715105075.0 / 11282082432,  0,
-        87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
-        701980252875.0 / 199316789632, -1453857185.0 / 822651844,
-        69997945.0 / 29380423};
     const double rest = 1 - theta;
     Points<Dim> y = hermite(theta, *m_k.back());
     for (const auto& [weight, k] : terms(kQuartic, m_tableau.stages))

@@ -65,6 +65,22 @@ Points<Dim> RungeKuttaMethod<Dim>::at(double t, const Points<Dim>& endField) con
     return needsEndField() ? m_step.hermite(theta, endField) : m_step.dense(theta);
 }
 
+template <int Dim>
+DenseStep<Dim> RungeKuttaMethod<Dim>::dense() const {
+    DenseStep<Dim> step{0, m_step.result(), {}};
+    for (const Nodal<Dim>& slope : m_step.denseSlopes()) step.fields.push_back({m_from, slope});
+    return step;
+}
+
+template <int Dim>
+void RungeKuttaMethod<Dim>::adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) {
+    m_from = t;
+    m_to = to;
+    std::vector<Nodal<Dim>> slopes;
+    for (const PastField<Dim>& one : step.fields) slopes.push_back(one.field);
+    m_step.adopt(to - t, x, step.result, slopes);
+}
+
 template class RungeKuttaMethod<2>;
 template class RungeKuttaMethod<3>;
 

@@ -20,6 +20,8 @@ class RungeKuttaMethod final : public StepMethod<Dim> {
     void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
     bool needsEndField() const override { return !m_step.firstSameAsLast(); }
     Points<Dim> at(double t, const Points<Dim>& endField) const override;
+    DenseStep<Dim> dense() const override;
+    void adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) override;
 
   private:
     RungeKuttaStep<Dim> m_step;

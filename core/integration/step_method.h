@@ -13,8 +13,14 @@ namespace wend {
 /// The right-hand side at an earlier time.
 template <int Dim>
 struct PastField {
-    double time;
+    double time = 0;
     Nodal<Dim> field;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [at, what] = *this;
+        archive(at, what);
+    }
 };
 
 /// The state of a method between steps. Cheap to copy.
@@ -25,6 +31,26 @@ struct Pace {
     int order = 0;     // Adams: that it would try next
     /// The last of them at the current time, the oldest first; empty: none is known.
     std::vector<PastField<Dim>> fields;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [next, last, degree, known] = *this;
+        archive(next, last, degree, known);
+    }
+};
+
+/// What a method keeps of a step for the shapes within it, beside the one at its start.
+template <int Dim>
+struct DenseStep {
+    int order = 0;      // Adams
+    Nodal<Dim> result;  // Runge–Kutta, before constrained points were put on their paths
+    std::vector<PastField<Dim>> fields;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [degree, end, known] = *this;
+        archive(degree, end, known);
+    }
 };
 
 /// A method for dx/dt = f(x, t), one step at a time. The right-hand side may jump at the ends of a step: the
@@ -62,6 +88,9 @@ class StepMethod {
     /// Hermite interpolation of order 3 with `endField` (if needsEndField()). Equals result() at the end of
     /// the step up to rounding.
     virtual Points<Dim> at(double t, const Points<Dim>& endField) const = 0;
+    /// What at() depends on, and the step that it was taken from: from a shape at t to `to`.
+    virtual DenseStep<Dim> dense() const = 0;
+    virtual void adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) = 0;
 };
 
 /// f as a field that does not change any more; null where it cannot be evaluated.

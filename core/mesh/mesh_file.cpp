@@ -39,8 +39,10 @@ void putAll(const std::vector<std::string>& paths, const std::vector<std::string
     std::vector<PendingFile> files;
     for (std::size_t k = 0; k < paths.size(); ++k) {
         PendingFile file(paths[k], Access::Usual, k > 0 ? &files[0] : nullptr);
-        if (const std::string problem = writeBytes(file.temporary(), texts[k]); !problem.empty())
-            throw InputError(paths[k], "cannot be written: " + problem);
+        file.fill([&](const std::string& temporary) {
+            if (const std::string problem = writeBytes(temporary, texts[k]); !problem.empty())
+                throw InputError(paths[k], "cannot be written: " + problem);
+        });
         files.push_back(std::move(file));
     }
     PendingFile::commit(files);
@@ -60,6 +62,7 @@ void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWrit
     try {
         putAll(pathsOf(format, path), formats::printed(format, mesh, options));
     } catch (const InputError& error) {
+        if (!error.file().empty()) throw;
         throw error.named(path);
     }
 }

@@ -1,11 +1,14 @@
 #include "core/mesh/safe_file.h"
 
 #include <fcntl.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -13,6 +16,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/stream_output.h"
+#include "core/system/memory.h"
 
 namespace wend {
 namespace fs = std::filesystem;
@@ -52,14 +56,36 @@ std::string resolved(const std::string& path) {
     return error ? target.string() : place.string();
 }
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-    throw InputError(path, "cannot be written: " + reason);
+/// Bytes that a user may still write to a folder's disk; none if that is not known.
+std::optional<double> freeOnDisk(const std::string& folder) {
+    struct statvfs disk {};
+    if (statvfs(folder.c_str(), &disk) != 0) return std::nullopt;
+    return static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
+}
+
+constexpr const char* kFull = "the disk is full";
+
+bool saysFull(const std::string& reason) {
+    const auto says = [&](int error) { return reason.find(std::strerror(error)) != std::string::npos; };
+    return says(ENOSPC) || says(EDQUOT) || reason.find(kFull) != std::string::npos;
 }
 
 /// Some file systems do not support fsync and do not need it.
 bool isFlushed(int descriptor) {
     return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
 }
+
+/// Whether files are taking their places, or have done so: a process that has to end at once must not do it
+/// between two of them.
+struct Placing {
+    std::mutex mutex;
+    bool begun = false;
+
+    static Placing& state() {
+        static auto* const placing = new Placing;  // outlives the threads that end with the process
+        return *placing;
+    }
+};
 
 void flushFolder(const std::string& folder) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -87,7 +113,7 @@ void PendingFile::makeTemporary(const PendingFile* neighbour) {
             neighbour != nullptr && neighbour->m_folder && neighbour->m_folder->parent() == place;
         m_folder = shares ? neighbour->m_folder : std::make_shared<TemporaryFolder>(place);
     } catch (const InputError& error) {
-        fail(m_path, error.reason());
+        fail(InputError(m_path, "cannot be written: " + error.reason()));
     }
     m_temporary = m_folder->newName(fs::path(m_target).extension().string());
 }
@@ -111,24 +137,61 @@ PendingFile PendingFile::companion(const std::string& extension) const {
     return file;
 }
 
+DiskFull::DiskFull(const std::string& file, double free)
+    : InputError(file,
+                 std::string("cannot be written: ") + kFull + ", only " + byteText(free) + " are free") {}
+
+/// Libraries of formats may hide the reason of a failure: then the disk counts as full if it has less left
+/// than a block of theirs.
+void throwExplained(const InputError& error, const std::string& folder, double given) {
+    constexpr double kBlock = 4096;
+    const auto left = freeOnDisk(folder.empty() ? "." : folder);
+    const bool full = saysFull(error.reason()) || (left && *left < kBlock);
+    if (full) throw DiskFull(error.file(), left.value_or(0) + given);
+    throw error;  // NOLINT: as plain as it was
+}
+
+void PendingFile::fill(const std::function<void(const std::string&)>& write) const try {
+    write(m_temporary);
+} catch (const InputError& error) {
+    fail(error);
+}
+
+void PendingFile::fail(int error) const {
+    fail(InputError(m_path, std::string("cannot be written: ") + std::strerror(error)));
+}
+
+void PendingFile::fail(const InputError& error) const {
+    std::error_code unknown;
+    const auto written = fs::file_size(m_temporary, unknown);
+    const bool goes = m_folder && !unknown;
+    throwExplained(error, folderOf(m_temporary), goes ? static_cast<double>(written) : 0);
+}
+
 /// Flushes the file to disk and sets its permissions.
 void PendingFile::settle() const {
     const int descriptor = open(m_temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
-    if (descriptor < 0) fail(m_path, std::strerror(errno));
+    if (descriptor < 0) fail(errno);
     takeAccess(descriptor, m_target, m_access);
     const bool flushed = isFlushed(descriptor);
     const int reason = errno;
     close(descriptor);
-    if (!flushed) fail(m_path, std::strerror(reason));
+    if (!flushed) fail(reason);
 }
 
 void PendingFile::take() {
-    if (rename(m_temporary.c_str(), m_target.c_str()) != 0) fail(m_path, std::strerror(errno));
+    if (rename(m_temporary.c_str(), m_target.c_str()) != 0) fail(errno);
     m_temporary.clear();
 }
 
 void PendingFile::commit() {
     commit({this, 1});
+}
+
+void PendingFile::place() {
+    settle();
+    take();
+    flushFolder(folderOf(m_target));
 }
 
 /// Writes to special files first: that cannot be undone but is more likely to fail, so no file has been
@@ -139,24 +202,41 @@ void PendingFile::commit(std::span<PendingFile> files) {
     for (const PendingFile& file : files)
         if (file.m_special) writeStream(file.m_target, readInput(file.m_temporary), file.m_path);
     std::set<std::string> folders;
+    Placing& placing = Placing::state();
+    std::unique_lock lock(placing.mutex);
     for (PendingFile& file : files) {
         if (file.m_special || !file.m_folder) continue;
+        placing.begun = true;
         file.take();
         folders.insert(folderOf(file.m_target));
     }
+    lock.unlock();
     for (const std::string& folder : folders) flushFolder(folder);
+}
+
+bool abandonPendingFiles() noexcept {
+    Placing& placing = Placing::state();
+    placing.mutex.lock();
+    if (placing.begun) {
+        placing.mutex.unlock();
+        return false;
+    }
+    removeTemporaryFolders();  // with the lock, which is kept
+    return true;
 }
 
 void writeWhole(const std::string& path, const std::function<void(const std::string&)>& write) {
     PendingFile file(path);
-    write(file.temporary());
+    file.fill(write);
     file.commit();
 }
 
 void writeWhole(const std::string& path, std::string_view bytes, Access access) {
     PendingFile file(path, access);
-    if (const std::string problem = writeBytes(file.temporary(), bytes); !problem.empty())
-        fail(path, problem);
+    file.fill([&](const std::string& temporary) {
+        if (const std::string problem = writeBytes(temporary, bytes); !problem.empty())
+            throw InputError(path, "cannot be written: " + problem);
+    });
     file.commit();
 }
 

@@ -6,10 +6,17 @@
 #include <string>
 #include <string_view>
 
+#include "core/mesh/error.h"
 #include "core/mesh/file_access.h"
 #include "core/mesh/temporary_folder.h"
 
 namespace wend {
+
+/// An output that the disk has no room for. what() says how much is free.
+class DiskFull : public InputError {
+  public:
+    DiskFull(const std::string& file, double free);
+};
 
 /// A file that is written under a temporary name near its target (with its extension) and replaces it as a
 /// whole, or leaves no trace if it is never committed. The temporary folder is private: concurrent writers do
@@ -32,6 +39,8 @@ class PendingFile {
     const std::string& target() const { return m_target; }
     /// Returns the path to write to.
     const std::string& temporary() const { return m_temporary; }
+    /// Calls `write` with temporary(). Throws DiskFull in place of its InputError where that is the cause.
+    void fill(const std::function<void(const std::string& temporary)>& write) const;
     /// Returns whether the target is a special file, which cannot be rolled back.
     bool isSpecial() const { return m_special; }
     /// Returns a file that differs by this extension alone, in its temporary name as well: TetGen's files
@@ -39,12 +48,17 @@ class PendingFile {
     PendingFile companion(const std::string& extension) const;
     /// Throws InputError(path, reason).
     void commit();
+    /// The same for a file that goes on growing in its place: a process may end at once afterwards (see
+    /// abandonPendingFiles()).
+    void place();
     /// The same for several: all are on the disk before the first takes its place.
     static void commit(std::span<PendingFile> files);
 
   private:
     PendingFile() = default;
     void makeTemporary(const PendingFile* neighbour);
+    [[noreturn]] void fail(int error) const;
+    [[noreturn]] void fail(const InputError& error) const;
     void settle() const;
     void take();
 
@@ -53,6 +67,15 @@ class PendingFile {
     bool m_special = false;
     std::shared_ptr<TemporaryFolder> m_folder;  // none if the file is temporary itself
 };
+
+/// Throws the error of writing into `folder`, or DiskFull where that is its cause. `given`: bytes that will
+/// be free when what was written is gone.
+[[noreturn]] void throwExplained(const InputError& error, const std::string& folder, double given = 0);
+
+/// For a process that ends without destroying what it has made: from now on no file takes its place, and the
+/// temporary ones are removed. False, with nothing changed, once one has taken its place: then the work is as
+/// good as done.
+bool abandonPendingFiles() noexcept;
 
 /// Calls `write` with a temporary name, and moves the file to `path` afterwards: an existing file is replaced
 /// as a whole or not at all. The temporary name keeps the extension. Throws InputError(path, reason) if the

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "core/mesh/error.h"
@@ -55,13 +57,49 @@ void removeAbandoned(const std::string& parent) {
     }
 }
 
+/// The folders that are there: a process that has to end at once reaches nothing but globals.
+class LivingFolders {
+  public:
+    void add(const std::string& path) {
+        const std::lock_guard lock(m_mutex);
+        m_paths.insert(path);
+    }
+    void remove(const std::string& path) {
+        const std::lock_guard lock(m_mutex);
+        m_paths.erase(path);
+    }
+    /// Another thread may be adding a file just then, which has no place any more at the next attempt.
+    void clear() {
+        constexpr int kAttempts = 3;
+        const std::lock_guard lock(m_mutex);
+        std::error_code error;
+        for (int k = 0; k < kAttempts; ++k)
+            for (const std::string& path : m_paths) fs::remove_all(path, error);
+    }
+    static LivingFolders& all() {
+        static auto* const folders = new LivingFolders;  // outlives the threads that end with the process
+        return *folders;
+    }
+
+  private:
+    std::mutex m_mutex;
+    std::set<std::string> m_paths;
+};
+
 }  // namespace
+
+void removeTemporaryFolders() noexcept {
+    LivingFolders::all().clear();
+}
 
 TemporaryFolder::TemporaryFolder(std::string parent) : m_parent(std::move(parent)) {
     removeAbandoned(m_parent);
     constexpr int kAttempts = 100;  // others may take the folder for abandoned before it is locked
-    for (int k = 0; k < kAttempts; ++k)
-        if (tryToMake()) return;
+    for (int k = 0; k < kAttempts; ++k) {
+        if (!tryToMake()) continue;
+        LivingFolders::all().add(m_path);
+        return;
+    }
     throw InputError(m_parent, "no temporary folder can be made there");
 }
 
@@ -86,6 +124,7 @@ bool TemporaryFolder::tryToMake() {
 TemporaryFolder::~TemporaryFolder() {
     std::error_code error;
     fs::remove_all(m_path, error);
+    LivingFolders::all().remove(m_path);
     close(m_lock);
 }
 

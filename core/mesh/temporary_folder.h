@@ -27,6 +27,10 @@ class TemporaryFolder {
     int m_count = 0;
 };
 
+/// Removes the folders of this process with all that is in them, for a process that ends without destroying
+/// what it has made.
+void removeTemporaryFolders() noexcept;
+
 /// Returns whether a file is in such a folder.
 bool isTemporary(const std::string& file);
 

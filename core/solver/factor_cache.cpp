@@ -44,18 +44,27 @@ bool noneFolds(const std::vector<Cell<Dim>>& cells, const Points<Dim>& from, con
 }  // namespace
 
 template <int Dim>
-void FactorCache<Dim>::analyze(const AssemblyPlan<Dim>& plan) {
+void FactorCache<Dim>::reset(const AssemblyPlan<Dim>& plan) {
     m_plan = &plan;
+    m_analyzed = false;
     m_shape.reset();
     m_memory = {};
+    m_policy.setCounts({});
+}
+
+template <int Dim>
+bool FactorCache<Dim>::analyze(const std::stop_token& stop) {
+    if (m_analyzed) return true;
     if (m_multigrid) {
         m_policy.setCosts(kMultigridSetUp, 1);
-        return;
+        return m_analyzed = true;
     }
+    const AssemblyPlan<Dim>& plan = *m_plan;
     const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
-    if (!m_system.unknowns().empty())
-        m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
-                         small ? Ordering::MinimumDegree : Ordering::NestedDissection);
+    if (!m_system.unknowns().empty() &&
+        !m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
+                          small ? Ordering::MinimumDegree : Ordering::NestedDissection, stop))
+        return false;
     SolverCost cost;
     cost.factorFlops = m_factor.flops();
     cost.factorEntries = m_factor.entries();
@@ -64,6 +73,7 @@ void FactorCache<Dim>::analyze(const AssemblyPlan<Dim>& plan) {
     cost.dimension = Dim;
     m_policy.setCosts(cost.factor(), cost.iteration());
     m_blocks.resize(static_cast<std::size_t>(plan.blockCount()) * Dim * Dim);
+    return m_analyzed = true;
 }
 
 template <int Dim>
@@ -87,7 +97,10 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
         m_system.gather(m_blocks, m_factor.values());
     }
     const Stopwatch watch(m_statistics.factor);
-    return m_factor.factorize(kind, m_backEnd.workers(), stop);
+    const Factor::Status status = m_factor.factorize(kind, m_backEnd.workers(), stop, m_progress);
+    m_analyzed = m_factor.isAnalyzed();
+    m_statistics.needed = std::max(m_statistics.needed, m_factor.needed());
+    return status;
 }
 
 /// The back end is at that shape.

@@ -31,12 +31,16 @@ class FactorCache {
     bool isMultigrid() const { return m_multigrid != nullptr; }
     Multigrid<Dim>& multigrid() { return *m_multigrid; }
 
-    /// Of another system: nothing is kept. The plan outlives it, too.
-    void analyze(const AssemblyPlan<Dim>& plan);
+    /// Of another system: nothing is kept, and it is to be analyzed. The plan outlives it, too.
+    void reset(const AssemblyPlan<Dim>& plan);
+    /// The symbolic analysis of the system, unless it is there. False if it was stopped.
+    bool analyze(const std::stop_token& stop);
 
     FactorMemory<Dim> remember() const;
     void recall(const FactorMemory<Dim>& memory);
     RefactorPolicy& policy() { return m_policy; }
+    /// Of long factorizations: see Factor::factorize().
+    void setProgress(FactorProgress progress) { m_progress = std::move(progress); }
     std::span<double> values() { return m_factor.values(); }
 
     /// A new factor, at the back end's shape: one that lasts, in the poorest precision that serves here, or
@@ -83,6 +87,8 @@ class FactorCache {
     const ReducedSystem<Dim>& m_system;
     SolverStatistics& m_statistics;
     const AssemblyPlan<Dim>* m_plan = nullptr;
+    bool m_analyzed = false;
+    FactorProgress m_progress;
     Factor m_factor;
     std::unique_ptr<Multigrid<Dim>> m_multigrid;
     Nodal<Dim> m_shape;          // where the factor at hand was made; null: it has served

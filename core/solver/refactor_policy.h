@@ -12,13 +12,18 @@ class RefactorPolicy {
     /// Since the factor.
     struct Counts {
         int iterations = 0, evaluations = 0, last = 0;  // last: iterations of the last evaluation
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            auto& [inAll, solves, newest] = *this;
+            archive(inAll, solves, newest);
+        }
     };
 
     /// In one unit, that of SolverCost.
     void setCosts(double factor, double iteration) {
         m_factor = factor;
         m_iteration = iteration;
-        m_counts = {};
     }
     /// A factor that costs more than so much is put off, for an even pace: until the iterations of a single
     /// evaluation cost a good part of it.

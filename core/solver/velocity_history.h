@@ -33,20 +33,45 @@ class VelocityHistory {
     /// them): for a drag, whose motion is not smooth in time. None without a field of as many constraints.
     std::optional<Points<Dim>> fitting(const Points<Dim>& prescribed) const;
 
+    /// Hands all that it holds to an archive, which stores or restores it.
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [fields, before, step, polynomial] = *this;
+        archive(fields, before, step, polynomial);
+    }
+
   private:
     struct Field {
-        double time;
-        std::shared_ptr<const Points<Dim>> prescribed, velocity;
+        double time = 0;
+        Nodal<Dim> prescribed, velocity;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            auto& [at, asked, found] = *this;
+            archive(at, asked, found);
+        }
     };
     struct Miss {
-        double place;  // in the step: 0 at its start, 1 at its end
-        int turn;      // how many of this place came before it
+        double place = 0;  // in the step: 0 at its start, 1 at its end
+        int turn = 0;      // how many of this place came before it
         Nodal<Dim> field;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            auto& [where, number, what] = *this;
+            archive(where, number, what);
+        }
     };
     struct Step {
         double from = 0, width = 0;  // no width: there is none
         Nodal<Dim> shape;            // at its start
         std::vector<Miss> misses;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            auto& [begin, length, start, missed] = *this;
+            archive(begin, length, start, missed);
+        }
     };
     Points<Dim> combined(const Eigen::VectorXd& weights) const;
     Points<Dim> through(double time) const;

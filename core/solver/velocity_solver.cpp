@@ -40,6 +40,11 @@ void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows, Slider
 }
 
 template <int Dim>
+bool VelocitySolver<Dim>::analyze() {
+    return m_impl->analyze();
+}
+
+template <int Dim>
 SolveOutcome VelocitySolver<Dim>::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
                                         Points<Dim>& velocity, const std::optional<Points<Dim>>& guess) {
     stages().combine(std::make_shared<const Points<Dim>>(shape), {});
@@ -91,6 +96,11 @@ void VelocitySolver<Dim>::setLongestPause(double seconds) {
 template <int Dim>
 void VelocitySolver<Dim>::setStop(std::stop_token stop) {
     m_impl->stop = std::move(stop);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::setProgress(std::function<void(double)> progress) {
+    m_impl->cache->setProgress(std::move(progress));
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -26,6 +27,7 @@ struct SolveOutcome {
 struct SolverStatistics {
     double analyze = 0, assemble = 0, factor = 0, solve = 0;  // seconds
     int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
+    double needed = 0;                                        // bytes of the largest factor
 };
 
 /// What the next solves depend on beside their own arguments: at which shape the factor was made that they
@@ -45,6 +47,12 @@ struct FactorMemory {
     double ahead = 0, lag = 0;
     std::optional<double> freshContraction;
     RefactorPolicy::Counts counts;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [at, to, own, poorest, measured, measuredAt, before, last, fresh, counted] = *this;
+        archive(at, to, own, poorest, measured, measuredAt, before, last, fresh, counted);
+    }
 };
 
 /// The velocity tolerance that keeps the solver's part of the error of an integration well below the
@@ -73,10 +81,13 @@ class VelocitySolver {
     VelocitySolver(VelocitySolver&&) noexcept;
     VelocitySolver& operator=(VelocitySolver&&) noexcept;
 
-    /// The symbolic analysis, once per set (none if the rows are those set already). Dependent rows are left
+    /// Once per set (nothing if the rows are those set already). Dependent rows are left
     /// out: see dependentRows(). Throws InputError for a vertex out of range, a weight that is not finite, a
     /// row of no weight. What a row says of a vertex comes before what `sliders` say.
     void setConstraints(std::vector<ConstraintRow> rows, Sliders sliders = {});
+    /// The symbolic analysis for these constraints, which the first solve makes otherwise. False if it was
+    /// stopped (setStop()).
+    bool analyze();
 
     /// v̂ at a shape; `prescribed` has one column per row. `velocity` is defined only if done. Vertices
     /// without cells that no row names stay put. Parts with too few constrained points (2D: fewer than two
@@ -111,9 +122,11 @@ class VelocitySolver {
     /// For an even pace rather than the least work in all: a factor that costs more than so many seconds of a
     /// nominal machine (SolverCost) serves as long as iterations with it are not much dearer than the pace.
     void setLongestPause(double seconds);
-    /// A wish to stop ends a solve that goes on: between the iterations, and within a factorization unless it
-    /// is CHOLMOD's. What was remembered before it leads to the same bits again.
+    /// A wish to stop ends a solve that goes on: between the iterations, and within an analysis or a
+    /// factorization. What was remembered before it leads to the same bits again.
     void setStop(std::stop_token stop);
+    /// From now on gets the part of a factorization that is done, if that takes long, from any thread.
+    void setProgress(std::function<void(double)> progress);
     /// To be taken between solves, and given back before the solves that are to go on from it, after their
     /// constraints were set. A factor that is no longer there is made again when it is needed.
     FactorMemory<Dim> remember() const;

@@ -101,7 +101,7 @@ VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
 template <int Dim>
 void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders) {
     newRows = simplified(newRows);
-    if (analyzed && newSliders == givenSliders &&
+    if (constrained && newSliders == givenSliders &&
         std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms))
         return;
     const Stopwatch watch(statistics.analyze);
@@ -114,17 +114,24 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     system = ReducedSystem<Dim>(*plan, elimination, sliders);
     if (!isMultigrid()) system.buildPattern(*plan);
 
-    const auto constrained = wellConstrained(*rest, components, rows, sliders);
+    const auto held = wellConstrained(*rest, components, rows, sliders);
     std::vector<double> massRegularization;
-    if (std::find(constrained.begin(), constrained.end(), false) != constrained.end())
+    if (std::find(held.begin(), held.end(), false) != held.end())
         for (int component : components)
-            massRegularization.push_back(constrained[component] ? 0.0 : kMassRegularization);
+            massRegularization.push_back(held[component] ? 0.0 : kMassRegularization);
     if (isMultigrid()) cache->multigrid().analyze(plan, massRegularization);
     backEnd->setMassRegularization(std::move(massRegularization));
 
-    cache->analyze(*plan);
-    analyzed = true;
+    cache->reset(*plan);
+    constrained = true;
     ++statistics.analyses;
+}
+
+template <int Dim>
+bool VelocitySolver<Dim>::Impl::analyze() {
+    if (!constrained) setConstraints({});
+    const Stopwatch watch(statistics.analyze);
+    return cache->analyze(stop);
 }
 
 template <int Dim>
@@ -256,7 +263,7 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed,
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Points<Dim>& v,
                                               const std::optional<Points<Dim>>& guess) {
-    if (!analyzed) setConstraints({});
+    if (!constrained) setConstraints({});
     last.resize(Dim, 0);
     if (!prescribed.allFinite()) return {SolveOutcome::Kind::NotFinite, -1};
     {
@@ -267,6 +274,7 @@ SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Poi
     computeLoad();
     if (v.isZero(0) && !loadOrNull()) return {};  // nothing moves
     if (!system.unknowns().empty()) {
+        if (!analyze()) return {SolveOutcome::Kind::Stopped, -1};
         const bool guessed = reuses() && guess && guess->allFinite();
         if (guessed) system.adopt(*guess, v);
         const bool stale = reuses() && reusable && cache->restore(stop);

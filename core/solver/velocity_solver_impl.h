@@ -20,8 +20,8 @@ struct VelocitySolver<Dim>::Impl {
 
     std::vector<ConstraintRow> rows;
     Sliders givenSliders;
-    Sliders sliders;  // without those that are pivots
-    bool analyzed = false;
+    Sliders sliders;           // without those that are pivots
+    bool constrained = false;  // rows were set
     Elimination elimination;
     Projection<Dim> projection;
     ReducedSystem<Dim> system;
@@ -47,6 +47,7 @@ struct VelocitySolver<Dim>::Impl {
          const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver);
     bool isMultigrid() const { return cache->isMultigrid(); }
     void setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders = {});
+    bool analyze();
     RestEnergy<Dim>& rested();
     void computeLoad();
     const Points<Dim>* loadOrNull() const { return load.cols() > 0 ? &load : nullptr; }

@@ -1,14 +1,20 @@
 // The factor of our own and the tree that its threads share, against CHOLMOD.
 #include <Eigen/Cholesky>
+#include <QDir>
 #include <QTest>
+#include <atomic>
+#include <mutex>
 #include <set>
+#include <thread>
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/factor/cholesky.h"
 #include "core/factor/dense_kernels.h"
 #include "core/factor/supernodal_factor.h"
 #include "core/solver/reduced_system.h"
+#include "core/system/memory.h"
 #include "tests/core/test_energy_samples.h"
+#include "tests/core/test_folder.h"
 #include "tests/support/simd_targets.h"
 
 using namespace wend;
@@ -24,6 +30,11 @@ class TestSupernodalFactor : public QObject {
     void factorThreads();
     void factorOutlivesTheChoiceOfTarget();
     void floatFactorRefuses();
+    void progressIsToldAndStopped();
+    void stoppedCholmodIsLeftAlone();
+    void memoryIsTold();
+    void freeMemoryIsTheLeastLimit_data();
+    void freeMemoryIsTheLeastLimit();
 };
 
 namespace {
@@ -327,6 +338,127 @@ void TestSupernodalFactor::floatFactorRefuses() {
         for (auto& value : scene.cholesky.values()) value = std::nan("");
         QVERIFY(!single.factorize(scene.cholesky.values(), workers));
     });
+}
+
+/// Up to the whole; and whoever asks to stop on the way is heard before the end. The next one is as if
+/// nothing had been.
+void TestSupernodalFactor::progressIsToldAndStopped() {
+    Factored<3> scene(11, phi::kAkvf, Ordering::NestedDissection);
+    std::vector<double> b(scene.system.columnStart().size() - 1, 1.0), x(b.size()), y(b.size());
+    for (const int threads : {1, 2}) {
+        WorkerPool workers(threads);
+        auto factor = scene.factor<double>();
+        std::mutex mutex;
+        std::vector<double> parts;
+        const auto tell = [&](double part) {
+            const std::lock_guard lock(mutex);
+            parts.push_back(part);
+        };
+        QVERIFY(factor.factorize(scene.cholesky.values(), workers, {}, tell));
+        QVERIFY(factor.solve(b, x, workers));
+        QVERIFY2(parts.size() > 10 && parts.size() <= 100, qPrintable(QString::number(parts.size())));
+        QVERIFY(std::ranges::max(parts) > 0.99 && std::ranges::max(parts) <= 1);
+        QVERIFY(std::ranges::min(parts) < 0.2);
+        for (const double limit : {0.1, 0.6, 0.9}) {
+            std::stop_source stop;
+            std::atomic<double> last = 0;
+            const auto ask = [&](double part) {
+                last = std::max<double>(last, part);
+                if (part > limit) stop.request_stop();
+            };
+            QVERIFY(!factor.factorize(scene.cholesky.values(), workers, stop.get_token(), ask));
+            QVERIFY2(last < 1, qPrintable(QString::number(last)));
+        }
+        QVERIFY(factor.factorize(scene.cholesky.values(), workers));
+        QVERIFY(factor.solve(b, y, workers));
+        QVERIFY(x == y);
+    }
+}
+
+/// Whenever it is asked to stop: it has come to its end, or is to be analyzed again, to the same order.
+void TestSupernodalFactor::stoppedCholmodIsLeftAlone() {
+    Factored<2> scene(100, phi::kAkvf, Ordering::NestedDissection);
+    const auto order = scene.cholesky.supernodes().order;
+    const auto analyze = [&](Cholesky& cholesky, const std::stop_token& stop) {
+        return cholesky.analyze(scene.system.columnStart(), scene.system.row(), 2, Ordering::NestedDissection,
+                                stop);
+    };
+    Cholesky cholesky;
+    std::stop_source never;
+    for (const bool early : {true, false}) {
+        std::stop_source stop;
+        if (early) stop.request_stop();
+        std::jthread asking([&] { stop.request_stop(); });
+        const bool done = analyze(cholesky, stop.get_token());
+        QVERIFY(!(early && done));
+        QCOMPARE(cholesky.isAnalyzed(), done);
+        QVERIFY(analyze(cholesky, never.get_token()));
+        QVERIFY(cholesky.supernodes().order == order);
+    }
+    std::ranges::copy(scene.cholesky.values(), cholesky.values().begin());
+    QVERIFY(cholesky.factorize(never.get_token()) == Cholesky::Status::Done);
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(cholesky.factorize(stop.get_token()) == Cholesky::Status::Stopped);
+    QVERIFY(!cholesky.isAnalyzed());
+}
+
+/// Before any is taken: all panels, whose numbers are those of the factor and what pads them, and update
+/// matrices, which more threads take more of.
+void TestSupernodalFactor::memoryIsTold() {
+    Factored<3> scene(9, phi::kMetr, Ordering::NestedDissection);
+    auto single = scene.factor<float>();
+    auto twice = scene.factor<double>();
+    QVERIFY(single.bytesToTake(1) == single.bytes(1));
+    QVERIFY(single.bytes(1) > sizeof(float) * scene.cholesky.factorEntries());
+    QVERIFY(single.bytes(1) < 3 * sizeof(float) * scene.cholesky.factorEntries());
+    QVERIFY(twice.bytes(1) > 1.8 * single.bytes(1));
+    QVERIFY(single.bytes(2) > single.bytes(1));
+    WorkerPool workers(1);
+    QVERIFY(single.factorize(scene.cholesky.values(), workers));
+    QCOMPARE(single.bytesToTake(1), 0.0);
+    QVERIFY(single.bytesToTake(2) > 0);
+    QVERIFY(!scene.cholesky.hasNumbers());
+    QVERIFY(scene.cholesky.bytes() >= sizeof(double) * scene.cholesky.factorEntries());
+    QVERIFY(scene.cholesky.factorize() == Cholesky::Status::Done);
+    QVERIFY(scene.cholesky.hasNumbers());
+    QVERIFY_THROWS_EXCEPTION(NotEnoughMemory, requireMemory(1e18));
+    requireMemory(1);
+}
+
+void TestSupernodalFactor::freeMemoryIsTheLeastLimit_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<double>("free");
+    const auto row = [](const char* name, const char* file, const char* text, double free) {
+        QTest::newRow(name) << file << QByteArray(text) << free;
+    };
+    // One after another, each with the files of those before it.
+    row("nothing known", "empty", "", std::numeric_limits<double>::infinity());
+    row("system", "proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable:    5000000 kB\n", 5.12e9);
+    row("no limit of the group", "proc/self/cgroup", "0::/user/work\n", 5.12e9);
+    row("around the group", "sys/fs/cgroup/user/memory.max", "4000000000\n", 5.12e9);
+    row("and what it holds", "sys/fs/cgroup/user/memory.current", "1500000000\n", 2.5e9);
+    row("less its files", "sys/fs/cgroup/user/memory.stat", "anon 7\ninactive_file 500000000\n", 3e9);
+    row("the group itself", "sys/fs/cgroup/user/work/memory.max", "max\n", 3e9);
+    row("seen from a container", "sys/fs/cgroup/memory.max", "2000000000\n", 3e9);
+    row("which holds more than it may", "sys/fs/cgroup/memory.current", "2000000001\n", 0);
+    row("not this one", "proc/self/cgroup", "0::/\n", 0);
+    row("first version", "proc/self/cgroup", "5:cpu,cpuacct:/a\n4:memory:/a\n", 5.12e9);
+    row("its limit", "sys/fs/cgroup/memory/a/memory.limit_in_bytes", "1000000000\n", 5.12e9);
+    row("its use", "sys/fs/cgroup/memory/a/memory.usage_in_bytes", "400000000\n", 6e8);
+}
+
+void TestSupernodalFactor::freeMemoryIsTheLeastLimit() {
+    static const samples::Folder folder;
+    QFETCH(QString, file);
+    QFETCH(QByteArray, text);
+    QFETCH(double, free);
+    QVERIFY(QDir().mkpath(QFileInfo(folder.path(file.toStdString()).c_str()).path()));
+    folder.put(file.toStdString(), text.toStdString());
+    QCOMPARE(freeMemory(folder.path("")), free);
+    QCOMPARE(byteText(7.94e9), std::string("7.9 GB"));
+    QCOMPARE(byteText(5.4e7), std::string("54 MB"));
 }
 
 QTEST_APPLESS_MAIN(TestSupernodalFactor)

@@ -280,6 +280,13 @@ constexpr std::array kOptions{
            Row{.label = Options::tr("F&rames")}},
     Option{"", "--fps", Number, "24", kPositive, "1/s", "", "run", Options::tr("frames per second of a film"),
            Field{}, Row{.label = Options::tr("R&ate"), .unit = Options::tr(" fps"), .decimals = 2}},
+    Option{"", "--shard", Text, "", kAny, "", "", "run",
+           "of N parts of the frames write the I-th only (I/N), from states that are there (--from)"},
+    Option{"", "--states", File, "", kAny, "", "", "run",
+           "keep the states of the deformation in this file, from which a run goes on that was stopped, and "
+           "frames are made without computing the deformation again"},
+    Option{"", "--from", File, "", kAny, "", "", "run",
+           "go on from the states in this file instead of from the start"},
     Option{"", "--fields", Choice, "all", kAny, "", "all|none", "run",
            Options::tr("whether distortion, φ, directions and velocity are written with meshes, in formats "
                        "that carry values"),

@@ -1,7 +1,9 @@
 #include "app/session/motion/compute_thread.h"
 
 #include "app/document/said.h"
+#include "core/mesh/error.h"
 #include "core/meshing/volume_mesher.h"
+#include "core/system/memory.h"
 
 namespace wend {
 
@@ -24,6 +26,9 @@ void ComputeThread::loop(std::stop_token stop) {
                 m_engine->work(m_mailbox.interruption());
         } catch (const SurfaceError& error) {
             giveUp(error, true);
+        } catch (const NotEnoughMemory& error) {
+            giveUp(InputError(std::string("the shape ") + error.what() + "; fewer vertices need less"),
+                   false);
         } catch (const std::exception& error) {
             giveUp(error, false);
         }

@@ -80,7 +80,7 @@ void OutputSet::add(const std::string& path, const std::string& extension, const
     std::optional<PendingFile> partner;
     if (const auto other = partnerOf(path); other && !file.isSpecial())
         partner.emplace(file.companion(*other));
-    writeTo(file.temporary(), path, write);
+    file.fill([&](const std::string& temporary) { writeTo(temporary, path, write); });
     if (partner) m_files.push_back(std::move(*partner));
     m_files.push_back(std::move(file));
 }

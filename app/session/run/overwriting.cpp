@@ -29,8 +29,8 @@ std::vector<Place> singlePlaces(const RunOutputs& outputs) {
     const bool animation = isAnimation(outputs.frames);
     std::vector<Place> places;
     for (const std::string& path :
-         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.material.phi,
-          outputs.material.stiffness, outputs.material.direction,
+         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.states,
+          outputs.material.phi, outputs.material.stiffness, outputs.material.direction,
           animation ? outputs.frames : collectionName(outputs.frames)})
         if (replacesAFile(path))
             for (const std::string& file : writtenAlong(path)) places.push_back({file, path});

@@ -30,6 +30,7 @@ std::string reportJson(const RunFigures& figures) {
     json["evaluations"] = counts.evaluations;
     json["factorizations"] = counts.factorizations;
     json["solverIterations"] = counts.solverIterations;
+    json["needs"] = counts.needed;
     json["restEnergy"] = figures.restEnergy;
     json["restForce"] = figures.restForce;
     json["seconds"] = {{"analyze", counts.analyze},     {"assemble", counts.assemble},

@@ -11,6 +11,7 @@
 #include "app/session/run/pose_file.h"
 #include "app/session/run/report.h"
 #include "app/session/run/run_options.h"
+#include "app/session/run/run_states.h"
 #include "app/session/run/shape_file.h"
 #include "app/session/shape/depth.h"
 #include "app/session/shape/held_border.h"
@@ -21,6 +22,8 @@
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/input_file.h"
+#include "core/system/memory.h"
 #include "kernels/back_end_choice.h"
 #include "warp/film.h"
 #include "warp/image_formats.h"
@@ -31,6 +34,16 @@ namespace wend {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// What helps where a factor of the project's shape does not fit into memory.
+std::string adviceOnMemory(const Project& project) {
+    const Domain& domain = domainOf(project);
+    const std::string other = " or --solver multigrid";
+    if (domain.kind == DomainKind::Mesh) return "take a coarser mesh" + other;
+    const bool mayCage = domain.kind == DomainKind::Surface && domain.fit != Fit::Cage;
+    return "take fewer vertices (domain.vertices)" + std::string(mayCage ? ", a cage (domain.cage)" : "") +
+           other;
+}
 
 constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
 
@@ -51,10 +64,14 @@ class Run {
                      backEndFactory<Dim>(options.backEnd, {}, watch.notice, m_device)) {}
 
     AdvanceResult run() {
+        openStates();
+        if (m_options.shard) return runShard();
         AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
+        if (result.outcome == Outcome::Done && m_atTime) m_deformer.restore(*m_atTime);
         if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
             result = m_deformer.failure();
+        if (result.outcome == Outcome::Cancelled) throw Cancelled();
         m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
         if (result.outcome == Outcome::Done || m_options.partial) {
             warnOfFaults();
@@ -74,25 +91,93 @@ class Run {
 
   private:
     double end() const { return m_options.at.value_or(endOf(m_project)); }
+    /// Where the integration ends: that of other states, whose last step is cut there.
+    double flowEnd() const { return m_known ? m_known->header().end : end(); }
+    double frameTime(int k) const {
+        const int count = m_options.outputs.count;
+        return k + 1 < count ? end() * k / (count - 1) : end();
+    }
 
     void tell(const std::string& work, double fraction) const {
         if (m_watch.stop.stop_requested()) throw Cancelled();
         if (m_watch.progress) m_watch.progress(work, fraction);
     }
 
-    AdvanceResult integrate() {
+    void openStates() {
+        const std::string &from = m_options.from, &to = m_options.outputs.states;
+        if (from.empty() && to.empty()) return;
+        const StatesHeader header = statesHeader<Dim>(m_project, m_shape, end());
+        if (!from.empty()) {
+            m_known.emplace(from, header);
+            if (end() > m_known->header().end)
+                throw InputError(from, "holds the states of a run to time " +
+                                           shortNumber(m_known->header().end) + " only (see --at)");
+        }
+        if (to.empty()) return;
+        if (m_known)
+            m_states.emplace(to, *m_known);
+        else
+            m_states.emplace(to, header);
+    }
+
+    /// Frames with these numbers, and the shape at the end where the integration goes on beyond it.
+    typename Deformer<Dim>::Watch watchFor(int firstFrame, int endFrame) {
         typename Deformer<Dim>::Watch watch;
         watch.stop = m_watch.stop;
         watch.progress = [this](double time) {
-            if (m_watch.progress) m_watch.progress("deforming", end() > 0 ? time / end() : 1);
+            if (m_watch.progress) m_watch.progress("deforming", flowEnd() > 0 ? time / flowEnd() : 1);
         };
-        if (!m_options.outputs.frames.empty()) {
-            const int count = m_options.outputs.count;
-            for (int k = 0; k < count; ++k)
-                watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
-            watch.onFrame = [this](const State<Dim>& state) { takeFrame(state); };
-        }
-        return m_deformer.advance(end(), watch);
+        watch.factorizing = [this](double part) {
+            if (m_watch.progress) m_watch.progress("factorizing", part);
+        };
+        if (m_known) watch.known = &*m_known;
+        m_frame = firstFrame;
+        for (int k = firstFrame; k < endFrame; ++k) watch.frames.push_back(frameTime(k));
+        const bool goesBeyond = end() < flowEnd();
+        if (goesBeyond) watch.frames.push_back(end());
+        watch.onFrame = [this, endFrame, goesBeyond](const State<Dim>& state) {
+            if (m_frame < endFrame) return takeFrame(state);
+            if (goesBeyond) m_atTime = state;
+        };
+        return watch;
+    }
+
+    AdvanceResult integrate() {
+        auto watch = watchFor(0, m_options.outputs.frames.empty() ? 0 : m_options.outputs.count);
+        if (m_states)
+            watch.onStep = [this](const StepRecord<Dim>& step) {
+                m_states->add(step);
+                if (m_states->isDue()) keepState();
+            };
+        const AdvanceResult result = m_deformer.advance(flowEnd(), watch);
+        const double time = m_deformer.state().time;
+        if (m_states && time > 0 && m_states->reached() != time) keepState();
+        return result;
+    }
+
+    void keepState() {
+        m_states->checkpoint(m_deformer.state(), m_deformer.statistics());
+        if (m_watch.kept) m_watch.kept(*m_states->reached());
+    }
+
+    /// All from states that are there. A canvas that fits needs all frames.
+    AdvanceResult runShard() {
+        const int count = m_options.outputs.count, begin = m_options.shard->begin(count),
+                  end = m_options.shard->end(count);
+        const bool fits = m_options.canvas.kind == Canvas::Fit;
+        const int first = fits ? 0 : begin, last = fits ? count : end;
+        const double until = last > first ? frameTime(last - 1) : 0;
+        if (until > m_known->reached())
+            throw InputError(m_options.from, "holds the states up to time " +
+                                                 shortNumber(m_known->reached()) +
+                                                 " only: go on with them first (--from and --states)");
+        m_painted = {begin, end};
+        AdvanceResult result = m_deformer.advance(until, watchFor(first, last));
+        if (result.outcome == Outcome::Cancelled) throw Cancelled();
+        if constexpr (Dim == 2) writeWaitingFrames();
+        if (begin == 0) writeCollection();
+        m_files.commit();
+        return result;
     }
 
     void writeShapes() {
@@ -116,7 +201,7 @@ class Run {
     }
 
     bool solveVelocity() {
-        m_velocity = m_deformer.velocity();
+        m_velocity = m_deformer.velocity(m_watch.stop);
         return m_velocity.cols() > 0;
     }
 
@@ -243,9 +328,13 @@ class Run {
                 });
     }
 
+    bool isPainted(int frame) const {
+        return !m_painted || (frame >= m_painted->first && frame < m_painted->second);
+    }
+
     void takeFrame(const State<Dim>& state) {
         const std::string& pattern = m_options.outputs.frames;
-        const int number = m_frames++;
+        const int number = m_frame++;
         if constexpr (Dim == 2)
             if (canWriteImage(pattern)) return takePictureFrame(number, inPixels(m_shape, state.points));
         if constexpr (Dim == 3)
@@ -261,15 +350,20 @@ class Run {
         m_files.add(name, "", [&](const std::string& file) {
             writeShape(file, m_shape, state.points, fields, m_options.meshes);
         });
-        m_names.push_back(std::filesystem::path(name).filename().string());
-        m_times.push_back(state.time);
     }
 
     void writeCollection() {
         const std::string collection = collectionName(m_options.outputs.frames);
         if (collection.empty()) return;
+        std::vector<std::string> names;
+        std::vector<double> times;
+        for (int k = 0; k < m_options.outputs.count && (m_options.shard || k < m_frame); ++k) {
+            const std::string name = frameName(m_options.outputs.frames, k);
+            names.push_back(std::filesystem::path(name).filename().string());
+            times.push_back(frameTime(k));
+        }
         m_files.add(collection, "",
-                    [&](const std::string& file) { writeTextFile(file, collectionText(m_names, m_times)); });
+                    [&](const std::string& file) { writeTextFile(file, collectionText(names, times)); });
     }
 
     /// One file holds all its poses.
@@ -301,6 +395,7 @@ class Run {
         const View view = canvasView(*m_shape.picture, m_allFrames, m_options.canvas);
         const double count = m_waiting->count();
         for (int k = 0; k < m_waiting->count(); ++k) {
+            if (!isPainted(k)) continue;
             tell("warping", k / count);
             writePictureFrame(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
         }
@@ -360,13 +455,15 @@ class Run {
     CellDepths m_depths;                // of pictures
     std::optional<View> m_canvas;       // of the last picture
     MakeCellPainter m_painters;         // made with the first picture
-    int m_frames = 0;                   // passed
+    int m_frame = 0;                    // number of the next
     std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
     Extent<2> m_allFrames;              // around those that wait
     std::optional<Film> m_film;         // of pictures
     std::vector<Points<Dim>> m_animation;
-    std::vector<std::string> m_names;  // of the mesh frames …
-    std::vector<double> m_times;       // … and their times
+    std::optional<StatesReader<Dim>> m_known;
+    std::optional<StatesWriter<Dim>> m_states;
+    std::optional<State<Dim>> m_atTime;            // the shape that is wanted, within the states
+    std::optional<std::pair<int, int>> m_painted;  // of the frames; none: all
     Points<Dim> m_velocity;
     PoseFaults<Dim> m_faults;  // of the pose at the end
     OutputSet m_files;
@@ -390,7 +487,10 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
         },
         shape);
 } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
     throw error.named(path);
+} catch (const NotEnoughMemory& error) {
+    throw OutOfMemory(path, std::string(error.what()) + ": " + adviceOnMemory(project));
 }
 
 }  // namespace wend

@@ -25,6 +25,18 @@ struct RunOutputs {
     std::string frames;           // with #### for the number, counted from 0; or one film, see isAnimation()
     int count = 25;               // of frames, at equal times from 0 to the end, both included
     double framesPerSecond = 24;  // of a film
+    std::string states;           // see StatesWriter
+};
+
+/// The I-th of N parts of the frames: consecutive ones, as many in each as possible.
+struct Shard {
+    int index = 1, count = 1;
+
+    int begin(int frames) const { return part(index - 1, frames); }
+    int end(int frames) const { return part(index, frames); }
+
+  private:
+    int part(int k, int frames) const { return static_cast<int>(static_cast<long>(k) * frames / count); }
 };
 
 /// What part of the plane a picture shows: as large as the source, as the shape needs, or a part of the
@@ -38,7 +50,9 @@ struct CanvasChoice {
 
 struct RunOptions {
     RunOutputs outputs;
-    std::optional<double> at;  // instead of the project's end
+    std::optional<double> at;    // instead of the project's end
+    std::string from;            // a file of states to go on from
+    std::optional<Shard> shard;  // of the frames: then nothing else is written, and all comes from the states
     BackEndKind backEnd = BackEndKind::Automatic;
     Filter filter = Filter::Ewa;
     CanvasChoice canvas;
@@ -59,6 +73,8 @@ struct RunWatch {
     std::stop_token stop;
     /// How it went, in one line, when all is written.
     std::function<void(const std::string& text)> summary = {};
+    /// The time up to which the file of states holds them, whenever it holds more.
+    std::function<void(double time)> kept = {};
 };
 
 /// Throws InputError for an output that cannot be made: an unknown extension, a missing folder, a picture

@@ -88,8 +88,8 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
     const bool animation = isAnimation(outputs.frames);
     requirePlaces({outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
-                   outputs.material.phi, outputs.material.stiffness, outputs.material.direction,
-                   animation ? outputs.frames : collectionName(outputs.frames)});
+                   outputs.states, outputs.material.phi, outputs.material.stiffness,
+                   outputs.material.direction, animation ? outputs.frames : collectionName(outputs.frames)});
     if (!outputs.frames.empty() && !animation) requirePlaces({outputs.frames});
 }
 

@@ -78,6 +78,7 @@ QString questionOf(OwnFile own, const QString& name) {
         case OwnFile::Detail:
         case OwnFile::Material:
         case OwnFile::Look:
+        case OwnFile::States:
             break;
     }
     return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);

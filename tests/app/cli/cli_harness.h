@@ -62,18 +62,18 @@ inline wend::SimplicialMesh<2> stripMesh(int nx, int ny) {
     return mesh;
 }
 
-/// A bar of 2 × 2 × n unit cubes along z, each of six tetrahedra around its diagonal.
-inline wend::SimplicialMesh<3> barMesh(int n) {
+/// A block of nx × ny × nz unit cubes, each of six tetrahedra around its diagonal.
+inline wend::SimplicialMesh<3> blockMesh(int nx, int ny, int nz) {
     wend::SimplicialMesh<3> mesh;
-    mesh.points.resize(3, 9 * (n + 1));
-    const auto id = [](int i, int j, int k) { return (k * 3 + j) * 3 + i; };
-    for (int k = 0; k <= n; ++k)
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) mesh.points.col(id(i, j, k)) << i, j, k;
+    mesh.points.resize(3, (nx + 1) * (ny + 1) * (nz + 1));
+    const auto id = [nx, ny](int i, int j, int k) { return (k * (ny + 1) + j) * (nx + 1) + i; };
+    for (int k = 0; k <= nz; ++k)
+        for (int j = 0; j <= ny; ++j)
+            for (int i = 0; i <= nx; ++i) mesh.points.col(id(i, j, k)) << i, j, k;
     const int paths[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
-    for (int k = 0; k < n; ++k)
-        for (int j = 0; j < 2; ++j)
-            for (int i = 0; i < 2; ++i)
+    for (int k = 0; k < nz; ++k)
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < nx; ++i)
                 for (int p = 0; p < 6; ++p) {
                     int at[3] = {i, j, k};
                     wend::Cell<3> cell{id(i, j, k), 0, 0, 0};
@@ -85,6 +85,11 @@ inline wend::SimplicialMesh<3> barMesh(int n) {
                     mesh.cells.push_back(cell);
                 }
     return mesh;
+}
+
+/// A bar of 2 × 2 × n unit cubes along z.
+inline wend::SimplicialMesh<3> barMesh(int n) {
+    return blockMesh(2, 2, n);
 }
 
 /// An opaque disc in the middle of a transparent picture.

@@ -155,7 +155,7 @@ void TestCli::reportKeys() {
                          "device",        "errors",   "flips",       "minDet",         "constraintError",
                          "steps",         "rejected", "evaluations", "factorizations", "solverIterations",
                          "seconds",       "energy",   "restEnergy",  "restForce",      "errorEstimate",
-                         "selfCrossings", "blownUp",  "solver"};
+                         "selfCrossings", "blownUp",  "needs",       "solver"};
     QStringList keys = report.keys();
     expected.sort();
     keys.sort();

@@ -1,6 +1,8 @@
 // A limit on addresses, from one under which the program cannot be loaded to one under which it works: the
-// run ends well, or with one line and exit code 1. Never with a signal, and never not at all.
+// run ends well, or with one line and exit code 5. Never with a signal, and never not at all.
 
+#include <QJsonDocument>
+#include <QRegularExpression>
 #include <QtTest>
 
 #include "core/mesh/mesh_of_file.h"
@@ -13,8 +15,11 @@ class TestLittleMemory : public QObject {
     void runEndsWell_data();
     void runEndsWell();
     void threadsOfBlasTakeNothing();
+    void memoryIsToldBeforeItIsTaken();
 
   private:
+    CliResult runWithin(int megabytes, const QString& folder, const QString& project,
+                        const QString& outputs) const;
     QString writeStrip() const;
     QString writeCaged() const;
 
@@ -60,13 +65,8 @@ void TestLittleMemory::runEndsWell() {
                             : domain == "solid" ? samples + "bar.wend"
                             : domain == "cage"  ? writeCaged()
                                                 : writeStrip();
-    const QString command = QString(
-                                "ulimit -v %1; exec timeout -k 1 100 \"%2\" run \"%3\" %4 "
-                                "--mesh o.vtu --quiet --backend cpu --at 0.1")
-                                .arg(megabytes * 1024)
-                                .arg(WEND_BINARY, project, isPicture ? "--image o.png" : "");
-    const CliResult result =
-        runCli(folder.path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
+    const CliResult result = runWithin(megabytes, folder.path(), project,
+                                       isPicture ? "--image o.png --mesh o.vtu" : "--mesh o.vtu");
     QVERIFY2(!result.crashed, qPrintable(result.error));
     const QStringList left = QDir(folder.path()).entryList(QDir::Files | QDir::Hidden);
     if (result.code == 0) {
@@ -80,7 +80,7 @@ void TestLittleMemory::runEndsWell() {
         QVERIFY(result.error.contains("while loading shared libraries"));
         return;
     }
-    QVERIFY2(result.code == 1, qPrintable(QString::number(result.code) + result.error));
+    QVERIFY2(result.code == 5, qPrintable(QString::number(result.code) + result.error));
     QVERIFY2(result.error.startsWith("wend: ") &&
                  result.error.contains(QFileInfo(project).completeBaseName()) &&
                  result.error.contains("memory"),
@@ -91,14 +91,47 @@ void TestLittleMemory::runEndsWell() {
 /// that would leave too little here, and where it comes late nothing for the call that was promised its room.
 void TestLittleMemory::threadsOfBlasTakeNothing() {
     const QTemporaryDir folder;
-    const QString command = QString(
-                                "ulimit -v %1; exec timeout -k 1 100 \"%2\" run \"%3\" --mesh o.vtu --quiet "
-                                "--backend cpu --at 0.1")
-                                .arg(440 * 1024)
-                                .arg(WEND_BINARY, writeStrip());
-    const CliResult result =
-        runCli(folder.path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
+    const CliResult result = runWithin(440, folder.path(), writeStrip(), "--mesh o.vtu");
     QVERIFY2(result.code == 0, qPrintable(result.error));
+}
+
+/// A factor of about 75 MB: limits in smaller steps meet the room between what comes before it and itself.
+void TestLittleMemory::memoryIsToldBeforeItIsTaken() {
+    const QTemporaryDir folder;
+    const int n = 17;
+    writeMesh<3>(folder.filePath("block.mesh").toStdString(), blockMesh(n, n, n));
+    putProject(
+        folder.path(), "block.wend",
+        "'domain': {'mesh': 'block.mesh'}, 'handles': [{'at': {'region': {'box': {'min': [-1, -1, -1], "
+        "'max': [99, 99, 0.5]}}}}, {'at': {'vertices': [5000]}, 'motion': [{'kind': 'translate', 'by': "
+        "[0, 0, 1]}]}]");
+    const QString project = folder.filePath("block.wend");
+    CliResult result = runWithin(4000, folder.path(), project, "--report -");
+    QCOMPARE(result.code, 0);
+    const double needs = QJsonDocument::fromJson(result.out.toUtf8())["needs"].toDouble();
+    QVERIFY2(needs > 6e7 && needs < 3e8, qPrintable(QString::number(needs)));
+    bool told = false;
+    for (int megabytes = 500; !told && megabytes < 900; megabytes += 40) {
+        result = runWithin(megabytes, folder.path(), project, "--report -");
+        QCOMPARE(result.code, 5);  // until it is told, and not taken
+        static const QRegularExpression line(
+            "^wend: .*block.wend: needs about (\\d+) MB of memory; \\d+ [kM]B are free: take a coarser "
+            "mesh or --solver multigrid\n$");
+        const auto match = line.match(result.error);
+        told = match.hasMatch();
+        if (told) QVERIFY(std::abs(match.captured(1).toDouble() * 1e6 - needs) < 1e6);
+    }
+    QVERIFY(told);
+}
+
+CliResult TestLittleMemory::runWithin(int megabytes, const QString& folder, const QString& project,
+                                      const QString& outputs) const {
+    const QString command = QString(
+                                "ulimit -v %1; exec timeout -k 1 100 \"%2\" run \"%3\" %4 --quiet "
+                                "--backend cpu --at 0.1")
+                                .arg(megabytes * 1024)
+                                .arg(WEND_BINARY, project, outputs);
+    return runCli(folder, {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
 }
 
 QTEST_GUILESS_MAIN(TestLittleMemory)

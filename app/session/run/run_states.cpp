@@ -1,0 +1,86 @@
+#include "app/session/run/run_states.h"
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "app/document/domain.h"
+#include "app/document/file/project_writer.h"
+#include "app/document/project_fwd.h"
+
+namespace wend {
+namespace {
+
+using Json = nlohmann::json;
+
+/// FNV-1a over 64 bits: tells two runs of one user apart, nothing more.
+class Digest {
+  public:
+    template <class Number>
+    void add(std::span<const Number> numbers) {
+        const std::span<const std::byte> bytes = std::as_bytes(numbers);
+        for (const std::byte byte : bytes)
+            m_sum = (m_sum ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
+    }
+    void add(const std::string& text) { add(std::span<const char>(text)); }
+    std::string text() const { return std::to_string(m_sum); }
+
+  private:
+    std::uint64_t m_sum = 0xcbf29ce484222325;
+};
+
+template <int Dim>
+std::string meshDigest(const SimplicialMesh<Dim>& rest) {
+    Digest digest;
+    digest.add(std::span<const double>(rest.points.data(), static_cast<std::size_t>(rest.points.size())));
+    for (const Cell<Dim>& cell : rest.cells) digest.add(std::span<const int>(cell));
+    return digest.text();
+}
+
+template <int Dim>
+std::string materialDigest(const Material<Dim>& material) {
+    Digest digest;
+    digest.add(std::span<const double>(material.phi));
+    for (const Mat<Dim>& B : material.anisotropy)
+        digest.add(std::span<const double>(B.data(), static_cast<std::size_t>(B.size())));
+    const Smoothing& smoothing = material.smoothing;
+    const std::array<double, 4> settings{static_cast<double>(smoothing.kind), smoothing.length,
+                                         smoothing.lambda, material.memory};
+    digest.add(std::span<const double>(settings));
+    return digest.text();
+}
+
+std::string handlesDigest(const Project& project, const Json& json) {
+    Json handles = json.value("handles", Json::array());
+    for (Json& handle : handles)
+        for (const char* seen : {"name", "locked", "hidden", "group", "link", "colour"}) handle.erase(seen);
+    Digest digest;
+    digest.add(handles.dump() + std::to_string(static_cast<int>(domainOf(project).border)));
+    return digest.text();
+}
+
+std::string settingsDigest(const Json& json) {
+    Digest digest;
+    for (const char* key : {"integration", "time", "settle"})
+        digest.add(json.value(key, Json()).dump() + "\n");
+    return digest.text();
+}
+
+}  // namespace
+
+template <int Dim>
+StatesHeader statesHeader(const Project& project, const Shape<Dim>& shape, double end) {
+    const Json json = Json::parse(toJson(project));
+    return {Dim,
+            end,
+            {{"mesh", meshDigest<Dim>(*shape.rest)},
+             {"material", materialDigest<Dim>(*shape.material)},
+             {"handles", handlesDigest(project, json)},
+             {"settings", settingsDigest(json)}}};
+}
+
+template StatesHeader statesHeader<2>(const Project&, const Shape<2>&, double);
+template StatesHeader statesHeader<3>(const Project&, const Shape<3>&, double);
+
+}  // namespace wend

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/integration/deformer.h"
+#include "core/integration/states_format.h"
+#include "core/mesh/input_file.h"
+#include "core/mesh/safe_file.h"
+
+namespace wend {
+
+/// What the states are of: a run goes on only from those of the same.
+struct StatesHeader {
+    /// A name and a digest of something that the shape depends on, such as "mesh".
+    struct Part {
+        std::string name, digest;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            auto& [what, value] = *this;
+            archive(what, value);
+        }
+    };
+
+    int dimension = 2;
+    double end = 1;  // of the run: the last step is cut there
+    std::vector<Part> parts;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [dim, until, digests] = *this;
+        archive(dim, until, digests);
+    }
+};
+
+/// What a run goes on with from the shape at a time.
+template <int Dim>
+struct Checkpoint {
+    double time = 0;
+    Pace<Dim> pace;
+    VelocityHistory<Dim> history;
+    FactorMemory<Dim> factor;
+    Statistics statistics;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [at, method, fields, solver, counts] = *this;
+        archive(at, method, fields, solver, counts);
+    }
+};
+
+/// The states of a run, from a file.
+template <int Dim>
+class StatesReader final : public StepSource<Dim> {
+  public:
+    /// Looks for the blocks; arrays are read when they are needed. Throws InputError for what is no states
+    /// file, a damaged one, and one that is of another shape, whose first other part it names.
+    StatesReader(std::string path, const StatesHeader& wanted);
+
+    const std::string& path() const { return m_file.path(); }
+    const StatesHeader& header() const { return m_header; }
+    /// The time of the last checkpoint, and where it ends in the file.
+    double reached() const { return m_reached; }
+    std::uint64_t end() const { return m_end; }
+    /// The greatest number of an array.
+    std::uint64_t lastArray() const { return m_arrays.empty() ? 0 : m_arrays.rbegin()->first; }
+
+    bool hasNext() const override { return m_next < m_counted; }
+    StepRecord<Dim> next() override;
+    void resume(State<Dim>& state, Statistics& statistics) override;
+
+  private:
+    struct Block {
+        std::uint64_t at = 0, size = 0;
+    };
+    void scan();
+    bool scanBlock(std::uint64_t& at);
+    void requireSame(const StatesHeader& wanted) const;
+    std::string payload(const Block& block) const;
+    Nodal<Dim> array(std::uint64_t id);
+    template <class Value>
+    void restore(const std::string& bytes, Value& value);
+    [[noreturn]] void failAt(std::uint64_t at) const;
+
+    InputFile m_file;
+    StatesHeader m_header;
+    bool m_hasHeader = false;
+    std::map<std::uint64_t, Block> m_arrays;
+    std::map<std::uint64_t, std::weak_ptr<const Points<Dim>>> m_loaded;
+    std::vector<Block> m_steps;
+    Block m_checkpoint;
+    std::size_t m_next = 0, m_counted = 0;  // steps up to the last checkpoint
+    double m_reached = 0;
+    std::uint64_t m_end = 0;
+};
+
+/// Keeps the states of a run in a file while it goes on. The file takes its place with the first checkpoint,
+/// and grows there: whenever the run ends, it holds all up to its last checkpoint.
+template <int Dim>
+class StatesWriter {
+  public:
+    /// Throws InputError.
+    StatesWriter(const std::string& path, StatesHeader header);
+    /// Goes on from those of another run, which it copies unless it is the same file. Throws InputError.
+    StatesWriter(const std::string& path, const StatesReader<Dim>& before);
+    ~StatesWriter();
+    StatesWriter(const StatesWriter&) = delete;
+    StatesWriter& operator=(const StatesWriter&) = delete;
+
+    void add(const StepRecord<Dim>& step);
+    /// A run can go on from here: `state` is at the end of the last step. Throws InputError.
+    void checkpoint(const State<Dim>& state, const Statistics& statistics);
+    /// Whether enough was done since the last one to pay for another.
+    bool isDue() const;
+    /// The time of the last checkpoint; none without any.
+    std::optional<double> reached() const { return m_reached; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void open(const std::string& file, int flags);
+    void copyFrom(const InputFile& other, std::uint64_t end);
+    void write(const void* bytes, std::size_t count);
+    void writeBlock(states::BlockKind kind, std::string_view head, std::string_view body = {});
+    template <class Value>
+    void store(states::BlockKind kind, Value& value);
+    std::uint64_t idOf(const Nodal<Dim>& array);
+    [[noreturn]] void fail(int error) const;
+
+    std::string m_path;
+    std::optional<PendingFile> m_pending;  // until it has its place
+    int m_descriptor = -1;
+    std::uint64_t m_lastArray = 0;
+    /// Arrays that are in the file, by their address; an address counts while its array lives.
+    std::map<std::weak_ptr<const Points<Dim>>, std::uint64_t, std::owner_less<>> m_ids;
+    std::optional<double> m_reached;
+    Clock::time_point m_last = Clock::now();
+    Clock::duration m_cost{};  // of the last checkpoint
+};
+
+}  // namespace wend

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# slurm.sh PROJECT PATTERN COUNT SHARDS [OPTION …]: submits three jobs to Slurm, each after the one before it: one computes the
+# states (PROJECT.states) and goes on where it was when it is requeued, an array of SHARDS jobs paints the frames, and the last
+# one names the shards that are lost. Those are painted again by `scripts/farm/frames.sh … SHARD`, or by all of this once more,
+# which finds the states there. Settings of the cluster go into SBATCH_* variables, such as SBATCH_PARTITION.
+set -eu
+if [ $# -lt 4 ]; then
+    sed -n 's/^# \{0,1\}//p' "$0" | sed '1d' >&2
+    exit 2
+fi
+project=$1 pattern=$2 count=$3 shards=$4
+shift 4
+here=$(dirname "$(readlink -f "$0")")
+states=${project%.wend}.states
+wend=${WEND:-wend}
+
+submit() { sbatch --parsable --export=ALL "$@"; }
+quoted() { printf '%q ' "$@"; }
+
+flow="from=; [ -e $(quoted "$states") ] && from='--from '$(quoted "$states"); $(quoted "$wend") run $(quoted "$project") \$from --states $(quoted "$states")"
+first=$(submit --requeue --job-name=wend-states --wrap "$flow")
+frames="$(quoted "$here/frames.sh" "$project" "$states" "$pattern" "$count" "$shards") \$SLURM_ARRAY_TASK_ID $(quoted "$@")"
+second=$(submit --dependency="afterok:$first" --array="1-$shards" --job-name=wend-frames --wrap "$frames")
+third=$(submit --dependency="afterany:$second" --job-name=wend-missing --output=wend-missing.txt \
+    --wrap "$(quoted "$here/frames.sh" "$project" "$states" "$pattern" "$count" "$shards" missing)")
+echo "states: job $first; frames: jobs ${second}_1 to ${second}_$shards; what is missing: job $third, in wend-missing.txt"
