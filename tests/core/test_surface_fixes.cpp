@@ -4,6 +4,7 @@
 
 #include "core/mesh/error.h"
 #include "core/meshing/fix_all.h"
+#include "core/meshing/seam_weld.h"
 #include "core/meshing/surface_facts.h"
 #include "core/meshing/surface_faults.h"
 #include "core/meshing/surface_fixes.h"
@@ -51,6 +52,36 @@ Surface fixed(const Surface& surface, const Fixes& fixes) {
 class TestSurfaceFixes : public QObject {
     Q_OBJECT
   private slots:
+    /// Two halves of a box that miss each other by a little are one again; with a gap beyond reason they stay
+    /// two.
+    void seams() {
+        for (const double gap : {1e-4, 0.5}) {
+            Surface box;
+            std::vector<Vec<3>> points;
+            for (const double side : {0.0, 1.0})
+                for (int x = 0; x < 2; ++x)
+                    for (int k = 0; k < 4; ++k)
+                        points.emplace_back(side + x + (side == 1 && x == 0 ? gap : 0), k == 1 || k == 2,
+                                            k >= 2);
+            box.points.resize(3, static_cast<Eigen::Index>(points.size()));
+            for (std::size_t v = 0; v < points.size(); ++v)
+                box.points.col(static_cast<Eigen::Index>(v)) = points[v];
+            for (int half = 0; half < 2; ++half) {
+                const int low = 8 * half, high = low + 4, end = half == 0 ? low : high;
+                for (int k = 0; k < 4; ++k) {
+                    box.triangles.push_back({low + k, low + (k + 1) % 4, high + k});
+                    box.triangles.push_back({low + (k + 1) % 4, high + (k + 1) % 4, high + k});
+                }
+                box.triangles.push_back({end, end + 1, end + 2});
+                box.triangles.push_back({end, end + 2, end + 3});
+            }
+            const SeamWeld weld = weldSeams(box);
+            QCOMPARE(weld.vertices, gap < 0.1 ? 4 : 0);
+            if (gap < 0.1) QVERIFY(std::abs(weld.tolerance - gap) < 1e-12);
+            RepairReport report;
+            QCOMPARE(checkSurface(repairSurface(box, 3, report)).openEdges.empty(), gap < 0.1);
+        }
+    }
     void oneHoleIsFilledAndTheOtherStays();
     void numbersStayWhatTheyAre();
     void soupIsFilledToo();

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+struct SeamWeld {
+    int vertices = 0;      // that were moved onto others
+    double tolerance = 0;  // the widest gap that was closed
+};
+
+/// Closes seams: moves each vertex of an open edge onto the nearest one of another open edge, where both are
+/// nearest to each other and closer than a thousandth of the surface's diagonal and a tenth of the shortest
+/// open edge. Vertices at one place count as one. Nothing is done where that leaves as many open edges, or
+/// edges of more than two triangles that there were not before.
+SeamWeld weldSeams(Surface& surface);
+
+}  // namespace wend
