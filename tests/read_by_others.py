@@ -64,13 +64,13 @@ def truth(path):
 
 def by_meshio(path):
     with contextlib.redirect_stdout(io.StringIO()) as said, contextlib.redirect_stderr(said):
-        mesh = meshio.read(path, "avsucd" if path.suffix == ".inp" else None)  # which takes .inp for Abaqus
+        mesh = meshio.read(path, "avsucd" if path.suffix == ".avs" else None)
     assert not said.getvalue().strip(), said.getvalue()
     names = {(tag, dim): name for name, (tag, dim) in mesh.field_data.items()}
     cells, data, groups = {}, {}, {}
     for k, block in enumerate(mesh.cells):
         n = {name: n for n, name in CORNERS.items()}[block.type]
-        corners = block.data[:, [0, 1, 3, 2]] if n == 4 and path.suffix == ".inp" else block.data  # as VTK has them
+        corners = block.data[:, [0, 1, 3, 2]] if n == 4 and path.suffix == ".avs" else block.data  # as VTK has them
         cells.setdefault(n, []).append(corners)
         of = data.setdefault(n, {})
         for name, values in mesh.cell_data.items():
@@ -83,7 +83,7 @@ def by_meshio(path):
 
 
 VTK_READERS = {".vtu": vtk.vtkXMLUnstructuredGridReader, ".vtk": vtk.vtkUnstructuredGridReader,
-               ".inp": vtk.vtkAVSucdReader}
+               ".avs": vtk.vtkAVSucdReader}
 
 
 def by_vtk(path):
@@ -193,7 +193,7 @@ def check(folder, project, wanted, options, file, readers, **what):
         try:
             compare(reader(folder / file), wanted, values=what["values"] and reader is not by_gmsh,
                     border=what["border"], groups=what["groups"] if file.endswith(".msh") else None, reader=reader,
-                    rounding=4e-7 if reader is by_vtk and file.endswith(".inp") else 0)  # which it reads in single precision
+                    rounding=4e-7 if reader is by_vtk and file.endswith(".avs") else 0)  # which it reads in single precision
         except Exception as error:  # a reader may fail in any way
             failures += 1
             result = f"FAILED: {str(error).strip()[:300]}"
@@ -247,6 +247,68 @@ def project(folder, name, domain, ends, region, move):
     (folder / name).write_text(json.dumps(text))
 
 
+def mixed(folder):
+    """Two hexahedra, two wedges and a pyramid in a row, with a quadrilateral, a line and numbers, as meshio writes them."""
+    points = np.array([[x, y, z] for x in range(4) for z in (0, 1) for y in (0, 1)] + [[3.7, 0.5, 0.5]], float)
+    at = lambda x, y, z: 4 * x + 2 * z + y
+    box = [at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)]
+    prism = lambda a, b, c: [at(a[0], y, a[1]) if k == 0 else at(b[0], y, b[1]) if k == 1 else at(c[0], y, c[1])
+                             for y in (1, 0) for k in range(3)]
+    cells = [("hexahedron", np.array([box, [v + 4 for v in box]])),
+             ("wedge", np.array([prism((2, 0), (3, 0), (3, 1)), prism((2, 0), (3, 1), (2, 1))])),
+             ("pyramid", np.array([[at(3, 0, 0), at(3, 1, 0), at(3, 1, 1), at(3, 0, 1), 16]])),
+             ("quad", np.array([[at(0, 0, 0), at(0, 1, 0), at(0, 1, 1), at(0, 0, 1)]])),
+             ("line", np.array([[at(0, 0, 0), at(1, 0, 0)]]))]
+    numbers = [np.array([11, 12]), np.array([12, 12]), np.array([11]), np.array([21]), np.array([31])]
+    meshio.Mesh(points, cells, cell_data={"physical": numbers}).write(folder / "mixed.vtu", binary=False)
+    box = lambda low, high: {"region": {"box": {"min": [low, -1, -1], "max": [high, 2, 2]}}}
+    (folder / "mixed.wend").write_text(json.dumps(
+        {"format": "wend", "version": 1, "domain": {"mesh": "mixed.vtu"},
+         "handles": [{"at": {"group": "21"}},
+                     {"at": box(2.9, 4), "motion": [{"kind": "rotate", "centre": [3, 0.5, 0.5], "axis": [1, 0, 0],
+                                                     "angle": 0.4}]}]}))
+
+
+def by_kinds(path):
+    """What meshio finds of each kind of cell: nodes, and the number of each cell where the format has one."""
+    with contextlib.redirect_stdout(io.StringIO()):
+        mesh = meshio.read(path, "avsucd" if path.suffix == ".avs" else None)
+    names = {".msh": "gmsh:physical", ".mesh": "medit:ref", ".avs": "avsucd:material", ".bdf": "nastran:ref"}
+    name = names.get(path.suffix, "physical")
+    kinds = {}
+    for k, block in enumerate(mesh.cells):
+        number = mesh.cell_data[name][k] if name in mesh.cell_data else np.full(len(block.data), -1)
+        kinds.setdefault(block.type, []).append((block.data, np.ravel(number)))
+    return mesh.points, {kind: (np.concatenate([a for a, _ in all]), np.concatenate([b for _, b in all]))
+                         for kind, all in kinds.items()}
+
+
+def whole(folder):
+    """Cells of every kind come out as they came in, whatever the format."""
+    global failures
+    mixed(folder)
+    run(folder, "mixed.wend", "--mesh", "truth.vtu", "--fields", "none")
+    points, kinds = by_kinds(folder / "truth.vtu")
+    came = by_kinds(folder / "mixed.vtu")[1]
+    for file, options in (("b.vtu", []), ("b.vtu", ["--encoding", "binary"]), ("b.vtk", []), ("b.vtk", ["--encoding", "binary"]),
+                          ("b.msh", []), ("b.msh", ["--encoding", "binary"]), ("b.msh", ["--msh", "2.2"]),
+                          ("b.msh", ["--msh", "2.2", "--encoding", "binary"]), ("b.mesh", []), ("b.bdf", [])):  # this meshio knows no pyramids of Abaqus
+        label = f"{'mixed.wend':14} {' '.join(options):44} {file:7} meshio "
+        try:
+            run(folder, "mixed.wend", "--mesh", file, "--fields", "none", *options)
+            got_points, got = by_kinds(folder / file)
+            same(got_points, points, "points", 1e-13)
+            assert sorted(got) == sorted(came), f"cells {sorted(got)} instead of {sorted(came)}"
+            for kind, (nodes, numbers) in came.items():
+                same(got[kind][0], nodes, kind)
+                if (got[kind][1] != -1).all():
+                    same(got[kind][1], numbers, f"numbers of {kind}")
+            print(label, "ok")
+        except Exception as error:  # a reader may fail in any way
+            failures += 1
+            print(label, f"FAILED: {str(error).strip()[:300]}")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -280,10 +342,12 @@ def main():
                     check(folder, which, wanted, options + code + ["--msh", version], "a.msh", readers,
                           border=asked or flat or (made and not two_kinds), **what)
             # This meshio reads no values beside two kinds of cells.
-            check(folder, which, wanted, options, "a.inp", [by_vtk] if asked else [by_vtk, by_meshio],
+            check(folder, which, wanted, options, "a.avs", [by_vtk] if asked else [by_vtk, by_meshio],
                   border=asked or flat, **what)
             what["values"] = False  # the format has none
             check(folder, which, wanted, options, "a.mesh", [by_meshio], border=asked or flat or made, **what)
+            check(folder, which, wanted, options, "a.inp", [by_meshio], border=asked or flat or made, **what)
+        whole(folder)
     print("all read as written" if failures == 0 else f"{failures} FAILED")
     return 1 if failures else 0
 

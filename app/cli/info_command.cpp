@@ -15,7 +15,9 @@
 #include "app/session/shape/inspection.h"
 #include "app/session/shape/told_units.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_cells.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/group_vertices.h"
 #include "core/mesh/mesh_field.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/printable.h"
@@ -89,6 +91,21 @@ Json fieldsInfo(const MeshFile& file) {
     return fields;
 }
 
+Json groupsInfo(const MeshFile& file) {
+    static const char* const kinds[] = {"vertices", "lines", "surface cells", "volume cells"};
+    Json groups = Json::array();
+    for (const GroupFacts& group : groupFacts(file)) {
+        Json one{{"name", group.name},
+                 {"number", group.tag},
+                 {"of", kinds[group.dimension]},
+                 {"count", group.count}};
+        if (group.name.empty()) one.erase("name");
+        if (group.tag == 0) one.erase("number");
+        groups.push_back(one);
+    }
+    return groups;
+}
+
 /// Counts in steps from a value on; text shows them as bars.
 template <std::size_t N>
 Json histogram(double from, double step, const std::array<int, N>& counts, bool doubling = false) {
@@ -155,6 +172,7 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
                                         : "surface"},
               {"vertices", inspection.vertices}};
     if (dimension > 0) json["cells"] = inspection.cells;
+    for (const auto& [kind, count] : cellCounts(*file)) json["fileCells"][kind] = count;
     if (dimension != 2) json["triangles"] = inspection.triangles;
     json["parts"] = inspection.parts;
     json["diagonal"] = inspection.diagonal;
@@ -169,6 +187,7 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
     if (inspection.intersectingPairs) json["intersectingPairs"] = *inspection.intersectingPairs;
     json["uv"] = uvOf(*file).cols() > 0;
     if (!fieldsOf(*file).empty()) json["fields"] = fieldsInfo(*file);
+    if (!groupFacts(*file).empty()) json["groups"] = groupsInfo(*file);
     json["problems"] = problemsInfo(inspection);
     return json;
 }

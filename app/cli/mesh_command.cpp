@@ -154,6 +154,10 @@ ExitCode runMesh(const Arguments& arguments) try {
         terminal.warn(path + ": the worst cell has a ratio of radius to edge of " +
                       shortNumber(meshed.verdict->got) + ", where " + shortNumber(meshed.verdict->asked) +
                       " was asked for");
+    if (output != "-")
+        if (const std::string lost = lostInFile(output, meshed.file, meshOptionsFrom(arguments.values()));
+            !lost.empty())
+            terminal.warn(output + ": " + lost);
     OutputSet files;
     files.add(output, ".vtu", [&](const std::string& file) {
         writeMeshFile(file, meshed.file, meshOptionsFrom(arguments.values()));

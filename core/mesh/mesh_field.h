@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/formats/scalar_type.h"
+
 namespace wend {
 
 /// A field of a mesh file: `components` numbers per vertex or per cell. The cells are the tetrahedra if there
@@ -12,6 +14,9 @@ struct MeshField {
     bool perCell = false;
     int components = 1;
     std::vector<double> values;
+    /// Of a field per cell that was read: its values for every one of the file's own cells (MeshFile::cells).
+    std::vector<double> ofCells = {};
+    formats::Scalar type = formats::Scalar::Float64;  // in the file
 };
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #include "core/mesh/mesh_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -25,7 +26,7 @@ std::string bytesOf(const std::string& path) {
 
 /// The files of one mesh: this one, or its pair.
 std::vector<std::string> pathsOf(const MeshFormat& format, const std::string& path) {
-    if (!format.together) return {path};
+    if (format.together == 1) return {path};
     std::vector<std::string> paths;
     for (const auto extension : format.extensions) {
         const bool given = formats::sameWord(fs::path(path).extension().string(), extension);
@@ -34,11 +35,21 @@ std::vector<std::string> pathsOf(const MeshFormat& format, const std::string& pa
     return paths;
 }
 
+/// Returns the files that may accompany a pair: TetGen's faces and edges.
+std::vector<std::string> besides(const MeshFormat& format, const std::string& path) {
+    if (format.together == 1) return {};
+    std::vector<std::string> paths;
+    for (const char* extension : {".face", ".edge"})
+        paths.push_back(fs::path(path).replace_extension(extension).string());
+    return paths;
+}
+
 /// Replaces all of the files, or none.
 void putAll(const std::vector<std::string>& paths, const std::vector<std::string>& texts) {
     std::vector<PendingFile> files;
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        PendingFile file(paths[k], Access::Usual, k > 0 ? &files[0] : nullptr);
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        if (texts[k].empty()) continue;  // an optional companion of a pair
+        PendingFile file(paths[k], Access::Usual, files.empty() ? nullptr : &files[0]);
         file.fill([&](const std::string& temporary) {
             if (const std::string problem = writeBytes(temporary, texts[k]); !problem.empty())
                 throw InputError(paths[k], "cannot be written: " + problem);
@@ -54,17 +65,25 @@ MeshFile readMeshFile(const std::string& path) {
     const auto& format = formats::formatOf(path);
     std::vector<MeshSource> sources;
     for (const auto& part : pathsOf(format, path)) sources.push_back({part, bytesOf(part)});
+    for (const auto& part : besides(format, path))
+        sources.push_back({part, fs::exists(part) ? readInput(part) : std::string()});
     return formats::readSources(format, sources);
 }
 
 void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options) {
     const auto& format = formats::formatOf(path);
     try {
-        putAll(pathsOf(format, path), formats::printed(format, mesh, options));
+        std::vector<std::string> paths = pathsOf(format, path);
+        for (const auto& part : besides(format, path)) paths.push_back(part);
+        putAll(paths, formats::printed(format, mesh, options));
     } catch (const InputError& error) {
         if (!error.file().empty()) throw;
         throw error.named(path);
     }
+}
+
+std::string lostInFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options) {
+    return formats::lostIn(formats::formatOf(path), mesh, options);
 }
 
 std::vector<MeshFormatFacts> meshFormatFacts() {
@@ -115,6 +134,67 @@ bool isVolume(const MeshFile& file) {
     return !file.tetrahedra.empty();
 }
 
+namespace {
+
+/// Cells of both orientations are numbered in two ways: all are made positive.
+template <int Dim>
+void turnInside(SimplicialMesh<Dim>& mesh) {
+    std::vector<int> negative;
+    for (int c = 0; c < mesh.cellCount(); ++c)
+        if (cellMeasure<Dim>(mesh.points, mesh.cells[c]) < 0) negative.push_back(c);
+    if (static_cast<int>(negative.size()) == mesh.cellCount()) return;
+    for (const int c : negative) std::swap(mesh.cells[c][Dim - 1], mesh.cells[c][Dim]);
+}
+
+/// Whether the facet's vertices and the one opposite are an odd permutation of the cell's.
+template <int Dim>
+bool isOdd(const Cell<Dim>& cell, const std::array<int, Dim>& facet) {
+    std::array<int, Dim + 1> order;  // places in the cell
+    int sum = 0;
+    for (int k = 0; k < Dim; ++k)
+        sum += order[k] = static_cast<int>(std::ranges::find(cell, facet[k]) - cell.begin());
+    order[Dim] = Dim * (Dim + 1) / 2 - sum;
+    int inversions = 0;
+    for (int i = 0; i <= Dim; ++i)
+        for (int j = 0; j < i; ++j) inversions += order[j] > order[i];
+    return inversions % 2 != 0;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::array<int, 2>> foldedPairs(const SimplicialMesh<Dim>& mesh) {
+    std::vector<std::array<int, 2>> pairs;
+    for (const auto& facet : facetsOf<Dim>(mesh))
+        if (facet.interior() && isOdd<Dim>(mesh.cells[facet.cells[0]], facet.vertices) ==
+                                    isOdd<Dim>(mesh.cells[facet.cells[1]], facet.vertices))
+            pairs.push_back(facet.cells);
+    return pairs;
+}
+template std::vector<std::array<int, 2>> foldedPairs<2>(const SimplicialMesh<2>&);
+template std::vector<std::array<int, 2>> foldedPairs<3>(const SimplicialMesh<3>&);
+
+namespace {
+
+/// The partition of cells as a file numbers them; neighbours lie on both sides of what is between them.
+template <int Dim>
+void makeValid(const MeshFile& file, SimplicialMesh<Dim>& mesh) {
+    if (std::ranges::none_of(mesh.cells, [&](const auto& cell) {
+            return std::ranges::any_of(cell, [&](int v) { return v < 0 || v >= mesh.vertexCount(); });
+        }))
+        turnInside<Dim>(mesh);
+    requireValid(mesh);
+    const auto folded = foldedPairs<Dim>(mesh);
+    if (folded.empty()) return;
+    const auto& cellOf = Dim == 3 ? file.cellOfTetrahedron : file.cellOfTriangle;
+    const auto number = [&](int c) { return std::to_string(cellOf.empty() ? c : cellOf[c]); };
+    throw InputError("cells " + number(folded[0][0]) + " and " + number(folded[0][1]) +
+                     " overlap: they lie on the same side of the " + (Dim == 2 ? "edge" : "face") +
+                     " between them");
+}
+
+}  // namespace
+
 template <>
 SimplicialMesh<2> meshFrom<2>(const MeshFile& file) {
     if (isVolume(file)) throw InputError("holds tetrahedra where a flat triangle mesh is needed");
@@ -126,7 +206,7 @@ SimplicialMesh<2> meshFrom<2>(const MeshFile& file) {
             throw InputError("the triangles do not lie in a plane z = constant: vertex " + std::to_string(v) +
                              " is at another height than vertex 0");
     SimplicialMesh<2> mesh{file.points.topRows<2>(), file.triangles};
-    requireValid(mesh);
+    makeValid<2>(file, mesh);
     return mesh;
 }
 
@@ -134,7 +214,7 @@ template <>
 SimplicialMesh<3> meshFrom<3>(const MeshFile& file) {
     if (!isVolume(file)) throw InputError("holds only triangles where a mesh of tetrahedra is needed");
     SimplicialMesh<3> mesh{file.points, file.tetrahedra};
-    requireValid(mesh);
+    makeValid<3>(file, mesh);
     return mesh;
 }
 

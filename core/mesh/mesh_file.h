@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/mesh/cell_list.h"
 #include "core/mesh/mesh_field.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/mesh_write_options.h"
@@ -16,27 +18,46 @@ namespace wend {
 // "false" or print. And VTK or Gmsh would add over 1 GB of packages for the few record types that are needed.
 // XML and compression are different: .vtu uses pugixml and zlib.
 
-/// The content of a mesh file before a dimension is chosen, in the file's order.
+/// The highest label that has a name: names are a list, and no file shall make it a long one.
+constexpr long kHighestLabel = 100000;
+
+/// What a mesh file holds, before a dimension is chosen. Order and count are the file's. Bending changes
+/// points only; all the rest comes out as it came in, as far as the format that is written holds it.
 struct MeshFile {
     Eigen::Matrix3Xd points;
-    std::vector<std::array<int, 3>> triangles;  // polygons of more corners are split into fans
-    std::vector<std::array<int, 4>>
-        tetrahedra;       // if there are any, the mesh is a volume and the triangles its boundary
-    Eigen::Matrix2Xd uv;  // per vertex; empty for none
+    std::vector<std::array<int, 3>> triangles;   // what the cells of the plane were split into
+    std::vector<std::array<int, 4>> tetrahedra;  // what the cells of space were split into; if there are any,
+                                                 // the mesh is a volume and the triangles its boundary
+    Eigen::Matrix2Xd uv;                         // per vertex; empty if there is none
     std::vector<MeshField> fields;
     std::vector<int> labels;              // of the triangles of a volume's boundary; empty if there are none
     std::vector<std::string> labelNames;  // of the labels 1, 2, …; empty if they have none
-    /// The cells were generated, not read: the triangles are the boundary of the tetrahedra, and unused
-    /// vertices are not written.
+
+    /// All cells as the file has them, of every dimension; none where the cells were made here.
+    CellList cells;
+    std::vector<int> cellOfTriangle, cellOfTetrahedron;  // which of `cells` each was split from
+    std::vector<MeshGroup> groups;
+    std::vector<MeshField> fileFields;  // of the file as a whole
+    std::vector<std::string> notices;   // what was in the file and is not in here, each as "its 3 cameras"
+    /// The bytes of a file whose format holds far more than a mesh (Abaqus, Nastran): written in the same
+    /// format, it is this file with other points. `deckFormat` is its first extension.
+    std::shared_ptr<const std::string> deck;
+    std::string deckFormat;
+    int firstNumber = 1;  // of the vertices, where a format leaves the choice (TetGen)
+    /// The cells were made here, not read: the triangles are the boundary of a volume's tetrahedra, and what
+    /// is written has no vertex without a cell.
     bool made = false;
 };
 
-/// Reads the formats of meshFileExtensions(). All indices are valid and all coordinates finite, but the mesh
-/// need not be a partition (see requireValid). Throws InputError(path, place and reason).
-/// Conventions: STL has no vertices; equal points of its facets become one, in order of their first use. OBJ
-/// texture coordinates become one per vertex; at a seam, the first corner counts. Cell tags are the fields
-/// "ref" (Medit), "physical" and "entity" (Gmsh), "attribute" (TetGen). Points, lines and other data are
-/// skipped; hexahedra, prisms, pyramids and curved cells are errors.
+/// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes
+/// back, but the mesh may still be no partition (see requireValid). Throws InputError(path, place and
+/// reason).
+///
+/// What is not obvious: STL has no vertices; equal points of its facets become one, in the order of their
+/// first use. OBJ texture coordinates become one per vertex; where corners of a vertex differ (a seam), the
+/// first counts. Tags of cells are groups and the fields "ref" (Medit), "physical" and "entity" (Gmsh),
+/// "attribute" (TetGen). Polygons, hexahedra, wedges and pyramids are split inside (see finishCells); nodes
+/// between the corners of a cell belong to no triangle or tetrahedron. Polyhedra are errors.
 MeshFile readMeshFile(const std::string& path);
 
 /// Writes to a temporary file beside `path` and renames it, so that no partial file remains. Throws

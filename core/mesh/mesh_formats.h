@@ -10,7 +10,7 @@ namespace wend {
 struct MeshFormatFacts {
     std::string_view name;
     std::vector<std::string_view> extensions;  // lower case, with the dot
-    bool together;                             // one mesh is a file of each extension, in this order
+    int together;                              // of how many files, of each extension one, a mesh is made
     bool holdsTetrahedra;                      // the others get the surface of a solid
     bool withBoundary;                         // the generated boundary of a volume is written by default
     bool holdsFields;                          // values of vertices and cells

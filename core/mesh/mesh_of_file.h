@@ -11,6 +11,7 @@ namespace wend {
 
 struct MeshField;
 struct MeshFile;
+struct MeshWriteOptions;
 
 // The mesh of a file, for users of a part of it: see mesh_file.h.
 // Throws InputError.
@@ -44,9 +45,18 @@ const std::vector<MeshField>& fieldsOf(const MeshFile& file);
 /// Returns whether the file contains tetrahedra.
 bool isVolume(const MeshFile& file);
 
-/// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Validated with
-/// requireValid.
+/// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Where cells are numbered
+/// in both orientations, all become positive. Validated with requireValid, and no two neighbours overlap.
 template <int Dim>
 SimplicialMesh<Dim> meshFrom(const MeshFile& file);
+
+/// Neighbours that lie on the same side of the facet between them, in a mesh whose cells are of one
+/// orientation.
+template <int Dim>
+std::vector<std::array<int, 2>> foldedPairs(const SimplicialMesh<Dim>& mesh);
+
+/// What of a mesh that was read would not be in a file of that name, in one line as "2 lines are not in an
+/// STL file". Empty if all would be.
+std::string lostInFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options);
 
 }  // namespace wend

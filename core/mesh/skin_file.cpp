@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/mesh/error.h"
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/obj_skin.h"
 #include "core/mesh/formats/scanner.h"
@@ -12,6 +12,7 @@
 #include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 #include "core/mesh/temporary_folder.h"
+#include "core/mesh/turned_normals.h"
 
 namespace wend {
 namespace fs = std::filesystem;
@@ -22,29 +23,35 @@ bool hasExtension(const std::string& path, std::string_view extension) {
     return formats::sameWord(fs::path(path).extension().string(), extension);
 }
 
-/// Fields of the cells are those of the tetrahedra if there are any: then the triangles have none.
-void takeLabels(const MeshFile& file, Skin& skin) {
-    if (isVolume(file)) return;
-    const MeshField* field = formats::cellField(file, {"label", "ref", "physical", "entity", "attribute"});
-    if (!field || std::ranges::all_of(field->values, [](double value) { return value == 0; })) return;
-    for (std::size_t t = 0; t < file.triangles.size(); ++t)
-        skin.labels.push_back(static_cast<int>(formats::tagOf(field, static_cast<int>(t), 0)));
-}
-
-/// Returns the skin as a mesh file with one texture coordinate and the given fields per vertex. Shapes:
-/// points 3 × n, uv 2 × n; units are those of the skin. Corners at a texture seam are duplicated.
-MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
+/// What can be said of a skin without a file: one texture point per vertex, and labels.
+MeshFile madeFile(const Skin& skin) {
     MeshFile file;
-    file.points = points;
     file.triangles = skin.triangles;
-    if (!skin.uvCorners.empty()) {
-        file.uv = Eigen::Matrix2Xd::Zero(2, points.cols());
-        for (std::size_t t = skin.triangles.size(); t-- > 0;)  // backwards: the first one stays
-            for (int k = 3; k-- > 0;) file.uv.col(skin.triangles[t][k]) = skin.uv.col(skin.uvCorners[t][k]);
-    }
-    file.fields = fields;
     if (!skin.labels.empty())
         file.fields.push_back({"label", true, 1, {skin.labels.begin(), skin.labels.end()}});
+    if (skin.uvCorners.empty()) return file;
+    file.uv = Eigen::Matrix2Xd::Zero(2, skin.points.cols());
+    for (std::size_t t = skin.triangles.size(); t-- > 0;)  // backwards: the first one stays
+        for (int k = 3; k-- > 0;) file.uv.col(skin.triangles[t][k]) = skin.uv.col(skin.uvCorners[t][k]);
+    return file;
+}
+
+/// The file that the skin comes from with polygons, lines, groups and fields, or what can be said without
+/// one.
+MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
+    MeshFile file = skin.path.empty() ? madeFile(skin) : readMeshFile(skin.path);
+    const Points<3> before = skin.path.empty() ? points : Points<3>(file.points);
+    if (before.cols() != points.cols())
+        throw InputError(skin.path, "has changed: it has " + std::to_string(before.cols()) +
+                                        " vertices, where " + std::to_string(points.cols()) + " were read");
+    file.points = points;
+    turnNormals(before, file);
+    for (const MeshField& field : fields) {
+        std::erase_if(file.fields, [&](const auto& old) {
+            return old.name == field.name && old.perCell == field.perCell;
+        });
+        file.fields.push_back(field);
+    }
     return file;
 }
 
@@ -57,14 +64,17 @@ Skin readSkin(const std::string& path) {
     skin.points = file.points;
     skin.triangles = file.triangles;
     if (hasExtension(path, ".obj")) {
-        formats::addObjLook(readInput(path), skin);
+        formats::addObjLook(readInput(path), file, skin);
         return skin;
     }
     if (file.uv.cols() > 0) {
         skin.uv = file.uv;
         skin.uvCorners = file.triangles;
     }
-    takeLabels(file, skin);
+    if (isVolume(file)) return skin;
+    formats::SurfaceLabels labels = formats::surfaceLabels(file);
+    skin.labels = std::move(labels.labels);
+    skin.labelNames = std::move(labels.names);
     return skin;
 }
 
@@ -86,6 +96,13 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
     if (isTemporary(path)) folder = folder.parent_path();  // where the file will be
     writeWhole(path, formats::withVertices(readInput(skin.path), points,
                                            fs::path(skin.path).parent_path().string(), folder.string()));
+}
+
+/// An OBJ file stays what it is, and .glb is for looking at.
+std::string lostInSkin(const std::string& path, const Skin& skin, const MeshWriteOptions& options) {
+    const bool kept = hasExtension(path, ".obj") && hasExtension(skin.path, ".obj");
+    if (skin.path.empty() || kept || hasExtension(path, ".glb")) return {};
+    return lostInFile(path, readMeshFile(skin.path), options);
 }
 
 std::vector<std::string> skinFileExtensions() {

@@ -24,6 +24,9 @@ std::vector<std::string> lookFilesOf(const std::string& path);
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
                const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
+/// What of the skin's file would not be in one of that name, in one line; empty if all would be.
+std::string lostInSkin(const std::string& path, const Skin& skin, const MeshWriteOptions& options);
+
 /// The extensions that writeSkin knows, lower case, with the dot.
 std::vector<std::string> skinFileExtensions();
 

@@ -47,7 +47,7 @@ PlainMesh written(const MeshFile& file, const std::string& name, MeshWriteOption
     writeMeshFile(folder.path(name), file, options);
     const std::string text = folder.get(name);
     if (name.ends_with(".vtu")) return samples::plainVtu(text);
-    if (name.ends_with(".inp")) return samples::plainUcd(text);
+    if (name.ends_with(".avs")) return samples::plainUcd(text);
     return name.ends_with(".vtk") ? samples::plainVtk(text) : samples::plainMsh(text);
 }
 
@@ -69,7 +69,7 @@ int ownerOf(const MeshFile& file, const std::vector<int>& triangle) {
 
 void everyFormat() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"a.vtu", "a.vtk", "a.inp", "a4.msh", "a2.msh"})
+    for (const char* name : {"a.vtu", "a.vtk", "a.avs", "a4.msh", "a2.msh"})
         QTest::newRow(name) << QString(name);
 }
 

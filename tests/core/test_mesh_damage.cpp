@@ -26,7 +26,10 @@ std::vector<formats::MeshSource> sourcesOf(const Encoding& encoding, bool volume
     const auto& format = formats::formatOf(encoding.file);
     std::vector<formats::MeshSource> sources;
     for (auto& bytes : formats::printed(format, smallFile(volume), encoding.options))
-        sources.push_back({"a" + std::string(format.extensions[sources.size()]), std::move(bytes)});
+        sources.push_back(
+            {"a" + std::string(sources.size() < format.extensions.size() ? format.extensions[sources.size()]
+                                                                         : ".face"),
+             std::move(bytes)});
     return sources;
 }
 
@@ -151,6 +154,7 @@ class TestMeshDamage : public QObject {
         for (const auto& format : formats::meshFormats()) {
             const std::string extension(format.extensions.front());
             if (std::string(encoding.file).ends_with(extension)) continue;
+            if (extension == ".inp" && std::string(encoding.name) == "ucd") continue;  // told by its content
             const std::vector<formats::MeshSource> sources = {{"a" + extension, bytes}, {"a.ele", bytes}};
             QVERIFY_THROWS_EXCEPTION(InputError, formats::readSources(format, sources));
         }
@@ -332,8 +336,8 @@ class TestMeshDamage : public QObject {
             "line 1: there should be 900000000 nodes, but the file is too short for so many");
         ucd("ucd twice", "2 1 0 0 0\n1 0 0 0\n1 1 0 0\n", "line 3: node 1 is there a second time");
         ucd("ucd unknown", "2 1 0 0 0\n1 0 0 0\n2 1 0 0\n1 0 tri 1 2 3\n", "line 4: node 3 is not there");
-        ucd("ucd prism", "1 1 0 0 0\n1 0 0 0\n1 0 prism 1 1 1 1 1 1\n",
-            "line 3: 'prism': only triangles and tetrahedra are read");
+        ucd("ucd kind", "1 1 0 0 0\n1 0 0 0\n1 0 cone 1 1 1 1 1 1\n",
+            "line 3: 'cone' is no kind of cell that is read");
         ucd("ucd components", "3 1 2 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0 tri 1 2 3\n1 1\nx, y\n",
             "line 6: the fields have 1 components where the first line says 2");
         ucd("ucd end", "3 1 1 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0 tri 1 2 3\n1 1\nx, y\n1 5\n2",
@@ -345,9 +349,9 @@ class TestMeshDamage : public QObject {
             << "line 6: vertex 2 is named, but there are only 1";
         QTest::newRow("medit hexahedra")
             << "a.mesh" << QByteArray("MeshVersionFormatted 1\nDimension 3\nHexahedra 1\n1 1 1 1 1 1 1 1 0\n")
-            << "line 3: Hexahedra: only triangles and tetrahedra are read";
-        QTest::newRow("gmsh version") << "a.msh" << QByteArray("$MeshFormat\n4 0 8\n$EndMeshFormat\n")
-                                      << "line 2: version '4' is not read; save the mesh as 4.1 or 2.2";
+            << "line 4: vertex 1 is named, but there are only 0";
+        QTest::newRow("gmsh version") << "a.msh" << QByteArray("$MeshFormat\n5 0 8\n$EndMeshFormat\n")
+                                      << "line 2: version '5' is not read; save the mesh as 4.1 or 2.2";
         QTest::newRow("gmsh node")
             << "a.msh"
             << QByteArray(
@@ -358,8 +362,8 @@ class TestMeshDamage : public QObject {
             << "a.msh"
             << QByteArray(
                    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n7 0 0 0\n$EndNodes\n"
-                   "$Elements\n1\n1 5 0 7 7 8\n$EndElements\n")
-            << "line 10: a hexahedron: only triangles and tetrahedra are read";
+                   "$Elements\n1\n1 92 0 7 7 8\n$EndElements\n")
+            << "line 10: a hexahedron of third order is not read";
         QTest::newRow("vtk kind")
             << "a.vtk" << QByteArray("# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_GRID\n")
             << "line 4: 'STRUCTURED_GRID': only UNSTRUCTURED_GRID and POLYDATA are read";
@@ -369,9 +373,8 @@ class TestMeshDamage : public QObject {
             << "byte offset 61: there should be 1 points, but the file is too short for so many";
         QTest::newRow("vtu compressor")
             << "a.vtu"
-            << QByteArray("<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\"/>")
-            << "line 1: <VTKFile>: it is compressed by 'vtkLZ4DataCompressor'; only "
-               "vtkZLibDataCompressor is read";
+            << QByteArray("<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkBestDataCompressor\"/>")
+            << "line 1: <VTKFile>: it is compressed by 'vtkBestDataCompressor', which is not read";
         QTest::newRow("xml") << "a.vtu" << QByteArray("<VTKFile>\n<a></b>\n</VTKFile>")
                              << "line 2: not valid XML: Start-end tags mismatch";
         QTest::newRow("ply type") << "a.ply"

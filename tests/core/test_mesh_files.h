@@ -35,7 +35,7 @@ inline std::vector<Encoding> encodings() {
         {"tetgen", "a.node", {}, true, false, false, false, true},
         {"vtk text", "a.vtk", {}, true, true, true, true, true},
         {"vtk binary", "a.vtk", {Binary, false, false, 4}, true, true, true, true, true},
-        {"ucd", "a.inp", {}, true, true, false, true, true},
+        {"ucd", "a.avs", {}, true, true, false, true, true},
         {"vtu text", "a.vtu", {}, true, true, true, true, true},
         {"vtu base64", "a.vtu", {Binary, false, false, 4}, true, true, true, true, true},
         {"vtu appended", "a.vtu", {Binary, false, true, 4}, true, true, true, true, true},

@@ -380,7 +380,7 @@ class TestMeshReading : public QObject {
             std::string bytes(size, 'x');
             for (std::size_t i = 0; i < size; i += 7) bytes[i] = static_cast<char>(i);
             formats::VtuEncoding encoding;
-            encoding.compressed = true;
+            encoding.compressor = formats::VtuEncoding::Compressor::Zlib;
             QVERIFY(formats::decodeVtuArray(formats::encodeVtuArray(bytes, encoding), encoding) == bytes);
         }
     }
@@ -389,7 +389,8 @@ class TestMeshReading : public QObject {
     /// way: 0 inline base64, 1 the same with the header for itself, 2 appended base64, 3 appended raw
     static void addVtu(std::endian order, Scalar header, bool compressed, int way) {
         if (compressed && way == 1) return;
-        formats::VtuEncoding encoding{order, header, compressed, way != 3};
+        using enum formats::VtuEncoding::Compressor;
+        formats::VtuEncoding encoding{order, header, compressed ? Zlib : None, way != 3};
         const auto points = packed(cornersOfSquare, Scalar::Float32, order);
         auto data = formats::encodeVtuArray(points, encoding);
         if (way == 1)

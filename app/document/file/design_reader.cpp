@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "app/document/design.h"
+#include "app/document/file/named_places.h"
 #include "app/document/file/rgb_text.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/project_fwd.h"
@@ -184,10 +185,12 @@ std::vector<int> readVertexIds(const JsonValue& value) {
     return ids;
 }
 
+/// A place that is named is found later.
 template <int Dim>
-Placement<Dim> readPlacement(const JsonValue& value) {
+Placement<Dim> readPlacement(const JsonValue& value, Extras& extras) {
     JsonObject object(value);
-    const std::string kind = object.oneOf({"vertices", "points", "region"});
+    const std::string kind = object.oneOf({"vertices", "points", "region", "group"});
+    if (readNamedPlace(object, extras)) return std::vector<int>();
     const JsonValue at = object.require(kind);
     object.finish();
     if (kind == "vertices") return readVertexIds<Dim>(at);
@@ -379,7 +382,7 @@ Handle<Dim> readHandle(const JsonValue& value, double end) {
     Handle<Dim> handle;
     JsonObject object(value.ownedBy(handle.extras));
     if (auto name = object.find("name")) handle.name = name->text();
-    handle.at = readPlacement<Dim>(object.require("at"));
+    handle.at = readPlacement<Dim>(object.require("at"), handle.extras);
     if (auto active = object.find("active")) readActive(*active, handle);
     if (auto motion = object.find("motion")) handle.motions = readMotions<Dim>(*motion, end);
     handle.traits = readTraits(object);

@@ -4,6 +4,7 @@
 #include "app/document/file/design_reader.h"
 #include "app/document/file/json_text.h"
 #include "app/document/file/named_files.h"
+#include "app/document/file/named_places.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/file/text_file.h"
@@ -266,6 +267,7 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     for (const char* group : {"time", "integration"}) readGroup(root, group, project);
     dimensionOf(project.domain, folder, json) == 2 ? readDesign<2>(root, project)
                                                    : readDesign<3>(root, project);
+    findNamedPlaces(project, folder);
     if (project.dimension() == 2)
         if (auto depth = root.find("depth")) project.depth = readDepth(*depth);
     if (project.dimension() == 3)

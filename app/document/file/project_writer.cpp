@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "app/document/file/json_text.h"
+#include "app/document/file/named_places.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/file/text_file.h"
@@ -271,11 +272,14 @@ Json handleJson(const Handle<Dim>& handle) {
     Json json = Json::object();
     if (!handle.name.empty()) json["name"] = handle.name;
     json["at"] = placementJson<Dim>(handle.at);
+    if (const auto name = nameOfPlace(handle.extras, json["at"])) json["at"] = *name;
     if (std::isfinite(handle.activeFrom) || std::isfinite(handle.activeTo))
         json["active"] = activeJson(handle.activeFrom, handle.activeTo);
     for (const auto& motion : handle.motions) json["motion"].push_back(motionJson(motion));
     addTraits(json, handle.traits);
-    return withExtras(std::move(json), handle.extras);
+    Extras unknown = handle.extras;  // without the name of the place
+    std::erase_if(unknown, [](const auto& extra) { return extra.first == "/at"; });
+    return withExtras(std::move(json), unknown);
 }
 
 template <int Dim>
@@ -324,6 +328,13 @@ Project rebased(Project project, const std::string& path, const std::string& fol
     if (to.empty()) to = ".";
     const fs::path from = folder.empty() ? to : fs::path(folder);
     for (std::string* file : filesOf(project)) *file = rebased(*file, from, to);
+    std::visit(
+        [&](auto& design) {
+            for (auto& handle : design.handles)
+                rebaseNamedPlaces(handle.extras,
+                                  [&](const std::string& file) { return rebased(file, from, to); });
+        },
+        project.design);
     return project;
 }
 

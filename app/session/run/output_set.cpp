@@ -15,12 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// TetGen's files come in pairs: the extension of the other one, which is written along.
-std::optional<std::string> partnerOf(const std::string& path) {
+/// TetGen's files come in pairs, maybe with two more: the extensions of the others, which are written along.
+std::vector<std::string> partnersOf(const std::string& path) {
     const std::string extension = lowerExtension(path);
-    if (extension == ".node") return ".ele";
-    if (extension == ".ele") return ".node";
-    return std::nullopt;
+    if (extension == ".node") return {".ele", ".face", ".edge"};
+    if (extension == ".ele") return {".node", ".face", ".edge"};
+    return {};
 }
 
 /// Calls `write` with that file; errors name `path` instead.
@@ -58,8 +58,8 @@ std::optional<int> frameNumber(const std::string& pattern, const std::string& na
 
 std::vector<std::string> writtenAlong(const std::string& path) {
     std::vector<std::string> files{path};
-    if (const auto other = partnerOf(path))
-        files.push_back(fs::path(path).replace_extension(*other).string());
+    for (const std::string& other : partnersOf(path))
+        files.push_back(fs::path(path).replace_extension(other).string());
     return files;
 }
 
@@ -77,11 +77,12 @@ void OutputSet::add(const std::string& path, const std::string& extension, const
         return;
     }
     PendingFile file(path, Access::Usual, m_files.empty() ? nullptr : &m_files.back());
-    std::optional<PendingFile> partner;
-    if (const auto other = partnerOf(path); other && !file.isSpecial())
-        partner.emplace(file.companion(*other));
+    std::vector<PendingFile> partners;
+    for (const std::string& other : partnersOf(path))
+        if (!file.isSpecial()) partners.push_back(file.companion(other));
     file.fill([&](const std::string& temporary) { writeTo(temporary, path, write); });
-    if (partner) m_files.push_back(std::move(*partner));
+    for (PendingFile& partner : partners)
+        if (fs::exists(partner.temporary())) m_files.push_back(std::move(partner));
     m_files.push_back(std::move(file));
 }
 

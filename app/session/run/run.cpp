@@ -212,6 +212,8 @@ class Run {
         if (minimum < kCrushed)
             m_watch.notice("a cell has shrunk to " + shortNumber(minimum) + " of its size");
         if (Dim == 3 && !m_faults.crossings.empty()) m_watch.notice(crossingText(m_faults));
+        if (const std::string turned = turnedOver<Dim>(m_shape, m_deformer.state().points); !turned.empty())
+            m_watch.notice(turned);
     }
 
     void tellOfCanvas() const {
@@ -248,8 +250,14 @@ class Run {
                 "keeps all digits");
     }
 
+    void tellOfLosses(const std::string& path) const {
+        const std::string lost = lostInShape<Dim>(path, m_shape, m_options.meshes);
+        if (!lost.empty() && m_watch.notice) m_watch.notice(path + ": " + lost);
+    }
+
     void writeMesh(const Points<Dim>& pose) {
         warnOfRounding(m_options.outputs.mesh, pose);
+        tellOfLosses(m_options.outputs.mesh);
         std::vector<MeshField> fields;
         if (m_options.fields) fields = shapeFields(m_shape, pose, m_velocity);
         m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
@@ -347,6 +355,7 @@ class Run {
         if (m_options.fields) fields = shapeFields(m_shape, state.points);
         const std::string name = frameName(m_options.outputs.frames, number);
         warnOfRounding(name, state.points);
+        if (number == 0) tellOfLosses(name);
         m_files.add(name, "", [&](const std::string& file) {
             writeShape(file, m_shape, state.points, fields, m_options.meshes);
         });

@@ -4,13 +4,16 @@
 
 #include "app/session/run/output_set.h"
 #include "core/energy/distortion.h"
+#include "core/mesh/embedding.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_cells.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/gltf.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_formats.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/skin_file.h"
+#include "core/mesh/turned_normals.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {
@@ -66,6 +69,17 @@ MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
     return carried;
 }
 
+/// Nodes between the corners of cells, and those of lines and vertices apart, move as the shape around them.
+template <int Dim>
+void carryNodes(const Shape<Dim>& shape, const Points<Dim>& pose, const Points<3>& before, MeshFile& file) {
+    const std::vector<int> nodes = carriedNodes(file);
+    if (nodes.empty()) return;
+    const Points<Dim> rest = before.topRows<Dim>()(Eigen::all, nodes);
+    const Points<Dim> carried = Embedding<Dim>(*shape.rest, rest).carry(*shape.rest, pose);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        file.points.col(nodes[i]).template head<Dim>() = carried.col(static_cast<Eigen::Index>(i));
+}
+
 void addUv(const Shape<2>& shape, MeshFile& file) {
     const auto& pixels = restInPixels(shape).points;
     file.uv.resize(2, pixels.cols());
@@ -96,7 +110,10 @@ MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose, const std::v
     if (file.points.cols() != pose.cols())
         throw InputError("the mesh has " + std::to_string(file.points.cols()) + " vertices, its pose " +
                          std::to_string(pose.cols()));
+    const Points<3> before = file.points;
     file.points.template topRows<Dim>() = pose;
+    carryNodes<Dim>(shape, pose, before, file);
+    turnNormals(before, file);
     if constexpr (Dim == 2)
         if (!shape.source && shape.picture) addUv(shape, file);
     for (const MeshField& field : fields) {
@@ -129,6 +146,20 @@ void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<D
             return writeSkin(path, *shape.skin, shape.embedding->carry(*shape.rest, pose), carried, options);
         }
     writeMeshFile(path, poseFile(shape, pose, fields), options);
+}
+
+template <int Dim>
+std::string lostInShape(const std::string& path, const Shape<Dim>& shape, const MeshWriteOptions& options) {
+    if (Dim == 3 && isSkinFile(path)) {
+        if constexpr (Dim == 3) return lostInSkin(path, *shape.skin, options);
+    }
+    return shape.source ? lostInFile(path, *shape.source, options) : std::string();
+}
+
+template <int Dim>
+std::string turnedOver(const Shape<Dim>& shape, const Points<Dim>& pose) {
+    if (!shape.source || shape.source->made || !hasWholeCells(*shape.source)) return {};
+    return turnedCells(*shape.source, poseFile<Dim>(shape, pose, {}).points);
 }
 
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension) {
@@ -197,6 +228,8 @@ std::string collectionText(const std::vector<std::string>& files, const std::vec
     template std::vector<MeshField> shapeFields<Dim>(const Shape<Dim>&, const Points<Dim>&,                \
                                                      const Points<Dim>&);                                  \
     template MeshFile poseFile<Dim>(const Shape<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
+    template std::string lostInShape<Dim>(const std::string&, const Shape<Dim>&, const MeshWriteOptions&); \
+    template std::string turnedOver<Dim>(const Shape<Dim>&, const Points<Dim>&);                           \
     template Points<Dim> writtenPart<Dim>(const Shape<Dim>&, const Points<Dim>&);                          \
     template void writeShape<Dim>(const std::string&, const Shape<Dim>&, const Points<Dim>&,               \
                                   const std::vector<MeshField>&, const MeshWriteOptions&);

@@ -35,6 +35,15 @@ template <int Dim>
 void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
+/// What of the shape's file would not be in one of that name, in one line; empty if all would be.
+template <int Dim>
+std::string lostInShape(const std::string& path, const Shape<Dim>& shape, const MeshWriteOptions& options);
+
+/// What the user should hear of hexahedra, wedges, pyramids and cells of second order whose Jacobian a pose
+/// turns over at a corner; empty if there are none.
+template <int Dim>
+std::string turnedOver(const Shape<Dim>& shape, const Points<Dim>& pose);
+
 /// Throws InputError that lists the formats that a shape of this dimension can be written in if `extension`,
 /// lower case with its dot, is of none. `path` is what the user named.
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension);

@@ -9,6 +9,7 @@
 #include "app/document/file/named_files.h"
 #include "app/session/shape/mesh_rest.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_cells.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
@@ -135,7 +136,7 @@ Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
     if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
     try {
         textured = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
-        shape.rest = joinedRest<2>(*textured, shape.notices);
+        shape.rest = joinedRest<2>(*textured, shape.notices, carriedNodes(*file));
     } catch (const InputError& error) {
         throw error.named(path);
     }

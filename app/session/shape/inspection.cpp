@@ -84,6 +84,20 @@ std::vector<int> invertedCells(const SimplicialMesh<Dim>& mesh) {
     return positive.size() < negative.size() ? positive : negative;
 }
 
+/// Cells on the same side of the facet between them as a neighbour, however they are numbered.
+template <int Dim>
+std::vector<int> foldedCells(SimplicialMesh<Dim> mesh, const std::map<Key<Dim>, std::vector<int>>& facets) {
+    for (const auto& [facet, around] : facets)
+        if (around.size() > 2) return {};
+    for (auto& cell : mesh.cells)
+        if (cellMeasure<Dim>(mesh.points, cell) < 0) std::swap(cell[Dim - 1], cell[Dim]);
+    std::vector<int> found;
+    for (const auto& pair : foldedPairs<Dim>(mesh)) found.insert(found.end(), pair.begin(), pair.end());
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 template <int Dim>
 std::vector<int> crowdedCells(const std::map<Key<Dim>, std::vector<int>>& facets) {
     std::vector<int> found;
@@ -114,7 +128,8 @@ void findProblems(const SimplicialMesh<Dim>& mesh, const std::map<Key<Dim>, std:
     add("cells that name a vertex twice", cellsWhere<Dim>(mesh, repeatsVertex<Dim>));
     add(Dim == 2 ? "cells without area" : "cells without volume", cellsWhere<Dim>(mesh, flat));
     add("cells that repeat an earlier one", duplicates<Dim>(mesh.cells));
-    add("cells oriented against the others", invertedCells<Dim>(mesh));
+    add("cells numbered against the others", invertedCells<Dim>(mesh), false);
+    add("cells that overlap a neighbour", foldedCells<Dim>(mesh, facets));
     add(Dim == 2 ? "cells at edges of more than two" : "cells at faces of more than two",
         crowdedCells<Dim>(facets));
     add("vertices that no cell uses", unusedVertices<Dim>(mesh), false);

@@ -12,8 +12,10 @@ namespace {
 
 /// Reports unused vertices of a file; the cells keep their numbers in outputs.
 template <int Dim>
-void tellOfUnused(const SimplicialMesh<Dim>& mesh, std::vector<std::string>& notices) {
-    const auto used = usedVertices<Dim>(mesh.vertexCount(), mesh.cells);
+void tellOfUnused(const SimplicialMesh<Dim>& mesh, const std::vector<int>& carried,
+                  std::vector<std::string>& notices) {
+    auto used = usedVertices<Dim>(mesh.vertexCount(), mesh.cells);
+    for (const int v : carried) used[static_cast<std::size_t>(v)] = true;
     const auto unused = std::ranges::count(used, false);
     if (unused == 0) return;
     const std::size_t twins = twinsOf<Dim>(mesh).size();
@@ -59,8 +61,9 @@ void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<std::string>& no
 
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
-                                                      std::vector<std::string>& notices) {
-    tellOfUnused<Dim>(mesh, notices);
+                                                      std::vector<std::string>& notices,
+                                                      const std::vector<int>& carried) {
+    tellOfUnused<Dim>(mesh, carried, notices);
     JoinedParts<Dim> joined = joinedParts<Dim>(mesh);
     if (joined.vertices > 0)
         notices.push_back("parts that touch vertex to vertex are connected: " +
@@ -69,9 +72,11 @@ std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>&
 }
 
 template std::shared_ptr<const SimplicialMesh<2>> joinedRest<2>(const SimplicialMesh<2>&,
-                                                                std::vector<std::string>&);
+                                                                std::vector<std::string>&,
+                                                                const std::vector<int>&);
 template std::shared_ptr<const SimplicialMesh<3>> joinedRest<3>(const SimplicialMesh<3>&,
-                                                                std::vector<std::string>&);
+                                                                std::vector<std::string>&,
+                                                                const std::vector<int>&);
 
 template std::string hangingNotice<2>(const SimplicialMesh<2>&);
 template std::string hangingNotice<3>(const SimplicialMesh<3>&);

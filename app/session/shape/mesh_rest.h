@@ -8,11 +8,13 @@
 
 namespace wend {
 
-/// Returns the rest mesh of a file's mesh, with parts joined that touch vertex to vertex. Notices report
-/// joined and unused vertices.
+/// The rest mesh of a file's mesh: parts that touch vertex to vertex are connected. What the user should hear
+/// of vertices that were joined, or that no cell has, is added to the notices; `carried` are those that cells
+/// of the file have all the same.
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
-                                                      std::vector<std::string>& notices);
+                                                      std::vector<std::string>& notices,
+                                                      const std::vector<int>& carried = {});
 
 /// Returns a notice about parts that are connected by a single vertex or edge; empty if there are none.
 template <int Dim>

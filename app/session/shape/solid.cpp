@@ -6,13 +6,16 @@
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
+#include "app/document/options/options.h"
 #include "app/session/shape/caged_solid.h"
 #include "app/session/shape/mesh_rest.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_cells.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/point_locator.h"
 #include "core/mesh/skin_file.h"
 #include "core/mesh/used_vertices.h"
+#include "core/meshing/seam_weld.h"
 #include "core/meshing/volume_mesher.h"
 
 namespace wend {
@@ -63,21 +66,33 @@ std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
                                    : "");
 }
 
-/// Single faults first, then as many as the simple repairs do.
+std::string weldText(const SeamWeld& weld) {
+    return (weld.vertices == 1 ? "1 vertex" : std::to_string(weld.vertices) + " vertices") +
+           " of open seams welded, the widest gap " + shortNumber(weld.tolerance);
+}
+
+/// Single faults first, then seams, then as many as the simple repairs do.
 Surface repaired(const Surface& surface, const Domain& domain, Shape<3>& solid, Repairing& repairing,
                  Advice advice) {
     RepairReport report;
     Surface better = fixSurface(surface, domain.fixes).surface;
-    if (domain.repair) better = repairSurface(better, domain.largestHole, report);
+    SeamWeld weld;
+    if (domain.repair) {
+        weld = weldSeams(better);
+        better = repairSurface(better, domain.largestHole, report);
+    }
     report.steps = static_cast<int>(domain.fixes.size());
-    repairing.done = report.summary();
+    repairing.done = weld.vertices > 0 ? weldText(weld) : "";
+    if (const std::string done = report.summary(); !done.empty())
+        repairing.done += (repairing.done.empty() ? "" : ", ") + done;
     repairing.undone = largerHoles(report, domain.largestHole, advice);
     if (!repairing.done.empty()) solid.notices.push_back("the surface was repaired: " + repairing.done);
     return better;
 }
 
-bool repairHelps(const Surface& surface, int largestHole) {
+bool repairHelps(Surface surface, int largestHole) {
     RepairReport report;
+    weldSeams(surface);
     return checkSurface(repairSurface(surface, largestHole, report)).boundsVolume();
 }
 
@@ -193,7 +208,7 @@ Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
     const auto file = sharedMeshFile(path);
     if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
     Shape<3> solid;
-    solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices);
+    solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices, carriedNodes(*file));
     solid.source = file;
     solid.skin = std::make_shared<const Skin>(boundaryOf(*solid.rest));
     return solid;

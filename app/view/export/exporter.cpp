@@ -182,7 +182,9 @@ void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
     if (kind == ExportKind::Frames && !isAnimation(path.toStdString())) path = withNumber(path);
     emit begun();
     run(workOf(kind, options.outputs.count), path, [=](const RunWatch& watch, std::string& remark) {
-        shape->write(kind, path.toStdString(), options, watch, remark);
+        RunWatch heard = watch;
+        if (kind != ExportKind::Mesh) heard.notice = {};  // a mesh names what its format does not hold
+        shape->write(kind, path.toStdString(), options, heard, remark);
     });
 }
 
@@ -228,9 +230,11 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     // Futures would slice an exception.
     const auto work = [job = std::move(job), show, source]() -> Result {
         std::string remark;
+        QStringList notices;
+        const auto hear = [&notices](const std::string& text) { notices << QString::fromStdString(text); };
         try {
-            job({show, {}, source->get_token()}, remark);
-            return {{}, QString::fromStdString(remark), source->stop_requested()};
+            job({show, hear, source->get_token()}, remark);
+            return {{}, QString::fromStdString(remark), source->stop_requested(), notices};
         } catch (const Cancelled&) {
             return {{}, {}, true};
         } catch (const std::exception& error) {
@@ -251,7 +255,7 @@ void Exporter::tell(const Result& result, const QString& path) {
     else if (!result.stopped && !result.remark.isEmpty())
         emit done(tr("Written without velocities: %1 (%2)").arg(name, result.remark));
     else if (!result.stopped)
-        emit done(tr("Written: %1").arg(name));
+        emit done((QStringList{tr("Written: %1").arg(name)} + result.notices).join(QStringLiteral(". ")));
 }
 
 }  // namespace wend

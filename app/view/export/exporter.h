@@ -69,6 +69,7 @@ class Exporter : public QObject {
     struct Result {
         QString error, remark;
         bool stopped = false;
+        QStringList notices = {};
     };
     void ask(ExportKind kind);
     QString askName(const ExportForm& form);

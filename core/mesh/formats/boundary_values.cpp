@@ -1,9 +1,6 @@
 #include "core/mesh/formats/boundary_values.h"
 
 #include <algorithm>
-#include <limits>
-
-#include "core/mesh/simplicial_mesh.h"
 
 namespace wend::formats {
 namespace {
@@ -49,22 +46,6 @@ std::vector<int> cellsBehind(const MeshFile& mesh) {
                 if (behind[it->second] < 0) behind[it->second] = static_cast<int>(c);
         }
     return behind;
-}
-
-std::vector<double> boundaryValues(const MeshField& field, const std::vector<int>& cellsBehind) {
-    std::vector<double> values;
-    values.reserve(cellsBehind.size() * field.components);
-    for (const int cell : cellsBehind)
-        for (int k = 0; k < field.components; ++k)
-            values.push_back(cell < 0 ? std::numeric_limits<double>::quiet_NaN()
-                                      : field.values[cell * field.components + k]);
-    return values;
-}
-
-MeshFile withBoundary(MeshFile mesh) {
-    for (const auto& facet : facetsOf<3>({mesh.points, mesh.tetrahedra}))
-        if (!facet.interior()) mesh.triangles.push_back(facet.vertices);
-    return mesh;
 }
 
 MeshFile withoutBoundary(MeshFile mesh) {

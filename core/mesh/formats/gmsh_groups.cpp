@@ -1,84 +1,111 @@
 #include "core/mesh/formats/gmsh_groups.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/mesh/formats/mesh_bag.h"
 
 namespace wend::formats {
 
 const char* groupOfTheRest(bool volume, int dimension) {
-    return dimension == 3 ? "volume" : volume ? "boundary" : "surface";
+    if (dimension == 3) return "volume";
+    if (dimension == 2) return volume ? "boundary" : "surface";
+    return dimension == 1 ? "lines" : "points";
 }
 
-GmshGroups::GmshGroups(const MeshFile& mesh)
-    : m_mesh(mesh),
-      m_physical(cellField(mesh, {"physical", "ref", "attribute"})),
-      m_entity(cellField(mesh, {"entity"})) {
-    for (const int dimension : {2, 3}) findRest(dimension);
-    for (const int dimension : {2, 3}) findEntities(dimension);
+GmshGroups::GmshGroups(const MeshFile& bag)
+    : m_bag(bag),
+      m_ofGroups(cellField(bag, {"physical", "ref", "attribute", "material", "pid"})),
+      m_entity(cellField(bag, {"entity"})) {
+    nameGroups();
+    listGroups();
+    findRest();
+    findEntities();
 }
 
-std::size_t GmshGroups::count(int dimension) const {
-    return dimension == 3 ? m_mesh.tetrahedra.size() : m_mesh.triangles.size();
-}
-
-/// 0 is none.
-long GmshGroups::tag(int dimension, std::size_t cell) const {
-    if (hasOwnTags(dimension)) return tagOf(m_physical, static_cast<int>(cell), 0);
-    return m_mesh.labels.empty() ? 0 : m_mesh.labels[cell];
-}
-
-void GmshGroups::findRest(int dimension) {
-    long maximum = 0;
-    bool untagged = false;
-    for (std::size_t c = 0; c < count(dimension); ++c) {
-        const long one = tag(dimension, c);
-        maximum = std::max(maximum, one);
-        untagged = untagged || one == 0;
+/// Their own numbers where these are free, others behind all.
+void GmshGroups::nameGroups() {
+    std::set<std::pair<int, long>> taken;
+    for (const MeshGroup& group : m_bag.groups) {
+        const bool own =
+            group.tag > 0 && !group.cells.empty() && taken.insert({group.dimension, group.tag}).second;
+        m_tags.push_back(own || group.cells.empty() ? group.tag : 0);
+        long& highest = m_highest[static_cast<std::size_t>(group.dimension)];
+        if (own) highest = std::max(highest, group.tag);
     }
-    if (untagged) m_rest[dimension] = maximum + 1;
+    for (std::size_t g = 0; g < m_tags.size(); ++g)
+        if (m_tags[g] <= 0 && !m_bag.groups[g].cells.empty())
+            m_tags[g] = ++m_highest[static_cast<std::size_t>(m_bag.groups[g].dimension)];
 }
 
-long GmshGroups::physical(int dimension, std::size_t cell) const {
-    const long own = tag(dimension, cell);
-    return own != 0 ? own : m_rest[dimension];
+void GmshGroups::listGroups() {
+    m_physical.resize(static_cast<std::size_t>(m_bag.cells.size()));
+    for (std::size_t g = 0; g < m_tags.size(); ++g)
+        for (const int c : m_bag.groups[g].cells)
+            m_physical[static_cast<std::size_t>(c)].push_back(m_tags[g]);
 }
 
-/// The field's number where it is one, else the group's; a second group in an entity gets an entity behind
-/// all others.
-void GmshGroups::findEntities(int dimension) {
-    std::map<long, long> groupOf;
-    std::vector<std::array<long, 3>> late;
-    long maximum = 0;
-    for (std::size_t c = 0; c < count(dimension); ++c) {
-        const std::array<long, 3> key{dimension, wishedEntity(dimension, c), physical(dimension, c)};
-        maximum = std::max(maximum, key[1]);
-        if (m_entities.contains(key)) continue;
-        const bool first = groupOf.try_emplace(key[1], key[2]).second;
-        m_entities[key] = first ? key[1] : 0;
-        if (!first) late.push_back(key);
+void GmshGroups::findRest() {
+    for (int c = 0; c < m_bag.cells.size(); ++c) {
+        auto& physical = m_physical[static_cast<std::size_t>(c)];
+        if (!physical.empty()) continue;
+        const auto dimension = static_cast<std::size_t>(m_bag.cells.dimension(c));
+        m_rest[dimension] = m_highest[dimension] + 1;
+        physical.push_back(m_rest[dimension]);
     }
-    for (const auto& key : late) m_entities[key] = ++maximum;
 }
 
-long GmshGroups::wishedEntity(int dimension, std::size_t cell) const {
-    const long own = hasOwnTags(dimension) ? tagOf(m_entity, static_cast<int>(cell), 0) : 0;
-    return std::max(1L, own > 0 ? own : physical(dimension, cell));
+/// The field's number where it is one, else the group's; other groups in an entity get an entity behind all
+/// others.
+void GmshGroups::findEntities() {
+    std::map<std::pair<int, long>, std::vector<long>> groupsOf;
+    std::map<std::pair<int, std::vector<long>>, std::map<long, long>> known;
+    std::array<long, 4> highest{};
+    std::vector<int> late;
+    m_entities.resize(m_physical.size());
+    for (int c = 0; c < m_bag.cells.size(); ++c) {
+        const int dimension = m_bag.cells.dimension(c);
+        const long wished = wishedEntity(c);
+        highest[static_cast<std::size_t>(dimension)] =
+            std::max(highest[static_cast<std::size_t>(dimension)], wished);
+        const auto [entry, isNew] = groupsOf.try_emplace({dimension, wished}, physical(c));
+        if (entry->second == physical(c))
+            m_entities[static_cast<std::size_t>(c)] = wished;
+        else
+            late.push_back(c);
+    }
+    for (const int c : late) {
+        const int dimension = m_bag.cells.dimension(c);
+        long& entity = known[{dimension, physical(c)}][wishedEntity(c)];
+        if (entity == 0) entity = ++highest[static_cast<std::size_t>(dimension)];
+        m_entities[static_cast<std::size_t>(c)] = entity;
+    }
 }
 
-long GmshGroups::entity(int dimension, std::size_t cell) const {
-    return m_entities.at({dimension, wishedEntity(dimension, cell), physical(dimension, cell)});
+long GmshGroups::wishedEntity(int cell) const {
+    const double own = m_entity ? m_entity->ofCells[static_cast<std::size_t>(cell)] : 0;
+    const bool valid = own > 0 && own < 2147483647;
+    return std::max(1L, valid ? std::lround(own) : physical(cell)[0]);
 }
 
 std::vector<GmshGroups::Name> GmshGroups::names() const {
     std::vector<Name> names;
-    if (isVolume(m_mesh) && !m_mesh.triangles.empty() && !m_mesh.labels.empty())
-        for (std::size_t i = 0; i < m_mesh.labelNames.size(); ++i)
-            if (!m_mesh.labelNames[i].empty())
-                names.push_back({2, static_cast<long>(i) + 1, m_mesh.labelNames[i]});
-    for (const int dimension : {2, 3})
-        if (m_rest[dimension] > 0)
-            names.push_back({dimension, m_rest[dimension], groupOfTheRest(isVolume(m_mesh), dimension)});
+    for (std::size_t g = 0; g < m_tags.size(); ++g)
+        if (const MeshGroup& group = m_bag.groups[g];
+            !group.name.empty() && m_tags[g] > 0 && group.vertices.empty())
+            names.push_back({group.dimension, m_tags[g], group.name});
+    for (int dimension = 0; dimension < 4; ++dimension)
+        if (const long rest = m_rest[static_cast<std::size_t>(dimension)]; rest > 0)
+            names.push_back({dimension, rest, groupOfTheRest(isVolume(m_bag), dimension)});
     for (Name& name : names) std::replace(name.name.begin(), name.name.end(), '"', '\'');
     return names;
+}
+
+bool GmshGroups::holds(const MeshField& field) const {
+    const bool beside =
+        field.perCell && field.components == 1 && (field.name == "label" || field.name == "marker");
+    return &field == m_ofGroups || &field == m_entity || beside;
 }
 
 }  // namespace wend::formats

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/formats/cell_collector.h"
 #include "core/mesh/mesh_file.h"
 
 namespace wend::formats {
@@ -14,11 +13,10 @@ namespace wend::formats {
 /// others for no tag again.
 const char* groupOfTheRest(bool volume, int dimension);
 
-/// Physical groups and entities of a mesh in Gmsh's terms: numbers of its cells, and of the triangles of a
-/// volume's boundary, whose tags are the labels.
+/// Physical groups and entities of a bag in Gmsh's terms.
 class GmshGroups {
   public:
-    explicit GmshGroups(const MeshFile& mesh);
+    explicit GmshGroups(const MeshFile& bag);
 
     struct Name {
         int dimension;
@@ -26,25 +24,27 @@ class GmshGroups {
         std::string name;
     };
     std::vector<Name> names() const;
-    /// Never 0.
-    long physical(int dimension, std::size_t cell) const;
-    /// At least 1; an entity has one physical group only.
-    long entity(int dimension, std::size_t cell) const;
+    /// At least one; none is 0. The first stands for all where there can be only one.
+    const std::vector<long>& physical(int cell) const { return m_physical[static_cast<std::size_t>(cell)]; }
+    /// At least 1; all cells of an entity are in the same physical groups.
+    long entity(int cell) const { return m_entities[static_cast<std::size_t>(cell)]; }
     /// True for the fields that the groups are made of.
-    bool holds(const MeshField& field) const { return &field == m_physical || &field == m_entity; }
+    bool holds(const MeshField& field) const;
 
   private:
-    bool hasOwnTags(int dimension) const { return (dimension == 3) == isVolume(m_mesh); }
-    std::size_t count(int dimension) const;
-    long tag(int dimension, std::size_t cell) const;
-    long wishedEntity(int dimension, std::size_t cell) const;
-    void findRest(int dimension);
-    void findEntities(int dimension);
+    void nameGroups();
+    void listGroups();
+    void findRest();
+    void findEntities();
+    long wishedEntity(int cell) const;
 
-    const MeshFile& m_mesh;
-    const MeshField *m_physical, *m_entity;
-    std::array<long, 4> m_rest{};  // per dimension, the group of what has no tag; 0: all have one
-    std::map<std::array<long, 3>, long> m_entities;  // of (dimension, entity, physical)
+    const MeshFile& m_bag;
+    const MeshField *m_ofGroups, *m_entity;
+    std::vector<long> m_tags;                   // of the bag's groups
+    std::vector<std::vector<long>> m_physical;  // of the cells
+    std::vector<long> m_entities;               // of the cells
+    std::array<long, 4> m_highest{},
+        m_rest{};  // per dimension; the group of what has no tag, 0: all have one
 };
 
 }  // namespace wend::formats

@@ -1,8 +1,13 @@
-// Gmsh .msh, versions 2.2 and 4.1, text and binary. Physical and entity tags of the cells become fields.
+// Gmsh .msh, versions 2.2, 4.0 and 4.1, text and binary. Physical groups become groups; physical and entity
+// tags, and of partitioned files the partition, fields of the cells; $NodeData and $ElementData fields, too.
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/gmsh_elements.h"
 #include "core/mesh/formats/gmsh_groups.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
@@ -10,22 +15,12 @@
 namespace wend::formats {
 namespace {
 
-/// The element types that can be met; those without corners to keep are passed over.
-struct ElementType {
-    int number, nodes;
-    const char* name;
+/// What an entity of the model says of its elements.
+struct Entity {
+    int number = 0;     // of the entity that was cut into partitions, or its own
+    int partition = 0;  // 0: the file is whole
+    std::vector<int> physical;
 };
-constexpr ElementType elementTypes[] = {{15, 1, "point"},     {1, 2, "line"},     {8, 3, "line"},
-                                        {26, 4, "line"},      {2, 3, "triangle"}, {3, 4, "quadrangle"},
-                                        {4, 4, "tetrahedron"}};
-constexpr std::pair<int, const char*> unreadTypes[] = {{5, "hexahedron"},
-                                                       {6, "prism"},
-                                                       {7, "pyramid"},
-                                                       {9, "triangle of second order"},
-                                                       {10, "curved quadrangle"},
-                                                       {11, "tetrahedron of second order"}};
-
-constexpr int kHighestNamed = 100000;  // labels have a list of names: no file shall make it a long one
 
 class GmshReader {
   public:
@@ -35,12 +30,13 @@ class GmshReader {
         readFormat();
         while (!m_scanner.atEnd()) section();
         if (!m_hasNodes) m_scanner.fail("there is no section $Nodes");
-        for (const int dimension : {2, 3}) ungroupTheRest(dimension);
-        m_file.fields.push_back({"physical", true, 1, m_cells.perCell(m_physical, 1)});
-        m_file.fields.push_back({"entity", true, 1, m_cells.perCell(m_entity, 1)});
-        m_file.labels = m_cells.boundaryLabels(m_physical);
-        takeNames();
-        m_cells.moveInto(m_file);
+        if (m_version == 2) mergeRepeated();
+        for (const int dimension : {0, 1, 2, 3}) ungroupTheRest(dimension);
+        takeTags();
+        takeGroups();
+        finishCells(m_file, [this](int cell) {
+            return "element " + std::to_string(m_elements[static_cast<std::size_t>(cell)].number);
+        });
         return std::move(m_file);
     }
 
@@ -49,12 +45,17 @@ class GmshReader {
         if (m_scanner.word("$MeshFormat") != "$MeshFormat")
             m_scanner.fail("does not begin with $MeshFormat: no Gmsh file of version 2.2 or 4.1");
         const auto version = m_scanner.word("the version");
-        if (version != "4.1" && version != "2.2" && version != "2.1" && version != "2" && version != "2.0")
+        m_version = version == "4.1"                     ? 41
+                    : version == "4" || version == "4.0" ? 40
+                    : version.starts_with('2')           ? 2
+                                                         : 0;
+        if (m_version == 0)
             m_scanner.fail("version " + inQuotes(version) + " is not read; save the mesh as 4.1 or 2.2");
-        m_version4 = version == "4.1";
         const auto fileType = m_scanner.integer("0 or 1 for text or binary");
         const auto dataSize = m_scanner.integer("the size of a number");
         m_binary = fileType != 0;
+        if (m_binary && m_version == 40)
+            m_scanner.fail("a binary file of version 4.0 is not read; save it as 4.1");
         if (m_binary && dataSize != 8) m_scanner.fail("only numbers of 8 bytes are read");
         m_scanner.line();
         if (m_binary) findOrder();
@@ -81,14 +82,16 @@ class GmshReader {
             m_scanner.fail(inQuotes(name) + " where a section is expected");
         const std::string end = "$End" + name.substr(1);
         if (name == "$PhysicalNames") return readNames(end);
-        if (name != "$Nodes" && name != "$Elements" && name != "$Entities") return passOver(end);
+        if (name == "$NodeData" || name == "$ElementData") return readData(name == "$ElementData", end);
+        if (name != "$Nodes" && name != "$Elements" && name != "$Entities" && name != "$PartitionedEntities")
+            return passOver(name, end);
         m_scanner.line();
-        if (name == "$Entities")
-            readEntities();
+        if (name == "$Entities" || name == "$PartitionedEntities")
+            readEntities(name == "$PartitionedEntities");
         else if (name == "$Nodes")
-            m_version4 ? readNodes4() : readNodes2();
+            m_version == 2 ? readNodes2() : readNodes4();
         else
-            m_version4 ? readElements4() : readElements2();
+            m_version == 2 ? readElements2() : readElements4();
         endSection(end);
     }
     void readNames(const std::string& end) {
@@ -101,42 +104,176 @@ class GmshReader {
             std::string name(m_scanner.line());
             const auto first = name.find('"'), last = name.rfind('"');
             if (first == std::string::npos || last == first) m_scanner.fail("a name should stand in quotes");
-            if (tag > 0 && tag <= kHighestNamed)
+            if (tag > 0 && tag <= 2147483647)
                 m_names[{static_cast<int>(dimension), static_cast<int>(tag)}] =
                     name.substr(first + 1, last - first - 1);
         }
         endSection(end);
     }
-    /// Names of surfaces become those of the labels 1, 2, …
-    void takeNames() {
-        if (m_file.labels.empty()) return;
-        for (const auto& [group, name] : m_names) {
-            if (group[0] != 2) continue;
-            m_file.labelNames.resize(static_cast<std::size_t>(group[1]));
-            m_file.labelNames.back() = name;
+    /// Version 2 lists an element once for each of its physical groups.
+    void mergeRepeated() {
+        std::vector<int> order(m_elements.size());
+        std::iota(order.begin(), order.end(), 0);
+        const CellList& cells = m_file.cells;
+        const auto before = [&](int a, int b) {
+            const auto x = cells[a], y = cells[b];
+            return std::ranges::lexicographical_compare(x, y);
+        };
+        std::ranges::stable_sort(order, before);
+        std::vector<bool> again(order.size(), false);
+        for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
+            if (before(order[first], order[i]) || !mergeInto(order[first], order[i])) {
+                first = i;
+                continue;
+            }
+            again[static_cast<std::size_t>(order[i])] = true;
         }
+        if (std::ranges::count(again, true) > 0) leaveOut(again);
+    }
+    /// True if the second is the first in another group.
+    bool mergeInto(int first, int second) {
+        auto& physical = m_elements[static_cast<std::size_t>(first)].physical;
+        const auto& more = m_elements[static_cast<std::size_t>(second)].physical;
+        if (more.empty() || std::ranges::count(physical, more[0]) > 0) return false;
+        physical.push_back(more[0]);
+        return true;
+    }
+    void leaveOut(const std::vector<bool>& again) {
+        CellList cells;
+        std::vector<Element> elements;
+        for (int c = 0; c < m_file.cells.size(); ++c) {
+            if (again[static_cast<std::size_t>(c)]) continue;
+            cells.add(m_file.cells.kinds[static_cast<std::size_t>(c)], m_file.cells[c]);
+            elements.push_back(std::move(m_elements[static_cast<std::size_t>(c)]));
+        }
+        for (MeshField& field : m_file.fields) {
+            if (!field.perCell) continue;
+            std::vector<double> kept;
+            for (std::size_t c = 0; c < again.size(); ++c)
+                for (int k = 0; !again[c] && k < field.components; ++k)
+                    kept.push_back(field.values[c * static_cast<std::size_t>(field.components) + k]);
+            field.values = std::move(kept);
+        }
+        m_file.cells = std::move(cells);
+        m_elements = std::move(elements);
     }
     /// The group that GmshGroups gives to what has no tag.
     void ungroupTheRest(int dimension) {
         int maximum = 0, before = 0;
-        for (std::size_t e = 0; e < m_physical.size(); ++e)
-            if (m_dimensions[e] == dimension) maximum = std::max(maximum, static_cast<int>(m_physical[e]));
-        for (std::size_t e = 0; e < m_physical.size(); ++e)
-            if (m_dimensions[e] == dimension && m_physical[e] < maximum)
-                before = std::max(before, static_cast<int>(m_physical[e]));
-        const bool volume = std::ranges::count(m_dimensions, 3) > 0;
+        const auto each = [&](const auto& use) {
+            for (std::size_t e = 0; e < m_elements.size(); ++e)
+                if (m_file.cells.dimension(static_cast<int>(e)) == dimension)
+                    for (const int tag : m_elements[e].physical) use(tag);
+        };
+        each([&](int tag) { maximum = std::max(maximum, tag); });
+        each([&](int tag) { before = tag < maximum ? std::max(before, tag) : before; });
+        const bool volume =
+            std::ranges::any_of(m_file.cells.kinds, [](auto kind) { return factsOf(kind).dimension == 3; });
         const auto name = m_names.find({dimension, maximum});
         if (name == m_names.end() || name->second != groupOfTheRest(volume, dimension) ||
             maximum != before + 1)
             return;
-        for (std::size_t e = 0; e < m_physical.size(); ++e)
-            if (m_dimensions[e] == dimension && m_physical[e] == maximum) m_physical[e] = 0;
+        for (std::size_t e = 0; e < m_elements.size(); ++e)
+            if (m_file.cells.dimension(static_cast<int>(e)) == dimension)
+                std::erase(m_elements[e].physical, maximum);
         m_names.erase(name);
     }
-    void passOver(const std::string& end) {
+    void takeTags() {
+        std::vector<double> physical, entity, partition;
+        for (const Element& one : m_elements) {
+            physical.push_back(one.physical.empty() ? 0 : one.physical[0]);
+            entity.push_back(one.entity);
+            partition.push_back(one.partition);
+        }
+        const bool whole = std::ranges::all_of(partition, [](double p) { return p == 0; });
+        std::vector<MeshField> tags{{"physical", true, 1, std::move(physical), {}, Scalar::Int32},
+                                    {"entity", true, 1, std::move(entity), {}, Scalar::Int32}};
+        if (!whole) tags.push_back({"partition", true, 1, std::move(partition), {}, Scalar::Int32});
+        m_file.fields.insert(m_file.fields.begin(), tags.begin(), tags.end());
+    }
+    /// Those with a name that no element has are left out.
+    void takeGroups() {
+        std::map<std::array<int, 2>, MeshGroup> groups;
+        for (std::size_t e = 0; e < m_elements.size(); ++e)
+            for (const int tag : m_elements[e].physical)
+                groups[{m_file.cells.dimension(static_cast<int>(e)), tag}].cells.push_back(
+                    static_cast<int>(e));
+        for (auto& [key, group] : groups) {
+            group.dimension = key[0];
+            group.tag = key[1];
+            if (const auto name = m_names.find(key); name != m_names.end()) group.name = name->second;
+            m_file.groups.push_back(std::move(group));
+        }
+    }
+    void passOver(const std::string& name, const std::string& end) {
         const auto at = m_scanner.bytes().find("\n" + end, m_scanner.offset());
         if (at == std::string_view::npos) m_scanner.fail("the section is not closed with " + end);
         m_scanner.seek(at + 1 + end.size());
+        if (name != "$Comments") m_file.notices.push_back("its section " + name);
+    }
+
+    /// Numbers at the head of data stand in lines of their own, in binary files too.
+    void readData(bool perCell, const std::string& end) {
+        m_scanner.line();
+        const int strings = m_scanner.count("string tags", 1);
+        m_scanner.line();
+        std::string name = "field";
+        for (int k = 0; k < strings; ++k) {
+            const std::string line(m_scanner.line());
+            const auto first = line.find('"'), last = line.rfind('"');
+            if (k == 0 && first != std::string::npos && last > first)
+                name = line.substr(first + 1, last - first - 1);
+        }
+        const int reals = m_scanner.count("real tags", 1);
+        for (int k = 0; k < reals; ++k) m_scanner.real("a real tag");
+        const int integers = m_scanner.count("integer tags", 1);
+        std::int64_t tags[3] = {0, 1, 0};  // step, components, rows
+        for (int k = 0; k < integers; ++k) {
+            const auto tag = m_scanner.integer("an integer tag");
+            if (k < 3) tags[k] = tag;
+        }
+        m_scanner.line();
+        if (tags[1] < 1 || tags[1] > 1000) m_scanner.fail("the number of components makes no sense");
+        const int rows =
+            m_numbers.checkedCount(tags[2], "rows", static_cast<std::size_t>(tags[1]), Scalar::Float64);
+        readRows({unusedName(name, perCell), perCell, static_cast<int>(tags[1]), {}}, rows);
+        endSection(end);
+    }
+    /// Steps of time have one name.
+    std::string unusedName(const std::string& name, bool perCell) const {
+        const auto used = [&](const std::string& wanted) {
+            return std::ranges::any_of(m_file.fields, [&](const auto& field) {
+                return field.name == wanted && field.perCell == perCell;
+            });
+        };
+        std::string free = name;
+        for (int n = 2; used(free); ++n) free = name + " " + std::to_string(n);
+        return free;
+    }
+    void readRows(MeshField field, int rows) {
+        const auto count = field.perCell ? m_elements.size() : static_cast<std::size_t>(m_file.points.cols());
+        const auto n = static_cast<std::size_t>(field.components);
+        field.values.assign(count * n, std::numeric_limits<double>::quiet_NaN());
+        for (int row = 0; row < rows; ++row) {
+            const int number = int32(field.perCell ? "an element's number" : "a node's number");
+            const int item = field.perCell ? elementOf(number) : nodeOf(number);
+            for (std::size_t k = 0; k < n; ++k)
+                field.values[static_cast<std::size_t>(item) * n + k] =
+                    m_numbers.real(Scalar::Float64, "a value");
+        }
+        m_file.fields.push_back(std::move(field));
+    }
+    int elementOf(int number) {
+        if (m_elementTags.size() != m_elements.size()) {
+            m_elementTags.clear();
+            for (std::size_t e = 0; e < m_elements.size(); ++e)
+                m_elementTags.emplace_back(m_elements[e].number, e);
+            std::ranges::sort(m_elementTags);
+        }
+        const auto at = std::ranges::lower_bound(m_elementTags, std::pair(std::int64_t(number), 0));
+        if (at == m_elementTags.end() || at->first != number)
+            m_scanner.fail("there is no element of number " + std::to_string(number));
+        return at->second;
     }
 
     int int32(const char* what) {
@@ -174,10 +311,12 @@ class GmshReader {
         sortTags();
     }
     void readNodes4() {
-        const int blocks = count64("blocks of nodes", 4, Scalar::Int32);
+        const int blocks = count64("blocks of nodes", 3, Scalar::Int32);
         startNodes(count64("nodes", 4, Scalar::Int32));
-        m_numbers.integer(Scalar::UInt64, "the smallest node number");
-        m_numbers.integer(Scalar::UInt64, "the largest node number");
+        if (m_version == 41) {
+            m_numbers.integer(Scalar::UInt64, "the smallest node number");
+            m_numbers.integer(Scalar::UInt64, "the largest node number");
+        }
         int v = 0;
         for (int b = 0; b < blocks; ++b) v = readNodeBlock(v);
         if (v != m_file.points.cols())
@@ -185,17 +324,20 @@ class GmshReader {
                            std::to_string(m_file.points.cols()));
         sortTags();
     }
+    /// Version 4.0 has the entity before the dimension, and each node's number before its point.
     int readNodeBlock(int v) {
-        const int dimension = int32("a dimension");
-        int32("an entity");
+        int dimension = int32("a dimension or an entity");
+        const int second = int32("an entity or a dimension");
+        if (m_version == 40) dimension = second;
         const bool parametric = int32("0 or 1 for parameters") != 0;
         if (dimension < 0 || dimension > 3) m_scanner.fail("an entity's dimension is 0 to 3");
         const int count = count64("nodes in a block", 4, Scalar::Int32);
         if (count > m_file.points.cols() - v)
             m_scanner.fail("the blocks hold more nodes than the section says");
-        for (int k = 0; k < count; ++k)
+        for (int k = 0; k < count && m_version == 41; ++k)
             m_tags.emplace_back(m_numbers.integer(Scalar::UInt64, "a node's number"), v + k);
         for (int k = 0; k < count; ++k) {
+            if (m_version == 40) m_tags.emplace_back(int32("a node's number"), v + k);
             m_file.points.col(v + k) = point();
             for (int u = 0; parametric && u < dimension; ++u) m_numbers.real(Scalar::Float64, "a parameter");
         }
@@ -208,51 +350,46 @@ class GmshReader {
         if (twice != m_tags.end())
             m_scanner.fail("there are two nodes of number " + std::to_string(twice->first));
     }
-    int corner(Scalar type) {
-        const auto tag = m_numbers.integer(type, "a node's number");
+    int nodeOf(std::int64_t tag) {
         const auto at = std::lower_bound(m_tags.begin(), m_tags.end(), std::pair(tag, -1));
         if (at == m_tags.end() || at->first != tag)
             m_scanner.fail("there is no node of number " + std::to_string(tag));
         return at->second;
     }
 
-    const ElementType& elementType(int number) {
-        for (const auto& type : elementTypes)
-            if (type.number == number) return type;
-        for (const auto& [unread, name] : unreadTypes)
-            if (unread == number)
-                m_scanner.fail(std::string("a ") + name + ": only triangles and tetrahedra are read");
-        m_scanner.fail("element type " + std::to_string(number) + ": only triangles and tetrahedra are read");
+    const GmshElement& elementType(int number) {
+        const GmshElement* type = gmshElement(number);
+        if (!type) m_scanner.fail(unreadGmshElement(number) + " is not read");
+        return *type;
     }
-    void readCell(const ElementType& type, Scalar cornerType, int physical, int entity) {
+    void readCell(const GmshElement& type, Scalar cornerType, std::int64_t number, const Entity& entity) {
         if (!m_hasNodes) m_scanner.fail("the elements stand before the nodes");
-        std::array<int, 4> corners{};
-        for (int k = 0; k < type.nodes; ++k) corners[k] = corner(cornerType);
-        if (type.number != 2 && type.number != 3 && type.number != 4) return;
-        const int element = static_cast<int>(m_physical.size());
-        m_physical.push_back(physical);
-        m_entity.push_back(entity);
-        m_dimensions.push_back(type.number == 4 ? 3 : 2);
-        if (type.number == 4)
-            m_cells.tetrahedron(corners, element);
-        else
-            m_cells.polygon(std::span(corners.data(), type.nodes), element);
+        const auto count = static_cast<std::size_t>(factsOf(type.kind).nodes);
+        std::vector<int> read(count), nodes(count);
+        for (int& v : read) v = nodeOf(m_numbers.integer(cornerType, "a node's number"));
+        for (std::size_t k = 0; k < count; ++k)
+            nodes[k] = read[type.order.empty() ? k : static_cast<std::size_t>(type.order[k])];
+        m_file.cells.add(type.kind, nodes);
+        Element element{number, entity.number, entity.partition, entity.physical};
+        std::erase(element.physical, 0);
+        m_elements.push_back(std::move(element));
     }
-    void readTagsAndCell(const ElementType& type, int tagCount) {
-        int tags[2] = {0, 0};
+    /// Physical group, entity, and maybe a number of partitions with these.
+    void readTagsAndCell(const GmshElement& type, std::int64_t number, int tagCount) {
+        int tags[4] = {0, 0, 0, 0};
         for (int k = 0; k < tagCount; ++k) {
             const int tag = int32("a tag");
-            if (k < 2) tags[k] = tag;
+            if (k < 4) tags[k] = tag;
         }
-        readCell(type, Scalar::Int32, tags[0], tags[1]);
+        readCell(type, Scalar::Int32, number, {tags[1], tags[2] > 0 ? tags[3] : 0, {std::abs(tags[0])}});
     }
     void readElements2() {
         const int count = count2("elements", 8);
         for (int read = 0; read < count;) {
             if (!m_binary) {
-                int32("an element's number");
+                const int number = int32("an element's number");
                 const auto& type = elementType(int32("an element type"));
-                readTagsAndCell(type, m_numbers.count(Scalar::Int32, "tags", 1, Scalar::Int32));
+                readTagsAndCell(type, number, m_numbers.count(Scalar::Int32, "tags", 1, Scalar::Int32));
                 ++read;
                 continue;
             }
@@ -262,61 +399,84 @@ class GmshReader {
             if (following < 1 || following > count - read)
                 m_scanner.fail("more elements follow than the section says");
             for (int k = 0; k < following; ++k, ++read) {
-                int32("an element's number");
-                readTagsAndCell(type, tagCount);
+                const int number = int32("an element's number");
+                readTagsAndCell(type, number, tagCount);
             }
         }
     }
     void readElements4() {
         const int blocks = count64("blocks of elements", 4, Scalar::Int32);
         const int count = count64("elements", 2, Scalar::Int32);
-        m_numbers.integer(Scalar::UInt64, "the smallest element number");
-        m_numbers.integer(Scalar::UInt64, "the largest element number");
+        if (m_version == 41) {
+            m_numbers.integer(Scalar::UInt64, "the smallest element number");
+            m_numbers.integer(Scalar::UInt64, "the largest element number");
+        }
         int read = 0;
         for (int b = 0; b < blocks; ++b) {
-            const int dimension = int32("a dimension"), entity = int32("an entity");
+            int dimension = int32("a dimension or an entity"), tag = int32("an entity or a dimension");
+            if (m_version == 40) std::swap(dimension, tag);
             const auto& type = elementType(int32("an element type"));
             const int inBlock = count64("elements in a block", 2, Scalar::Int32);
             if (inBlock > count - read) m_scanner.fail("the blocks hold more elements than the section says");
-            const auto physical = m_physicalOf.find({dimension, entity});
-            for (int k = 0; k < inBlock; ++k, ++read) {
-                m_numbers.integer(Scalar::UInt64, "an element's number");
-                readCell(type, Scalar::UInt64, physical == m_physicalOf.end() ? 0 : physical->second, entity);
-            }
+            const auto known = m_entities.find({dimension, tag});
+            const Entity entity = known == m_entities.end() ? Entity{tag, 0, {}} : known->second;
+            const Scalar numbers = m_version == 41 ? Scalar::UInt64 : Scalar::Int32;
+            for (int k = 0; k < inBlock; ++k, ++read)
+                readCell(type, numbers, m_numbers.integer(numbers, "an element's number"), entity);
         }
         if (read != count) m_scanner.fail("the blocks hold fewer elements than the section says");
     }
 
-    void readEntities() {
-        if (!m_version4) m_scanner.fail("a file of version 2 has no $Entities");
+    void readEntities(bool partitioned) {
+        if (m_version == 2) m_scanner.fail("a file of version 2 has no $Entities");
+        if (partitioned) {
+            m_numbers.integer(Scalar::UInt64, "a number of partitions");
+            const int ghosts = count64("ghost entities", 2, Scalar::Int32);
+            for (int k = 0; k < 2 * ghosts; ++k) int32("a ghost entity");
+        }
         int counts[4];
         for (int& count : counts) count = count64("entities", 4, Scalar::Int32);
         for (int dimension = 0; dimension < 4; ++dimension)
-            for (int e = 0; e < counts[dimension]; ++e) readEntity(dimension);
+            for (int e = 0; e < counts[dimension]; ++e) readEntity(dimension, partitioned);
     }
-    void readEntity(int dimension) {
-        const int tag = int32("an entity");
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) m_numbers.real(Scalar::Float64, "a bound");
-        const int physicalCount = count64("physical tags", 1, Scalar::Int32);
-        for (int k = 0; k < physicalCount; ++k) {
-            const int physical = int32("a physical tag");
-            if (k == 0) m_physicalOf[{dimension, tag}] = physical;
+    void readEntity(int dimension, bool partitioned) {
+        Entity entity;
+        const int tag = entity.number = int32("an entity");
+        if (partitioned) {
+            const int parentDimension = int32("a dimension"), parent = int32("an entity");
+            if (parentDimension == dimension) entity.number = parent;
+            const int partitions = count64("partitions", 1, Scalar::Int32);
+            for (int k = 0; k < partitions; ++k) {
+                const int partition = int32("a partition");
+                if (k == 0) entity.partition = partition;
+            }
         }
+        const int bounds = dimension == 0 && m_version == 41 ? 3 : 6;
+        for (int k = 0; k < bounds; ++k) m_numbers.real(Scalar::Float64, "a bound");
+        const int physicalCount = count64("physical tags", 1, Scalar::Int32);
+        for (int k = 0; k < physicalCount; ++k) entity.physical.push_back(std::abs(int32("a physical tag")));
+        m_entities[{dimension, tag}] = std::move(entity);
         if (dimension == 0) return;
         const int boundaries = count64("bounding entities", 1, Scalar::Int32);
         for (int k = 0; k < boundaries; ++k) int32("a bounding entity");
     }
 
+    struct Element {
+        std::int64_t number;
+        int entity, partition;
+        std::vector<int> physical;
+    };
+
     Scanner m_scanner;
-    bool m_version4 = true, m_binary = false, m_hasNodes = false;
+    int m_version = 41;  // 2, 40 or 41
+    bool m_binary = false, m_hasNodes = false;
     NumberReader m_numbers{m_scanner, false, std::endian::native};
     MeshFile m_file;
-    CellCollector m_cells;
-    std::vector<std::pair<std::int64_t, int>> m_tags;   // node number → vertex, sorted
-    std::map<std::pair<int, int>, int> m_physicalOf;    // (dimension, entity) → its first physical tag
-    std::vector<double> m_physical, m_entity;           // per element kept
-    std::vector<int> m_dimensions;                      // … and its dimension
-    std::map<std::array<int, 2>, std::string> m_names;  // of physical groups: (dimension, tag)
+    std::vector<Element> m_elements;                          // as m_file.cells
+    std::vector<std::pair<std::int64_t, int>> m_tags;         // node number → vertex, sorted
+    std::vector<std::pair<std::int64_t, int>> m_elementTags;  // the same for elements, once it is asked for
+    std::map<std::pair<int, int>, Entity> m_entities;         // by dimension and tag
+    std::map<std::array<int, 2>, std::string> m_names;        // of physical groups: (dimension, tag)
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "core/mesh/formats/boundary_values.h"
+#include "core/mesh/formats/gmsh_elements.h"
 #include "core/mesh/formats/gmsh_groups.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scalar_type.h"
 #include "core/mesh/formats/text_writer.h"
@@ -13,9 +15,9 @@ namespace {
 
 /// A run of cells of one kind and one entity: an entity block of version 4.1.
 struct Run {
-    int dimension;
-    long entity, physical;
-    std::size_t first, count;
+    CellKind kind;
+    long entity;
+    int first, count;
 };
 
 class GmshPrinter {
@@ -34,9 +36,8 @@ class GmshPrinter {
         }
         endSection("$EndNodes");
         section("$Elements");
-        m_out << m_mesh.triangles.size() + m_mesh.tetrahedra.size() << '\n';
-        elements2(m_mesh.triangles, 2, 1);
-        elements2(m_mesh.tetrahedra, 4, 1 + m_mesh.triangles.size());
+        m_out << m_mesh.cells.size() << '\n';
+        for (const Run& run : runs()) elements2(run);
         endSection("$EndElements");
         fields();
         return std::move(m_out.text());
@@ -45,12 +46,10 @@ class GmshPrinter {
     std::string print4() {
         header("4.1");
         names();
-        auto runs = runsOf(m_mesh.triangles.size(), 2);
-        const auto ofTetrahedra = runsOf(m_mesh.tetrahedra.size(), 3);
-        runs.insert(runs.end(), ofTetrahedra.begin(), ofTetrahedra.end());
-        entities(runs);
-        nodes4(runs.back());
-        elements4(runs);
+        const auto all = runs();
+        entities(all);
+        nodes4(all);
+        elements4(all);
         fields();
         return std::move(m_out.text());
     }
@@ -74,14 +73,9 @@ class GmshPrinter {
     }
     /// Values as post-processing data; tags stand with the cells already.
     void fields() {
-        const bool withBoundary = isVolume(m_mesh) && !m_mesh.triangles.empty();
-        const auto behind = withBoundary ? cellsBehind(m_mesh) : std::vector<int>();
         for (const auto& field : m_mesh.fields) {
             if (m_groups.holds(field)) continue;
-            const auto drawable = inSpace(field);
-            if (!drawable) continue;
-            data(*drawable,
-                 withBoundary && field.perCell ? boundaryValues(*drawable, behind) : std::vector<double>());
+            if (const auto drawable = inSpace(field)) data(*drawable);
         }
     }
     /// Gmsh draws 1, 3 and 9 components: what has 2 or 2 × 2 is of the plane.
@@ -92,28 +86,29 @@ class GmshPrinter {
                        ? std::optional(field)
                        : std::nullopt;
         const int rows = n == 2 ? 3 : 1;
+        const auto& values = field.perCell ? field.ofCells : field.values;
         MeshField wide{field.name, field.perCell, 3 * rows, {}};
-        for (std::size_t i = 0; i < field.values.size(); i += field.components)
+        auto& wider = field.perCell ? wide.ofCells : wide.values;
+        for (std::size_t i = 0; i < values.size(); i += field.components)
             for (int row = 0; row < rows; ++row)
-                for (int k = 0; k < 3; ++k)
-                    wide.values.push_back(row < n && k < 2 ? field.values[i + 2 * row + k] : 0);
+                for (int k = 0; k < 3; ++k) wider.push_back(row < n && k < 2 ? values[i + 2 * row + k] : 0);
         return wide;
     }
-    /// Elements are numbered triangles first. Every one has a value: meshio reads no data of a part of them.
-    void data(const MeshField& field, const std::vector<double>& ofBoundary) {
+    /// Every element has a value: meshio reads no data of a part of them.
+    void data(const MeshField& field) {
+        const auto& values = field.perCell ? field.ofCells : field.values;
         std::string name = field.name;
         std::replace(name.begin(), name.end(), '"', '\'');
         section(field.perCell ? "$ElementData" : "$NodeData");
         m_out << "1\n\"" << name << "\"\n1\n0\n3\n0\n"
               << field.components << '\n'
-              << (ofBoundary.size() + field.values.size()) / field.components << '\n';
-        std::size_t element = 1;
-        for (const auto* values : {&ofBoundary, &field.values})
-            for (std::size_t i = 0; i < values->size(); i += field.components) {
-                whole(static_cast<std::int64_t>(element++), Scalar::Int32);
-                for (int k = 0; k < field.components; ++k) number((*values)[i + k]);
-                endLine();
-            }
+              << values.size() / field.components << '\n';
+        std::int64_t number = 1;
+        for (std::size_t i = 0; i < values.size(); i += field.components) {
+            whole(number++, Scalar::Int32);
+            for (int k = 0; k < field.components; ++k) this->number(values[i + k]);
+            endLine();
+        }
         endSection(field.perCell ? "$EndElementData" : "$EndNodeData");
     }
     void section(const char* name) { m_out << name << '\n'; }
@@ -142,59 +137,77 @@ class GmshPrinter {
         endLine();
     }
 
-    template <std::size_t N>
-    void elements2(const std::vector<std::array<int, N>>& cells, int type, std::size_t firstNumber) {
-        if (m_binary && !cells.empty())
-            for (int value : {type, static_cast<int>(cells.size()), 2}) whole(value, Scalar::Int32);
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            const int dimension = static_cast<int>(N) - 1;
-            whole(static_cast<std::int64_t>(firstNumber + c), Scalar::Int32);
+    /// Calls use(vertex) in Gmsh's order of the nodes.
+    template <class Use>
+    void eachNode(int c, const Use& use) const {
+        const auto nodes = m_mesh.cells[c];
+        const auto& order = gmshElement(m_mesh.cells.kinds[static_cast<std::size_t>(c)])->order;
+        if (order.empty()) {
+            for (const int v : nodes) use(v);
+            return;
+        }
+        std::vector<int> turned(nodes.size());
+        for (std::size_t k = 0; k < nodes.size(); ++k) turned[static_cast<std::size_t>(order[k])] = nodes[k];
+        for (const int v : turned) use(v);
+    }
+    void elements2(const Run& run) {
+        const int type = gmshElement(run.kind)->number;
+        if (m_binary)
+            for (int value : {type, run.count, 2}) whole(value, Scalar::Int32);
+        for (int c = run.first; c < run.first + run.count; ++c) {
+            whole(c + 1, Scalar::Int32);
             if (!m_binary) m_out << type << " 2 ";
-            whole(m_groups.physical(dimension, c), Scalar::Int32);
-            whole(m_groups.entity(dimension, c), Scalar::Int32);
-            for (int v : cells[c]) whole(v + 1, Scalar::Int32);
+            whole(m_groups.physical(c)[0], Scalar::Int32);
+            whole(m_groups.entity(c), Scalar::Int32);
+            eachNode(c, [&](int v) { whole(v + 1, Scalar::Int32); });
             endLine();
         }
     }
 
-    std::vector<Run> runsOf(std::size_t cellCount, int dimension) const {
+    std::vector<Run> runs() const {
         std::vector<Run> runs;
-        for (std::size_t c = 0; c < cellCount; ++c) {
-            const long entity = m_groups.entity(dimension, c);
-            if (runs.empty() || runs.back().entity != entity)
-                runs.push_back({dimension, entity, m_groups.physical(dimension, c), c, 0});
+        for (int c = 0; c < m_mesh.cells.size(); ++c) {
+            const CellKind kind = m_mesh.cells.kinds[static_cast<std::size_t>(c)];
+            const long entity = m_groups.entity(c);
+            if (runs.empty() || runs.back().entity != entity || runs.back().kind != kind)
+                runs.push_back({kind, entity, c, 0});
             ++runs.back().count;
         }
         return runs;
     }
     void entities(const std::vector<Run>& runs) {
-        std::map<std::pair<int, long>, long> physicalOfEntity;
+        std::map<std::pair<int, long>, int> firstOf;  // a cell of each
         std::size_t counts[4] = {};
-        for (const auto& run : runs)
-            counts[run.dimension] +=
-                physicalOfEntity.try_emplace({run.dimension, run.entity}, run.physical).second;
+        for (const auto& run : runs) {
+            const int dimension = factsOf(run.kind).dimension;
+            counts[dimension] += firstOf.try_emplace({dimension, run.entity}, run.first).second;
+        }
         section("$Entities");
         for (std::size_t count : counts) size(count);
         endLine();
         const Eigen::Vector3d low = m_mesh.points.rowwise().minCoeff(),
                               high = m_mesh.points.rowwise().maxCoeff();
-        for (const auto& [entity, physical] : physicalOfEntity) {
+        for (const auto& [entity, first] : firstOf) {
             whole(entity.second, Scalar::Int32);
             for (double x : low) number(x);
-            for (double x : high) number(x);
-            size(1);
-            whole(physical, Scalar::Int32);
-            size(0);
+            for (double x : high)
+                if (entity.first > 0) number(x);
+            size(m_groups.physical(first).size());
+            for (const long physical : m_groups.physical(first)) whole(physical, Scalar::Int32);
+            if (entity.first > 0) size(0);
             endLine();
         }
         endSection("$EndEntities");
     }
-    void nodes4(const Run& owner) {
+    /// All nodes belong to an entity of the highest dimension.
+    void nodes4(const std::vector<Run>& runs) {
+        const Run& owner =
+            *std::ranges::max_element(runs, {}, [](const Run& run) { return factsOf(run.kind).dimension; });
         const auto count = static_cast<std::size_t>(m_mesh.points.cols());
         section("$Nodes");
         for (std::size_t value : {std::size_t(1), count, std::size_t(1), count}) size(value);
         endLine();
-        whole(owner.dimension, Scalar::Int32);
+        whole(factsOf(owner.kind).dimension, Scalar::Int32);
         whole(owner.entity, Scalar::Int32);
         whole(0, Scalar::Int32);
         size(count);
@@ -207,23 +220,19 @@ class GmshPrinter {
         endSection("$EndNodes");
     }
     void elements4(const std::vector<Run>& runs) {
-        const std::size_t count = m_mesh.triangles.size() + m_mesh.tetrahedra.size();
+        const auto count = static_cast<std::size_t>(m_mesh.cells.size());
         section("$Elements");
         for (std::size_t value : {runs.size(), count, std::size_t(1), count}) size(value);
         endLine();
-        std::size_t number = 1;
         for (const auto& run : runs) {
-            whole(run.dimension, Scalar::Int32);
+            whole(factsOf(run.kind).dimension, Scalar::Int32);
             whole(run.entity, Scalar::Int32);
-            whole(run.dimension == 2 ? 2 : 4, Scalar::Int32);
-            size(run.count);
+            whole(gmshElement(run.kind)->number, Scalar::Int32);
+            size(static_cast<std::size_t>(run.count));
             endLine();
-            for (std::size_t c = run.first; c < run.first + run.count; ++c) {
-                size(number++);
-                if (run.dimension == 2)
-                    for (int v : m_mesh.triangles[c]) size(v + 1);
-                else
-                    for (int v : m_mesh.tetrahedra[c]) size(v + 1);
+            for (int c = run.first; c < run.first + run.count; ++c) {
+                size(static_cast<std::size_t>(c) + 1);
+                eachNode(c, [&](int v) { size(static_cast<std::size_t>(v) + 1); });
                 endLine();
             }
         }
@@ -236,6 +245,15 @@ class GmshPrinter {
     TextWriter m_out;
 };
 
+/// The cells of a volume that was made, without its boundary's.
+MeshFile withoutTriangles(const MeshFile& bag) {
+    MeshFile bare = withoutBoundary(bag);
+    bare.cells = {};
+    bare.groups.clear();
+    for (MeshField& field : bare.fields) field.ofCells.clear();
+    return bagOf(std::move(bare), true);
+}
+
 }  // namespace
 
 std::vector<std::string> printGmsh(const MeshFile& mesh, const MeshWriteOptions& options) {
@@ -243,7 +261,7 @@ std::vector<std::string> printGmsh(const MeshFile& mesh, const MeshWriteOptions&
     // meshio takes no values on two kinds of cells from version 2.2 (it cuts them at two).
     const bool valued = std::ranges::any_of(mesh.fields, &MeshField::perCell);
     if (mesh.made && valued && !options.boundary)
-        return {GmshPrinter(withoutBoundary(mesh), options).print2()};
+        return {GmshPrinter(withoutTriangles(mesh), options).print2()};
     return {GmshPrinter(mesh, options).print2()};
 }
 

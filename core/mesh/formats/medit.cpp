@@ -1,9 +1,11 @@
-// Medit .mesh (text): keyword, count, items; every item ends with a reference number, which becomes the field
-// "ref".
+// Medit .mesh (text): keyword, count, items; every cell and vertex ends with a reference number, which
+// becomes the field "ref" and a group. Corners, ridges and what is required are groups of these names.
 
 #include <algorithm>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/error.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -13,6 +15,37 @@ namespace {
 
 bool isKeyword(std::string_view word) {
     return !word.empty() && ((word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z'));
+}
+
+struct MeditKind {
+    std::string_view keyword;
+    CellKind kind;
+};
+constexpr MeditKind kKinds[] = {{"Edges", CellKind::Line},           {"Triangles", CellKind::Triangle},
+                                {"Quadrilaterals", CellKind::Quad},  {"Tetrahedra", CellKind::Tetrahedron},
+                                {"Hexahedra", CellKind::Hexahedron}, {"Prisms", CellKind::Wedge},
+                                {"Pyramids", CellKind::Pyramid}};
+
+/// Lists of vertices or of cells, by their numbers.
+struct MeditList {
+    std::string_view keyword;
+    int dimension;
+};
+constexpr MeditList kLists[] = {
+    {"Corners", 0},       {"RequiredVertices", 0},  {"Ridges", 1},
+    {"RequiredEdges", 1}, {"RequiredTriangles", 2}, {"RequiredQuadrilaterals", 2}};
+
+const MeditList* listNamed(std::string_view name) {
+    for (const MeditList& list : kLists)
+        if (sameWord(list.keyword, name)) return &list;
+    return nullptr;
+}
+
+/// The kinds of cell that a list counts.
+bool countsIn(const MeditList& list, CellKind kind) {
+    if (list.keyword == "RequiredTriangles") return kind == CellKind::Triangle;
+    if (list.keyword == "RequiredQuadrilaterals") return kind == CellKind::Quad;
+    return kind == CellKind::Line;
 }
 
 class MeditReader {
@@ -28,10 +61,13 @@ class MeditReader {
             section(keyword);
         }
         if (std::any_of(m_vertexRefs.begin(), m_vertexRefs.end(), [](double ref) { return ref != 0; }))
-            m_file.fields.push_back({"ref", false, 1, std::move(m_vertexRefs)});
-        m_file.fields.push_back({"ref", true, 1, m_cells.perCell(m_elementRefs, 1)});
-        m_file.labels = m_cells.boundaryLabels(m_elementRefs);
-        m_cells.moveInto(m_file);
+            m_file.fields.push_back({"ref", false, 1, std::move(m_vertexRefs), {}, Scalar::Int32});
+        addGroups(m_file, m_refs);
+        for (const auto& [list, numbers] : m_lists) takeList(*list, numbers);
+        m_file.fields.push_back({"ref", true, 1, std::move(m_refs), {}, Scalar::Int32});
+        finishCells(m_file, [this](int cell) {
+            return m_scanner.placeOf(m_offsets[static_cast<std::size_t>(cell)]);
+        });
         return std::move(m_file);
     }
 
@@ -47,14 +83,14 @@ class MeditReader {
             readDimension();
         else if (sameWord(keyword, "Vertices"))
             readVertices();
-        else if (sameWord(keyword, "Triangles"))
-            readCells(3);
-        else if (sameWord(keyword, "Quadrilaterals"))
-            readCells(4);
-        else if (sameWord(keyword, "Tetrahedra"))
-            readTetrahedra();
+        else if (const auto kind = std::ranges::find_if(
+                     kKinds, [&](const auto& one) { return sameWord(one.keyword, keyword); });
+                 kind != std::end(kKinds))
+            readCells(kind->kind);
+        else if (const MeditList* list = listNamed(keyword))
+            readList(*list);
         else
-            passOver(keyword);
+            passOver(std::string(keyword));
     }
     void readDimension() {
         m_dimension = m_scanner.integer("the dimension");
@@ -77,47 +113,61 @@ class MeditReader {
                            std::to_string(m_file.points.cols()));
         return static_cast<int>(number - 1);
     }
-    int reference() {
-        m_elementRefs.push_back(m_scanner.real("a reference"));
-        return static_cast<int>(m_elementRefs.size()) - 1;
-    }
-    void readCells(int corners) {
+    void readCells(CellKind kind) {
+        const auto corners = static_cast<std::size_t>(factsOf(kind).corners);
         const int count = m_scanner.count("cells", 2 * (corners + 1));
-        std::vector<int> polygon(corners);
+        std::vector<int> cell(corners);
         for (int c = 0; c < count; ++c) {
-            for (int& v : polygon) v = corner();
-            m_cells.polygon(polygon, reference());
+            m_offsets.push_back(m_scanner.offset());
+            for (int& v : cell) v = corner();
+            m_file.cells.add(kind, cell);
+            m_refs.push_back(m_scanner.real("a reference"));
         }
     }
-    void readTetrahedra() {
-        const int count = m_scanner.count("tetrahedra", 10);
-        for (int c = 0; c < count; ++c) {
-            std::array<int, 4> corners;
-            for (int& v : corners) v = corner();
-            m_cells.tetrahedron(corners, reference());
+    /// Cells may follow their list.
+    void readList(const MeditList& list) {
+        const int count = m_scanner.count("numbers", 2);
+        std::vector<std::int64_t> numbers;
+        for (int i = 0; i < count; ++i) numbers.push_back(m_scanner.integer("a number"));
+        m_lists.emplace_back(&list, std::move(numbers));
+    }
+    void takeList(const MeditList& list, const std::vector<std::int64_t>& numbers) {
+        MeshGroup group{std::string(list.keyword), list.dimension, 0, {}, {}, false};
+        std::vector<int> counted;
+        if (list.dimension == 0)
+            for (int v = 0; v < m_file.points.cols(); ++v) counted.push_back(v);
+        for (int c = 0; list.dimension > 0 && c < m_file.cells.size(); ++c)
+            if (countsIn(list, m_file.cells.kinds[static_cast<std::size_t>(c)])) counted.push_back(c);
+        auto& members = list.dimension == 0 ? group.vertices : group.cells;
+        for (const auto number : numbers) {
+            if (number < 1 || number > static_cast<std::int64_t>(counted.size()))
+                throw InputError(std::string(list.keyword) + ": names number " + std::to_string(number) +
+                                 ", but there are only " + std::to_string(counted.size()));
+            members.push_back(counted[static_cast<std::size_t>(number) - 1]);
         }
+        std::ranges::sort(members);
+        if (!members.empty()) m_file.groups.push_back(std::move(group));
     }
     /// A section without meaning here ends at the next keyword.
-    void passOver(std::string_view keyword) {
+    void passOver(const std::string& keyword) {
         const auto at = m_scanner.offset();
-        if (sameWord(keyword, "Hexahedra") || sameWord(keyword, "Prisms") || sameWord(keyword, "Pyramids"))
-            if (m_scanner.integer("a number of cells") != 0)
-                m_scanner.fail(std::string(keyword) + ": only triangles and tetrahedra are read");
         m_scanner.seek(at);
         while (!m_scanner.atEnd()) {
             const auto before = m_scanner.offset();
             if (isKeyword(m_scanner.word("a keyword"))) {
                 m_scanner.seek(before);
-                return;
+                break;
             }
         }
+        m_file.notices.push_back("its section " + inQuotes(keyword));
     }
 
     Scanner m_scanner;
     std::int64_t m_dimension = 0;
     MeshFile m_file;
-    CellCollector m_cells;
-    std::vector<double> m_vertexRefs, m_elementRefs;
+    std::vector<double> m_vertexRefs, m_refs;  // of vertices and cells
+    std::vector<std::size_t> m_offsets;        // of cells
+    std::vector<std::pair<const MeditList*, std::vector<std::int64_t>>> m_lists;
 };
 
 const MeshField* vertexRefs(const MeshFile& mesh) {
@@ -127,25 +177,43 @@ const MeshField* vertexRefs(const MeshFile& mesh) {
     return nullptr;
 }
 
-template <std::size_t N>
-void printCells(TextWriter& out, const char* keyword, const std::vector<std::array<int, N>>& cells,
-                const MeshField* refs) {
-    if (cells.empty()) return;
-    out << keyword << '\n' << cells.size() << '\n';
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        for (int v : cells[c]) out << v + 1 << ' ';
-        out << tagOf(refs, static_cast<int>(c), 0) << '\n';
+void printCells(TextWriter& out, const MeditKind& kind, const MeshFile& mesh,
+                const std::vector<long>& references) {
+    const auto count = std::ranges::count(mesh.cells.kinds, kind.kind);
+    if (count == 0) return;
+    out << kind.keyword << '\n' << count << '\n';
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        if (mesh.cells.kinds[static_cast<std::size_t>(c)] != kind.kind) continue;
+        for (const int v : mesh.cells[c]) out << v + 1 << ' ';
+        out << references[static_cast<std::size_t>(c)] << '\n';
     }
 }
 
+void printList(TextWriter& out, const MeditList& list, const MeshGroup& group, const MeshFile& mesh) {
+    std::vector<int> numbers;
+    for (const int v : group.vertices) numbers.push_back(v + 1);
+    int number = 0;
+    for (int c = 0; c < mesh.cells.size() && list.dimension > 0; ++c) {
+        if (!countsIn(list, mesh.cells.kinds[static_cast<std::size_t>(c)])) continue;
+        ++number;
+        if (std::ranges::binary_search(group.cells, c)) numbers.push_back(number);
+    }
+    if (numbers.empty()) return;
+    out << list.keyword << '\n' << numbers.size() << '\n';
+    for (const int one : numbers) out << one << '\n';
+}
+
 }  // namespace
+
+bool isMeditList(std::string_view name) {
+    return listNamed(name) != nullptr;
+}
 
 MeshFile readMedit(std::span<const MeshSource> files) {
     return MeditReader(files[0].bytes).read();
 }
 
 std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions&) {
-    const auto* refs = cellField(mesh, {"ref", "physical", "entity", "attribute"});
     const auto* ofVertices = vertexRefs(mesh);
     TextWriter out;
     // in three dimensions always: Gmsh does not read flat ones
@@ -154,12 +222,10 @@ std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions
         for (int k = 0; k < 3; ++k) out << mesh.points(k, v) << ' ';
         out << tagOf(ofVertices, static_cast<int>(v), 0) << '\n';
     }
-    const auto labels = labelField(mesh);
-    printCells(out, "Triangles", mesh.triangles,
-               mesh.tetrahedra.empty() ? refs
-               : labels                ? &*labels
-                                       : nullptr);
-    printCells(out, "Tetrahedra", mesh.tetrahedra, refs);
+    const std::vector<long> references = groupNumbers(mesh);
+    for (const MeditKind& kind : kKinds) printCells(out, kind, mesh, references);
+    for (const MeshGroup& group : mesh.groups)
+        if (const MeditList* list = listNamed(group.name)) printList(out, *list, group, mesh);
     out << "End\n";
     return {std::move(out.text())};
 }

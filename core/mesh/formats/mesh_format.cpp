@@ -4,7 +4,8 @@
 
 #include "core/mesh/error.h"
 #include "core/mesh/formats/boundary_values.h"
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/lost_parts.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/scanner.h"
 
 namespace wend::formats {
@@ -24,6 +25,11 @@ void requireIndices(const std::vector<std::array<int, N>>& cells, Eigen::Index v
 void requireFields(const MeshFile& file) {
     for (const auto& field : file.fields) {
         const auto count = field.perCell ? cellCount(file) : file.points.cols();
+        if (!field.ofCells.empty() && field.ofCells.size() != static_cast<std::size_t>(file.cells.size()) *
+                                                                  static_cast<std::size_t>(field.components))
+            throw InputError("the field " + inQuotes(field.name) + " has " +
+                             std::to_string(field.ofCells.size()) + " values for the " +
+                             std::to_string(file.cells.size()) + " cells of the file");
         if (field.components < 1 ||
             static_cast<Eigen::Index>(field.values.size()) != count * field.components)
             throw InputError("the field " + inQuotes(field.name) + " has " +
@@ -48,6 +54,10 @@ void requireSound(const MeshFile& file) {
             throw InputError("vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
     requireIndices(file.triangles, file.points.cols(), "triangle");
     requireIndices(file.tetrahedra, file.points.cols(), "tetrahedron");
+    for (const int v : file.cells.nodes)
+        if (v < 0 || v >= file.points.cols())
+            throw InputError("a cell names vertex " + std::to_string(v) + ", but there are only " +
+                             std::to_string(file.points.cols()) + " (counted from 0)");
     requireFields(file);
 }
 
@@ -67,21 +77,134 @@ MeshFile asWritten(const MeshFile& mesh, const MeshFormat& format, const MeshWri
     return mesh.made && !format.withBoundary && !options.boundary ? withoutBoundary(std::move(file)) : file;
 }
 
+/// Triangles first: Gmsh numbers elements so.
+MeshFile bagFor(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options) {
+    return bagOf(asWritten(mesh, format, options), format.print == printGmsh);
+}
+
+constexpr CellKind kFirstOfSpace = CellKind::Tetrahedron;
+
+bool holdsFaces(CellKind kind) {
+    return kind == CellKind::Triangle || kind == CellKind::Quad || kind == CellKind::Polygon;
+}
+bool holdsFacesAndLines(CellKind kind) {
+    return holdsFaces(kind) || kind == CellKind::Line;
+}
+bool holdsObj(CellKind kind) {
+    return holdsFacesAndLines(kind) || kind == CellKind::PolyLine || kind == CellKind::Vertex;
+}
+bool holdsOff(CellKind kind) {
+    return holdsFacesAndLines(kind) || kind == CellKind::PolyVertex;
+}
+bool holdsTriangles(CellKind kind) {
+    return kind == CellKind::Triangle;
+}
+bool holdsAll(CellKind) {
+    return true;
+}
+bool holdsTetgen(CellKind kind) {
+    return kind == CellKind::Triangle || kind == CellKind::Tetrahedron || kind == CellKind::Line;
+}
+/// Lines, faces of three and four corners and cells of space, without nodes between the corners.
+bool holdsLinear(CellKind kind) {
+    return kind == CellKind::Line || kind == CellKind::Triangle || kind == CellKind::Quad ||
+           (kind >= kFirstOfSpace && linearKind(kind) == kind);
+}
+bool holdsUcd(CellKind kind) {
+    return holdsLinear(kind) || kind == CellKind::Vertex;
+}
+bool holdsGmsh(CellKind kind) {
+    return factsOf(kind).corners > 0;
+}
+bool holdsAbaqus(CellKind kind) {
+    return holdsGmsh(kind) && kind != CellKind::Vertex && kind != CellKind::Quad9 &&
+           kind != CellKind::Pyramid13 && kind != CellKind::Wedge18 && kind != CellKind::Hexahedron27;
+}
+bool holdsNastran(CellKind kind) {
+    return holdsGmsh(kind) && kind != CellKind::Vertex && kind != CellKind::Line3 &&
+           kind != CellKind::Quad9 && kind != CellKind::Wedge18 && kind != CellKind::Hexahedron27;
+}
+
+/// AVS UCD and Abaqus share an extension: a file of Abaqus begins with a keyword or a comment.
+const MeshFormat& formatOfContent(const MeshFormat& format, const MeshSource& source) {
+    if (format.read != readAbaqus) return format;
+    const auto first = source.bytes.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos || source.bytes[first] == '*') return format;
+    for (const MeshFormat& other : meshFormats())
+        if (other.read == readUcd) return other;
+    return format;
+}
+
 }  // namespace
 
 const std::vector<MeshFormat>& meshFormats() {
+    using enum GroupsHeld;
     static const std::vector<MeshFormat> formats = {
-        // name, extensions, together, tetrahedra, withBoundary, fields, binary; reader, printer
-        {{"Wavefront OBJ", {".obj"}, false, false, false, false, false}, readObj, printObj},
-        {{"PLY", {".ply"}, false, false, false, true, true}, readPly, printPly},
-        {{"OFF", {".off"}, false, false, false, false, false}, readOff, printOff},
-        {{"STL", {".stl"}, false, false, false, false, true}, readStl, printStl},
-        {{"VTU (ParaView)", {".vtu"}, false, true, false, true, true}, readVtu, printVtu},
-        {{"VTK", {".vtk"}, false, true, false, true, true}, readVtk, printVtk},
-        {{"Medit", {".mesh"}, false, true, true, false, false}, readMedit, printMedit},
-        {{"Gmsh", {".msh"}, false, true, true, true, true}, readGmsh, printGmsh},
-        {{"AVS UCD", {".inp"}, false, true, false, true, false}, readUcd, printUcd},
-        {{"TetGen", {".node", ".ele"}, true, true, false, false, false}, readTetgen, printTetgen},
+        // name, extensions, together, tetrahedra, withBoundary, fields, binary; article, reader, printer,
+        // cells,
+        // groups, texture, colours, fields of the file
+        {{"Wavefront OBJ", {".obj"}, 1, false, false, false, false},
+         "a ",
+         readObj,
+         printObj,
+         holdsObj,
+         All,
+         true,
+         true},
+        {{"PLY", {".ply"}, 1, false, false, true, true},
+         "a ",
+         readPly,
+         printPly,
+         holdsFacesAndLines,
+         Numbers,
+         true,
+         true},
+        {{"OFF", {".off"}, 1, false, false, false, false}, "an ", readOff, printOff, holdsOff},
+        {{"STL", {".stl"}, 1, false, false, false, true}, "an ", readStl, printStl, holdsTriangles, Names},
+        {{"VTU (ParaView)", {".vtu"}, 1, true, false, true, true},
+         "a ",
+         readVtu,
+         printVtu,
+         holdsAll,
+         Numbers,
+         true,
+         true,
+         true},
+        {{"VTK", {".vtk"}, 1, true, false, true, true},
+         "a ",
+         readVtk,
+         printVtk,
+         holdsAll,
+         Numbers,
+         true,
+         true,
+         true},
+        {{"Medit", {".mesh"}, 1, true, true, false, false}, "a ", readMedit, printMedit, holdsLinear, Lists},
+        {{"Gmsh", {".msh"}, 1, true, true, true, true}, "a ", readGmsh, printGmsh, holdsGmsh, All},
+        {{"Abaqus", {".inp"}, 1, true, true, false, false},
+         "an ",
+         readAbaqus,
+         printAbaqus,
+         holdsAbaqus,
+         Sets},
+        {{"Nastran", {".bdf", ".nas"}, 1, true, true, false, false},
+         "a ",
+         readNastran,
+         printNastran,
+         holdsNastran,
+         Numbers},
+        {{"AVS UCD", {".avs", ".ucd"}, 1, true, false, true, false},
+         "an ",
+         readUcd,
+         printUcd,
+         holdsUcd,
+         Numbers},
+        {{"TetGen", {".node", ".ele"}, 2, true, false, false, false},
+         "a ",
+         readTetgen,
+         printTetgen,
+         holdsTetgen,
+         Numbers},
     };
     return formats;
 }
@@ -100,7 +223,7 @@ const MeshFormat& formatOf(const std::string& path) {
 
 MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files) {
     try {
-        MeshFile file = format.read(files);
+        MeshFile file = formatOfContent(format, files[0]).read(files);
         requireSound(file);
         return file;
     } catch (const InputError& error) {
@@ -112,8 +235,15 @@ std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options) {
     requireSound(mesh);
     requireCarriable(format, mesh);
-    if (!mesh.made && !options.boundary) return format.print(mesh, options);
-    return format.print(asWritten(mesh, format, options), options);
+    return format.print(asHeld(format, bagFor(format, mesh, options)), options);
+}
+
+std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options) {
+    if (mesh.made) return {};
+    MeshFormat asked = format;
+    if (format.print == printStl && options.binary()) asked.groups = GroupsHeld::None;
+    if (format.print == printGmsh && options.gmshVersion == 2) asked.groups = GroupsHeld::Names;
+    return lostParts(asked, bagFor(format, mesh, options));
 }
 
 }  // namespace wend::formats

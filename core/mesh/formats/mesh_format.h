@@ -15,13 +15,43 @@ struct MeshSource {
     std::string bytes;
 };
 
+/// What a format holds of groups.
+enum class GroupsHeld {
+    None,
+    Numbers,  // one for each cell
+    Lists,    // and Medit's lists, such as Corners
+    Names,    // one name for each cell
+    All,      // any number of groups for a cell, with names
+    Sets      // and of vertices
+};
+/// True for the names of Medit's lists.
+bool isMeditList(std::string_view name);
+
 /// One family of mesh files. To add a format: a reader and a printer in a file of their own and a row in
 /// mesh_format.cpp.
 struct MeshFormat : MeshFormatFacts {
-    /// The bytes of one file, or of one of each extension. May throw InputError without the file's name.
+    std::string_view article;  // "a " or "an "
+    /// The bytes of one file, or of one of each extension; those after the pair may be empty. May throw
+    /// InputError without the file's name.
     MeshFile (*read)(std::span<const MeshSource> files);
-    /// The bytes of one file, or of one of each extension.
-    std::vector<std::string> (*print)(const MeshFile& mesh, const MeshWriteOptions& options);
+    /// The bytes of one file, or of one of each extension, of a bag (see bagOf) of kinds that it holds.
+    std::vector<std::string> (*print)(const MeshFile& bag, const MeshWriteOptions& options);
+    bool (*holds)(CellKind kind);
+    GroupsHeld groups = GroupsHeld::None;
+    bool holdsTexture = false, holdsColours = false, holdsFileFields = false;
+
+    /// `isMain`: the group stands for some cell, see mainGroups.
+    bool holdsGroup(const MeshGroup& group, bool isMain) const {
+        if (groups >= GroupsHeld::All) return true;
+        return (groups > GroupsHeld::None && isMain) || isList(group);
+    }
+    bool holdsNames(const MeshGroup& group) const { return groups >= GroupsHeld::Names || isList(group); }
+    bool holdsNodeGroups(const MeshGroup& group) const { return groups == GroupsHeld::Sets || isList(group); }
+
+  private:
+    bool isList(const MeshGroup& group) const {
+        return groups == GroupsHeld::Lists && isMeditList(group.name);
+    }
 };
 
 const std::vector<MeshFormat>& meshFormats();
@@ -33,9 +63,9 @@ MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files
 std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options);
 
-/// Readers: return the content of the files, with the order and number of vertices and cells, all indices
-/// valid and all numbers finite. The reader of TetGen takes a .node and an .ele file, the others one. Throw
-/// InputError("", reason with line, byte or cell) for damaged content and unsupported cells.
+/// What of a mesh that was read a file of the format does not hold, in one line; empty if it holds all.
+std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options);
+
 MeshFile readObj(std::span<const MeshSource> files);
 MeshFile readPly(std::span<const MeshSource> files);
 MeshFile readOff(std::span<const MeshSource> files);
@@ -46,6 +76,8 @@ MeshFile readTetgen(std::span<const MeshSource> files);
 MeshFile readVtk(std::span<const MeshSource> files);
 MeshFile readVtu(std::span<const MeshSource> files);
 MeshFile readUcd(std::span<const MeshSource> files);
+MeshFile readAbaqus(std::span<const MeshSource> files);
+MeshFile readNastran(std::span<const MeshSource> files);
 
 /// Printers: return the bytes of one file, or of one per extension in the format's order. Numbers read back
 /// as the same doubles, or as floats in the encodings that say so. Throw InputError for cells that the format
@@ -60,5 +92,7 @@ std::vector<std::string> printTetgen(const MeshFile& mesh, const MeshWriteOption
 std::vector<std::string> printVtk(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printVtu(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printNastran(const MeshFile& mesh, const MeshWriteOptions& options);
 
 }  // namespace wend::formats

@@ -2,8 +2,10 @@
 // from the end.
 
 #include <algorithm>
+#include <map>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -11,12 +13,14 @@
 namespace wend::formats {
 namespace {
 
-/// Keywords that say nothing about positions, texture coordinates or faces.
+/// Keywords that say nothing about positions, colours, texture coordinates, cells or groups.
 constexpr std::string_view passedOver[] = {
-    "vn",     "vp",     "g",      "o",     "s",        "mg",       "l",    "p",          "usemtl",
-    "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj",
-    "cstype", "deg",    "bmat",   "step",  "curv",     "curv2",    "surf", "parm",       "trim",
-    "hole",   "scrv",   "sp",     "end",   "con",      "call",     "csh",  "ctech",      "stech"};
+    "vn",       "vp",       "s",     "mg",         "mtllib",    "usemap", "maplib", "bevel",
+    "c_interp", "d_interp", "lod",   "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",
+    "step",     "curv",     "curv2", "surf",       "parm",      "trim",   "hole",   "scrv",
+    "sp",       "end",      "con",   "call",       "csh",       "ctech",  "stech"};
+
+constexpr const char* kColours[] = {"red", "green", "blue"};
 
 struct Corner {
     std::int64_t vertex, texture;  // counted from 0; texture is −1 if there is none
@@ -25,15 +29,20 @@ struct Corner {
 
 class ObjReader {
   public:
-    explicit ObjReader(std::string_view bytes) : m_scanner(bytes, '#') {}
+    explicit ObjReader(std::string_view bytes) : m_scanner(bytes, '#') { m_scanner.joinLines(); }
 
     MeshFile read() {
         while (!m_scanner.atEnd()) statement();
-        MeshFile file;
-        file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3, vertexCount());
-        addFaces(file);
-        addTexture(file);
-        return file;
+        m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3, vertexCount());
+        addCells();
+        addTexture(m_file);
+        addColours();
+        for (MeshGroup& group : m_groups)
+            if (!group.cells.empty()) m_file.groups.push_back(std::move(group));
+        finishCells(m_file, [this](int cell) {
+            return m_scanner.placeOf(m_offsets[static_cast<std::size_t>(cell)]);
+        });
+        return std::move(m_file);
     }
 
   private:
@@ -43,14 +52,41 @@ class ObjReader {
     void statement() {
         const auto keyword = m_scanner.word("a keyword");
         if (keyword == "v")
-            numbers(m_points, {"x", "y", "z"});
+            vertex();
         else if (keyword == "vt")
             textureCoordinates();
-        else if (keyword == "f")
-            face();
+        else if (keyword == "f" || keyword == "l" || keyword == "p")
+            cell(keyword[0]);
+        else if (keyword == "g" || keyword == "o" || keyword == "usemtl")
+            group(keyword);
         else if (std::find(std::begin(passedOver), std::end(passedOver), keyword) == std::end(passedOver))
             m_scanner.fail(inQuotes(keyword) + " is no keyword of an OBJ file");
         m_scanner.line();
+    }
+    /// A colour may follow as three numbers, or a weight as one.
+    void vertex() {
+        numbers(m_points, {"x", "y", "z"});
+        std::vector<double> more;
+        while (more.size() < 4 && !m_scanner.atLineEnd()) more.push_back(m_scanner.real("a colour"));
+        if (more.size() == 4) more.erase(more.begin());
+        if (more.size() == 3) m_colours.insert(m_colours.end(), more.begin(), more.end());
+    }
+    /// "g" names all groups that follow, the others one: names with blanks.
+    void group(std::string_view keyword) {
+        const bool material = keyword == "usemtl";
+        std::erase_if(m_current, [&](std::size_t g) { return m_groups[g].material == material; });
+        while (!m_scanner.atLineEnd()) {
+            const auto name = keyword == "g" ? m_scanner.word("a group") : trimmedLine();
+            const auto [entry, isNew] = m_known.try_emplace({material, std::string(name)}, m_groups.size());
+            if (isNew) m_groups.push_back({std::string(name), 2, 0, {}, {}, material});
+            m_current.push_back(entry->second);
+            if (keyword != "g") return m_scanner.seek(m_scanner.offset() - 1);
+        }
+    }
+    /// The rest of the line; the scanner stands behind its end.
+    std::string_view trimmedLine() {
+        auto text = m_scanner.line();
+        return text.substr(0, text.find('#'));
     }
     void numbers(std::vector<double>& values, std::initializer_list<const char*> names) {
         for (const char* name : names) {
@@ -62,17 +98,19 @@ class ObjReader {
         numbers(m_textures, {"u"});
         m_textures.push_back(m_scanner.atLineEnd() ? 0 : m_scanner.finite("v"));
     }
-    void face() {
+    void cell(char kind) {
         const auto first = m_corners.size();
-        while (!m_scanner.atLineEnd()) {
-            const auto word = m_scanner.word("a corner");
-            if (word == "\\")  // the line goes on below
-                m_scanner.line();
-            else
-                m_corners.push_back(corner(word));
-        }
+        m_offsets.push_back(m_scanner.offset());
+        while (!m_scanner.atLineEnd()) m_corners.push_back(corner(m_scanner.word("a corner")));
         m_sizes.push_back(m_corners.size() - first);
-        if (m_sizes.back() < 3) m_scanner.fail("a face needs three corners");
+        m_kinds.push_back(kind);
+        if (kind == 'f' && m_sizes.back() < 3) m_scanner.fail("a face needs three corners");
+        if (kind == 'l' && m_sizes.back() < 2) m_scanner.fail("a line needs two points");
+        for (const std::size_t g : m_current)
+            if (kind == 'f') m_groups[g].cells.push_back(static_cast<int>(m_sizes.size()) - 1);
+        m_hasTexture = m_hasTexture &&
+                       (kind != 'f' || std::all_of(m_corners.begin() + static_cast<std::ptrdiff_t>(first),
+                                                   m_corners.end(), [](auto& c) { return c.texture >= 0; }));
     }
     Corner corner(std::string_view word) const {
         const auto slash = word.find('/');
@@ -96,37 +134,103 @@ class ObjReader {
         m_scanner.fail(std::to_string(index + 1) + " is named, but there are only " + std::to_string(count) +
                        things);
     }
-    void addFaces(MeshFile& file) {
-        CellCollector cells;
-        std::vector<int> polygon;
+    void addCells() {
+        std::vector<int> nodes;
         auto corner = m_corners.begin();
         for (std::size_t f = 0; f < m_sizes.size(); ++f) {
-            polygon.clear();
+            nodes.clear();
             for (std::size_t k = 0; k < m_sizes[f]; ++k, ++corner) {
                 requireDefined(corner->vertex, vertexCount(), *corner, " vertices");
                 requireDefined(corner->texture, textureCount(), *corner, " texture coordinates");
-                polygon.push_back(static_cast<int>(corner->vertex));
+                nodes.push_back(static_cast<int>(corner->vertex));
             }
-            cells.polygon(polygon, static_cast<int>(f));
+            addCell(m_kinds[f], nodes);
         }
-        cells.moveInto(file);
     }
-    /// Only if every corner has one. Vertices without a face get (0, 0).
+    void addCell(char kind, const std::vector<int>& nodes) {
+        CellList& cells = m_file.cells;
+        if (kind == 'f') return cells.addFace(nodes);
+        if (kind == 'l') return cells.add(nodes.size() == 2 ? CellKind::Line : CellKind::PolyLine, nodes);
+        cells.add(nodes.size() == 1 ? CellKind::Vertex : CellKind::PolyVertex, nodes);
+    }
+    /// Only if every vertex has one.
+    void addColours() {
+        if (m_colours.empty() || m_colours.size() != m_points.size()) return;
+        for (std::size_t k = 0; k < 3; ++k) {
+            MeshField field{kColours[k], false, 1, {}, {}, Scalar::Float32};
+            for (std::size_t at = k; at < m_colours.size(); at += 3) field.values.push_back(m_colours[at]);
+            m_file.fields.push_back(std::move(field));
+        }
+    }
+    /// Only if every corner of a face has one. Vertices without a face get (0, 0).
     void addTexture(MeshFile& file) const {
-        const bool everywhere =
-            std::all_of(m_corners.begin(), m_corners.end(), [](auto& c) { return c.texture >= 0; });
-        if (!everywhere || m_corners.empty()) return;
+        if (!m_hasTexture || std::ranges::count(m_kinds, 'f') == 0) return;
         file.uv = Eigen::Matrix2Xd::Zero(2, vertexCount());
         for (auto corner = m_corners.rbegin(); corner != m_corners.rend();
              ++corner)  // backwards: the first one stays
-            file.uv.col(corner->vertex) << m_textures[2 * corner->texture],
-                m_textures[2 * corner->texture + 1];
+            if (corner->texture >= 0)
+                file.uv.col(corner->vertex) << m_textures[2 * corner->texture],
+                    m_textures[2 * corner->texture + 1];
     }
 
     Scanner m_scanner;
-    std::vector<double> m_points, m_textures;
+    MeshFile m_file;
+    std::vector<double> m_points, m_colours, m_textures;
     std::vector<Corner> m_corners;
-    std::vector<std::size_t> m_sizes;  // corners of each face
+    std::vector<std::size_t> m_sizes, m_offsets;  // of each cell its corners and its place
+    std::vector<char> m_kinds;                    // and its keyword
+    bool m_hasTexture = true;                     // all faces so far
+    std::vector<MeshGroup> m_groups;
+    std::map<std::pair<bool, std::string>, std::size_t> m_known;  // by whether it is a material, and name
+    std::vector<std::size_t> m_current;                           // groups of the cells that follow
+};
+
+/// Colours from 0 to 1, or nothing.
+std::vector<double> coloursOf(const MeshFile& bag) {
+    std::vector<double> colours(3 * static_cast<std::size_t>(bag.points.cols()));
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto field = std::ranges::find_if(bag.fields, [&](const auto& one) {
+            return !one.perCell && one.components == 1 && one.name == kColours[k];
+        });
+        if (field == bag.fields.end()) return {};
+        const double full = field->type == Scalar::UInt8 ? 255 : 1;
+        for (std::size_t v = 0; v < field->values.size(); ++v) colours[3 * v + k] = field->values[v] / full;
+    }
+    return colours;
+}
+
+/// The lines that name the groups of each cell, where they change.
+class GroupLines {
+  public:
+    explicit GroupLines(const MeshFile& bag)
+        : m_names(static_cast<std::size_t>(bag.cells.size())), m_materials(m_names.size()) {
+        for (const MeshGroup& group : bag.groups)
+            for (const int c : group.cells) {
+                auto& names = (group.material ? m_materials : m_names)[static_cast<std::size_t>(c)];
+                if (group.material && !names.empty()) continue;
+                names += (names.empty() ? "" : " ") + nameOf(group);
+            }
+    }
+    void print(int cell, TextWriter& out) {
+        change("g ", m_names[static_cast<std::size_t>(cell)], m_name, out);
+        change("usemtl ", m_materials[static_cast<std::size_t>(cell)], m_material, out);
+    }
+
+  private:
+    static std::string nameOf(const MeshGroup& group) {
+        std::string name = group.name.empty() ? "ref_" + std::to_string(group.tag) : group.name;
+        for (char& c : name)
+            if (static_cast<unsigned char>(c) <= ' ' && !group.material) c = '_';
+        return name;
+    }
+    static void change(const char* keyword, const std::string& names, std::string& current, TextWriter& out) {
+        if (names == current) return;
+        current = names;
+        out << keyword << (names.empty() ? "default" : names) << '\n';
+    }
+
+    std::vector<std::string> m_names, m_materials;
+    std::string m_name, m_material;
 };
 
 }  // namespace
@@ -137,13 +241,23 @@ MeshFile readObj(std::span<const MeshSource> files) {
 
 std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions&) {
     TextWriter out;
-    for (const auto& p : mesh.points.colwise()) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    const std::vector<double> colours = coloursOf(mesh);
+    for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+        const auto p = mesh.points.col(v);
+        out << "v " << p.x() << ' ' << p.y() << ' ' << p.z();
+        for (std::size_t k = 0; !colours.empty() && k < 3; ++k)
+            out << ' ' << colours[3 * static_cast<std::size_t>(v) + k];
+        out << '\n';
+    }
     for (const auto& uv : mesh.uv.colwise()) out << "vt " << uv.x() << ' ' << uv.y() << '\n';
-    for (const auto& triangle : mesh.triangles) {
-        out << 'f';
-        for (int v : triangle) {
+    GroupLines groups(mesh);
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        groups.print(c, out);
+        const int dimension = mesh.cells.dimension(c);
+        out << (dimension == 2 ? 'f' : dimension == 1 ? 'l' : 'p');
+        for (const int v : mesh.cells[c]) {
             out << ' ' << v + 1;
-            if (mesh.uv.cols()) out << '/' << v + 1;
+            if (mesh.uv.cols() && dimension == 2) out << '/' << v + 1;
         }
         out << '\n';
     }

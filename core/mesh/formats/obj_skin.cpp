@@ -2,6 +2,7 @@
 
 #include "core/mesh/formats/obj_skin.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <map>
@@ -10,6 +11,7 @@
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/mesh_file.h"
 
 namespace wend::formats {
 namespace fs = std::filesystem;
@@ -102,12 +104,12 @@ void readMaterials(const fs::path& path, Skin& skin, std::map<std::string, int, 
 
 class LookReader {
   public:
-    explicit LookReader(Skin& skin) : m_skin(skin) {}
+    LookReader(const MeshFile& file, Skin& skin) : m_file(file), m_skin(skin) {}
 
     void read(const std::string& bytes) {
         eachLine(bytes, [this](std::string_view line) { statement(line.substr(0, line.find('#'))); });
-        const bool textured =
-            !m_skin.triangles.empty() && m_uvCorners.size() == m_skin.triangles.size() && !m_withoutTexture;
+        spreadOverTriangles();
+        const bool textured = !m_skin.triangles.empty() && !m_withoutTexture;
         if (textured) {
             m_skin.uv = Eigen::Map<const Eigen::Matrix2Xd>(m_uv.data(), 2,
                                                            static_cast<Eigen::Index>(m_uv.size() / 2));
@@ -143,12 +145,27 @@ class LookReader {
         }
     }
     void face(std::string_view line) {
-        std::vector<int> textures;
-        while (!line.empty()) textures.push_back(textureOf(takeWord(line)));
-        for (std::size_t k = 2; k < textures.size(); ++k) {  // the fan of CellCollector
-            m_uvCorners.push_back({textures[0], textures[k - 1], textures[k]});
-            m_materialOf.push_back(m_material);
-            m_groupOf.push_back(m_group);
+        Face face{{}, m_material, m_group};
+        while (!line.empty()) face.textures.push_back(textureOf(takeWord(line)));
+        m_faces.push_back(std::move(face));
+    }
+    /// The triangles that readObj has split each face into.
+    void spreadOverTriangles() {
+        std::vector<std::size_t> faceOf(static_cast<std::size_t>(m_file.cells.size()), 0);
+        std::size_t face = 0;
+        for (int c = 0; c < m_file.cells.size(); ++c)
+            if (m_file.cells.dimension(c) == 2) faceOf[static_cast<std::size_t>(c)] = face++;
+        for (std::size_t t = 0; t < m_skin.triangles.size(); ++t) {
+            const int cell = m_file.cellOfTriangle[t];
+            const Face& one = m_faces[faceOf[static_cast<std::size_t>(cell)]];
+            const auto nodes = m_file.cells[cell];
+            std::array<int, 3> textures;
+            for (int k = 0; k < 3; ++k)
+                textures[k] = one.textures[static_cast<std::size_t>(
+                    std::ranges::find(nodes, m_skin.triangles[t][k]) - nodes.begin())];
+            m_uvCorners.push_back(textures);
+            m_materialOf.push_back(one.material);
+            m_groupOf.push_back(one.group);
         }
     }
     int textureOf(std::string_view corner) {
@@ -172,8 +189,15 @@ class LookReader {
         if (!byMaterial) m_skin.labelNames = m_groupNames;
     }
 
+    struct Face {
+        std::vector<int> textures;  // of the corners
+        int material, group;
+    };
+
+    const MeshFile& m_file;
     Skin& m_skin;
     std::vector<double> m_uv;
+    std::vector<Face> m_faces;
     std::vector<std::array<int, 3>> m_uvCorners;
     bool m_withoutTexture = false;
     std::map<std::string, int, std::less<>> m_known;  // materials
@@ -200,8 +224,8 @@ std::string renamed(const std::string& file, const std::string& oldFolder, const
 
 }  // namespace
 
-void addObjLook(const std::string& bytes, Skin& skin) {
-    LookReader(skin).read(bytes);
+void addObjLook(const std::string& bytes, const MeshFile& file, Skin& skin) {
+    LookReader(file, skin).read(bytes);
 }
 
 std::vector<std::string> objLookFiles(const std::string& bytes, const std::string& path) {

@@ -2,11 +2,15 @@
 
 #include "core/mesh/skin.h"
 
+namespace wend {
+struct MeshFile;
+}
+
 namespace wend::formats {
 
-/// Adds the texture points of corners, materials and groups to a skin whose points and triangles readObj has
-/// found in the same bytes, so that they are known to be sound.
-void addObjLook(const std::string& bytes, Skin& skin);
+/// Adds the texture points of corners, materials and groups to the skin of a file that readObj has found in
+/// the same bytes, so that they are known to be sound.
+void addObjLook(const std::string& bytes, const MeshFile& file, Skin& skin);
 
 /// The material files that an OBJ file names, and the pictures that these name.
 std::vector<std::string> objLookFiles(const std::string& bytes, const std::string& path);

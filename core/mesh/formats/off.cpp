@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -70,23 +70,31 @@ MeshFile readOff(std::span<const MeshSource> files) {
         for (double& coordinate : p) coordinate = scanner.finite("a coordinate");
         if (decorated) scanner.line();
     }
-    CellCollector cells;
     std::vector<int> polygon;
+    std::vector<std::size_t> offsets;
     for (int f = 0; f < faceCount || !scanner.atEnd(); ++f) {
         polygon.resize(scanner.count("corners", 2));
+        offsets.push_back(scanner.offset());
         for (int& corner : polygon) corner = readCorner(scanner, vertexCount);
-        cells.polygon(polygon, f);
+        if (polygon.size() >= 3)
+            file.cells.addFace(polygon);
+        else
+            file.cells.add(polygon.size() == 2 ? CellKind::Line : CellKind::PolyVertex, polygon);
         scanner.line();  // a colour may follow
     }
-    cells.moveInto(file);
+    finishCells(file, [&](int cell) { return scanner.placeOf(offsets[static_cast<std::size_t>(cell)]); });
     return file;
 }
 
 std::vector<std::string> printOff(const MeshFile& mesh, const MeshWriteOptions&) {
     TextWriter out;
-    out << "OFF\n" << mesh.points.cols() << ' ' << mesh.triangles.size() << " 0\n";
+    out << "OFF\n" << mesh.points.cols() << ' ' << mesh.cells.size() << " 0\n";
     for (const auto& p : mesh.points.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-    for (const auto& [a, b, c] : mesh.triangles) out << "3 " << a << ' ' << b << ' ' << c << '\n';
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        out << mesh.cells[c].size();
+        for (const int v : mesh.cells[c]) out << ' ' << v;
+        out << '\n';
+    }
     return {std::move(out.text())};
 }
 

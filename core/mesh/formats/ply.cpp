@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "core/mesh/error.h"
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -20,6 +21,7 @@ struct Property {
     std::vector<double> values;       // of single properties: one per item
 
     bool isCorners() const { return countType && (name == "vertex_indices" || name == "vertex_index"); }
+    bool isTexture() const { return countType && name == "texcoord"; }
 };
 
 struct Element {
@@ -37,6 +39,7 @@ struct Element {
 struct Polygons {
     std::vector<std::int64_t> corners;  // of all faces, one behind the other
     std::vector<int> sizes;
+    std::vector<double> texture;  // "texcoord": u and v of each corner
 };
 
 std::optional<Scalar> scalarNamed(std::string_view name) {
@@ -65,6 +68,13 @@ class PlyReader {
         MeshFile file;
         takeVertices(file);
         takeFaces(file);
+        takeEdges(file);
+        for (const Element& other : m_elements)
+            if (other.name != "vertex" && other.name != "face" && other.name != "edge" && other.count > 0)
+                file.notices.push_back("the " + std::to_string(other.count) + " items of its element " +
+                                       inQuotes(other.name));
+        addGroupsOfFields(file);
+        finishCells(file, [](int cell) { return "face " + std::to_string(cell); });
         return file;
     }
 
@@ -141,10 +151,12 @@ class PlyReader {
     }
     void readList(const Property& property, Scalar countType, bool ofFace, NumberReader& numbers) {
         const int size = numbers.count(countType, "list entries", 1, property.type);
-        const bool wanted = ofFace && property.isCorners();
+        const bool wanted = ofFace && property.isCorners(), texture = ofFace && property.isTexture();
         if (wanted) m_polygons.sizes.push_back(size);
         for (int k = 0; k < size; ++k) {
-            if (!wanted)
+            if (texture)
+                m_polygons.texture.push_back(numbers.real(property.type, "a texture coordinate"));
+            else if (!wanted)
                 numbers.real(property.type, "a list entry");
             else
                 m_polygons.corners.push_back(numbers.integer(property.type, "a vertex number"));
@@ -175,27 +187,54 @@ class PlyReader {
         }
         for (const auto& property : vertices.properties)
             if (!property.countType && std::find(taken.begin(), taken.end(), &property) == taken.end())
-                file.fields.push_back({property.name, false, 1, property.values});
+                file.fields.push_back({property.name, false, 1, property.values, {}, property.type});
     }
     void takeFaces(MeshFile& file) {
         if (element("tristrips")) m_scanner.fail("its triangles are in strips, which are not read");
         if (!element("face")) return;  // points alone
         const Element& faces = *element("face");
-        CellCollector cells;
         std::vector<int> polygon;
         std::size_t at = 0;
         for (std::size_t f = 0; f < m_polygons.sizes.size(); ++f) {
             polygon.clear();
             for (int k = 0; k < m_polygons.sizes[f]; ++k)
                 polygon.push_back(corner(m_polygons.corners[at++], f, file));
-            cells.polygon(polygon, static_cast<int>(f));
+            if (polygon.size() >= 3)
+                file.cells.addFace(polygon);
+            else
+                file.cells.add(polygon.size() == 2 ? CellKind::Line : CellKind::PolyVertex, polygon);
         }
         if (static_cast<std::int64_t>(m_polygons.sizes.size()) != faces.count)
             m_scanner.fail("the faces have no list of vertex_indices, or several");
         for (const auto& property : faces.properties)
             if (!property.countType)
-                file.fields.push_back({property.name, true, 1, cells.perCell(property.values, 1)});
-        cells.moveInto(file);
+                file.fields.push_back({property.name, true, 1, property.values, {}, property.type});
+            else if (property.isTexture() && m_polygons.texture.size() == 2 * m_polygons.corners.size())
+                takeTexture(file);
+            else if (!property.isCorners())
+                file.notices.push_back("the lists " + inQuotes(property.name) + " of its faces");
+    }
+    /// Of every corner: of a vertex the first one counts.
+    void takeTexture(MeshFile& file) const {
+        if (file.uv.cols() > 0) return;
+        file.uv = Eigen::Matrix2Xd::Zero(2, file.points.cols());
+        for (std::size_t k = m_polygons.corners.size(); k-- > 0;)
+            file.uv.col(m_polygons.corners[k]) << m_polygons.texture[2 * k], m_polygons.texture[2 * k + 1];
+    }
+    /// Lines between vertices.
+    void takeEdges(MeshFile& file) {
+        const Element* edges = element("edge");
+        if (!edges || edges->count == 0) return;
+        const auto *first = edges->find("vertex1"), *second = edges->find("vertex2");
+        if (!first || !second) m_scanner.fail("the edges have no vertex1 and vertex2");
+        for (std::size_t e = 0; e < first->values.size(); ++e)
+            file.cells.add(CellKind::Line, std::array{corner(whole(first->values[e]), e, file),
+                                                      corner(whole(second->values[e]), e, file)});
+        for (MeshField& field : file.fields)
+            if (field.perCell) field.values.resize(field.values.size() + first->values.size(), 0);
+    }
+    static std::int64_t whole(double value) {
+        return std::abs(value) < 4e9 ? static_cast<std::int64_t>(value) : -1;
     }
     int corner(std::int64_t index, std::size_t face, const MeshFile& file) const {
         if (index < 0 || index >= file.points.cols())
@@ -220,12 +259,41 @@ std::string propertyName(const MeshField& field, int component) {
     return field.components == 1 ? name : name + "_" + std::to_string(component);
 }
 
+/// PLY has no whole numbers of eight bytes.
+Scalar typeHeld(Scalar type) {
+    return type == Scalar::Int64 || type == Scalar::UInt64 ? Scalar::Float64 : type;
+}
+
+std::string_view typeName(Scalar type) {
+    switch (typeHeld(type)) {
+        case Scalar::Int8:
+            return "char";
+        case Scalar::UInt8:
+            return "uchar";
+        case Scalar::Int16:
+            return "short";
+        case Scalar::UInt16:
+            return "ushort";
+        case Scalar::Int32:
+            return "int";
+        case Scalar::UInt32:
+            return "uint";
+        case Scalar::Float32:
+            return "float";
+        default:
+            return "double";
+    }
+}
+
 class PlyPrinter {
   public:
     PlyPrinter(const MeshFile& mesh, const MeshWriteOptions& options)
         : m_mesh(mesh),
           m_binary(options.binary()),
-          m_order(options.bigEndian ? std::endian::big : std::endian::little) {}
+          m_order(options.bigEndian ? std::endian::big : std::endian::little) {
+        for (int c = 0; c < mesh.cells.size(); ++c)
+            m_manyCorners = m_manyCorners || mesh.cells[c].size() > 255;
+    }
 
     std::string print() {
         header();
@@ -234,11 +302,18 @@ class PlyPrinter {
             for (Eigen::Index k = 0; m_mesh.uv.cols() && k < 2; ++k) number(m_mesh.uv(k, v));
             endItem(false, static_cast<std::size_t>(v));
         }
-        for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
-            whole(3, Scalar::UInt8);
-            for (int v : m_mesh.triangles[t]) whole(v, Scalar::Int32);
-            endItem(true, t);
-        }
+        for (const bool lines : {false, true})
+            for (int c = 0; c < m_mesh.cells.size(); ++c) {
+                if ((m_mesh.cells.dimension(c) == 1) != lines) continue;
+                if (!lines)
+                    whole(static_cast<int>(m_mesh.cells[c].size()),
+                          m_manyCorners ? Scalar::Int32 : Scalar::UInt8);
+                for (const int v : m_mesh.cells[c]) whole(v, Scalar::Int32);
+                if (lines)
+                    endLine();
+                else
+                    endItem(true, static_cast<std::size_t>(c));
+            }
         return std::move(m_out.text());
     }
 
@@ -250,20 +325,32 @@ class PlyPrinter {
         for (const char* name : {"x", "y", "z"}) m_out << "property double " << name << '\n';
         if (m_mesh.uv.cols()) m_out << "property double s\nproperty double t\n";
         fieldNames(false);
-        m_out << "element face " << m_mesh.triangles.size() << "\nproperty list uchar int vertex_indices\n";
+        const auto lines = std::ranges::count(m_mesh.cells.kinds, CellKind::Line);
+        m_out << "element face " << m_mesh.cells.size() - lines << "\nproperty list "
+              << (m_manyCorners ? "int" : "uchar") << " int vertex_indices\n";
         fieldNames(true);
+        if (lines > 0) m_out << "element edge " << lines << "\nproperty int vertex1\nproperty int vertex2\n";
         m_out << "end_header\n";
     }
     void fieldNames(bool perCell) {
         for (const auto& field : m_mesh.fields)
             for (int k = 0; field.perCell == perCell && k < field.components; ++k)
-                m_out << "property double " << propertyName(field, k) << '\n';
+                m_out << "property " << typeName(field.type) << ' ' << propertyName(field, k) << '\n';
     }
     void endItem(bool perCell, std::size_t item) {
         for (const auto& field : m_mesh.fields)
             for (int k = 0; field.perCell == perCell && k < field.components; ++k)
-                number(field.values[item * field.components + k]);
+                value((perCell ? field.ofCells : field.values)[item * field.components + k], field.type);
+        endLine();
+    }
+    void endLine() {
         if (!m_binary) m_out.text().back() = '\n';
+    }
+    void value(double value, Scalar type) {
+        if (m_binary)
+            appendReal(m_out.text(), value, typeHeld(type), m_order);
+        else
+            m_out << value << ' ';
     }
     void number(double value) {
         if (m_binary)
@@ -281,6 +368,7 @@ class PlyPrinter {
     const MeshFile& m_mesh;
     bool m_binary;
     std::endian m_order;
+    bool m_manyCorners = false;  // more than a byte counts
     TextWriter m_out;
 };
 

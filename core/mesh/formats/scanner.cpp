@@ -27,10 +27,28 @@ Scanner::Scanner(std::string_view bytes, char comment) : m_bytes(bytes), m_comme
     if (bytes.starts_with("\xef\xbb\xbf")) m_at = 3;  // a byte order mark
 }
 
+std::size_t Scanner::joint(std::size_t at) const {
+    if (!m_joinsLines || m_bytes[at] != '\\') return 0;
+    std::size_t end = at + 1;
+    while (end < m_bytes.size() && isBlank(m_bytes[end])) ++end;
+    return end < m_bytes.size() && m_bytes[end] == '\n' ? end + 1 - at : 0;
+}
+
+std::size_t Scanner::lineEnd(std::size_t at) const {
+    std::size_t end = std::min(m_bytes.find('\n', at), m_bytes.size());
+    if (!m_joinsLines) return end;
+    for (;;) {
+        std::size_t last = end;
+        while (last > at && isBlank(m_bytes[last - 1])) --last;
+        if (end == m_bytes.size() || last == at || m_bytes[last - 1] != '\\') return end;
+        end = std::min(m_bytes.find('\n', end + 1), m_bytes.size());
+    }
+}
+
 void Scanner::skipBlanks() {
-    while (m_at < m_bytes.size() && isBlank(m_bytes[m_at])) ++m_at;
-    if (m_comment && m_at < m_bytes.size() && m_bytes[m_at] == m_comment)
-        m_at = std::min(m_bytes.find('\n', m_at), m_bytes.size());
+    while (m_at < m_bytes.size() && (isBlank(m_bytes[m_at]) || joint(m_at) > 0))
+        m_at += std::max<std::size_t>(1, joint(m_at));
+    if (m_comment && m_at < m_bytes.size() && m_bytes[m_at] == m_comment) m_at = lineEnd(m_at);
 }
 
 bool Scanner::atLineEnd() {
@@ -63,7 +81,8 @@ std::string_view Scanner::word(const char* what) {
         fail(std::string("the file ends where ") + what + " is expected");
     }
     m_taken = m_at;
-    while (m_at < m_bytes.size() && !isSpace(m_bytes[m_at]) && !(m_comment && m_bytes[m_at] == m_comment))
+    while (m_at < m_bytes.size() && !isSpace(m_bytes[m_at]) && !(m_comment && m_bytes[m_at] == m_comment) &&
+           joint(m_at) == 0)
         ++m_at;
     return m_bytes.substr(m_taken, m_at - m_taken);
 }
@@ -78,7 +97,7 @@ std::string_view Scanner::wordOnLine(const char* what) {
 
 std::string_view Scanner::line() {
     m_taken = m_at;
-    const auto end = std::min(m_bytes.find('\n', m_at), m_bytes.size());
+    const auto end = lineEnd(m_at);
     auto text = m_bytes.substr(m_at, end - m_at);
     m_at = std::min(end + 1, m_bytes.size());
     while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
@@ -142,11 +161,11 @@ void Scanner::seek(std::size_t offset) {
     m_taken = m_at = std::min(offset, m_bytes.size());
 }
 
-std::string Scanner::place() const {
-    if (m_byOffset) return "byte offset " + std::to_string(m_taken);
+std::string Scanner::placeOf(std::size_t offset) const {
+    if (m_byOffset) return "byte offset " + std::to_string(offset);
     // an error at the very end belongs to the last line that has something on it
-    auto before = m_bytes.substr(0, m_taken);
-    if (m_taken == m_bytes.size())
+    auto before = m_bytes.substr(0, offset);
+    if (offset == m_bytes.size())
         while (!before.empty() && isSpace(before.back())) before.remove_suffix(1);
     return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
 }

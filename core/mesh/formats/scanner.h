@@ -50,19 +50,28 @@ class Scanner {
     std::size_t remaining() const { return m_bytes.size() - m_at; }
     /// Continues there; it becomes the place of errors.
     void seek(std::size_t offset);
+    /// Errors have this place from now on; reading goes on where it was.
+    void mark(std::size_t offset) { m_taken = offset; }
     void placesAreOffsets() { m_byOffset = true; }
+    /// A line that ends in a backslash goes on in the next: both are one from now on.
+    void joinLines() { m_joinsLines = true; }
+    /// The place of errors of what begins there.
+    std::string placeOf(std::size_t offset) const;
     /// Throws with the place of what was taken last.
     [[noreturn]] void fail(const std::string& what) const;
 
   private:
     void skipBlanks();
-    std::string place() const;
+    /// How long a backslash with the end of its line is here; 0 if there is none.
+    std::size_t joint(std::size_t at) const;
+    std::size_t lineEnd(std::size_t at) const;
+    std::string place() const { return placeOf(m_taken); }
 
     std::string_view m_bytes;
     std::size_t m_at = 0;
     std::size_t m_taken = 0;  // where the last thing taken began
     char m_comment;
-    bool m_byOffset = false;
+    bool m_byOffset = false, m_joinsLines = false;
 };
 
 /// Numbers that follow each other as text or as bytes: what the formats with both encodings have in common.

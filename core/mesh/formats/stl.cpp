@@ -2,8 +2,11 @@
 // bytes of header.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -51,7 +54,19 @@ void readFacetText(Scanner& scanner, VertexMerger& vertices, MeshFile& file) {
     }
     expect(scanner, "endloop");
     expect(scanner, "endfacet");
-    file.triangles.push_back(corners);
+    file.cells.add(CellKind::Triangle, corners);
+}
+
+/// A group for a solid, if it has a name or is not the only one.
+void addSolids(const std::vector<std::pair<std::string, int>>& solids, MeshFile& file) {
+    if (solids.size() < 2 && (solids.empty() || solids[0].first.empty())) return;
+    int first = 0;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        MeshGroup group{solids[i].first, 2, 0, {}, {}, false};
+        if (group.name.empty()) group.name = "solid " + std::to_string(i + 1);
+        for (; first < solids[i].second; ++first) group.cells.push_back(first);
+        if (!group.cells.empty()) file.groups.push_back(std::move(group));
+    }
 }
 
 /// One or more "solid NAME … endsolid NAME".
@@ -59,9 +74,11 @@ MeshFile readText(std::string_view bytes) {
     Scanner scanner(bytes);
     VertexMerger vertices;
     MeshFile file;
+    std::vector<std::pair<std::string, int>> solids;  // names, and where their triangles end
     while (!scanner.atEnd()) {
         expect(scanner, "solid");
-        scanner.line();
+        auto name = scanner.line();
+        name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
         for (;;) {
             const auto word = scanner.word("facet or endsolid");
             if (sameWord(word, "endsolid")) break;
@@ -70,8 +87,11 @@ MeshFile readText(std::string_view bytes) {
             readFacetText(scanner, vertices, file);
         }
         scanner.line();
+        solids.emplace_back(name, file.cells.size());
     }
+    addSolids(solids, file);
     file.points = vertices.points();
+    finishCells(file);
     return file;
 }
 
@@ -86,17 +106,22 @@ MeshFile readBinary(std::string_view bytes) {
                      " facets, but the file's length does not fit");
     VertexMerger vertices;
     MeshFile file;
-    file.triangles.resize(count);
-    for (auto& triangle : file.triangles) {
+    MeshField attribute{"attribute", true, 1, {}, {}, Scalar::UInt16};
+    for (int t = 0; t < count; ++t) {
         scanner.raw(12, "a normal");
+        std::array<int, 3> triangle;
         for (int& corner : triangle) {
             std::array<double, 3> p;
             for (double& coordinate : p) coordinate = numbers.finite(Scalar::Float32, "a coordinate");
             corner = vertices.add(p);
         }
-        scanner.raw(2, "an attribute");
+        file.cells.add(CellKind::Triangle, triangle);
+        attribute.values.push_back(numbers.real(Scalar::UInt16, "an attribute"));
     }
     file.points = vertices.points();
+    const bool none = std::ranges::all_of(attribute.values, [](double value) { return value == 0; });
+    if (!none) file.fields.push_back(std::move(attribute));
+    finishCells(file);
     return file;
 }
 
@@ -112,33 +137,56 @@ Eigen::Vector3d normalOf(const MeshFile& mesh, const std::array<int, 3>& t) {
     return (b - a).cross(c - a).stableNormalized();
 }
 
-std::string printText(const MeshFile& mesh) {
-    TextWriter out;
-    out << "solid wend\n";
-    for (const auto& triangle : mesh.triangles) {
-        const auto n = normalOf(mesh, triangle);
-        out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\n outer loop\n";
-        for (int v : triangle) {
-            const auto p = mesh.points.col(v);
-            out << "  vertex " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-        }
-        out << " endloop\nendfacet\n";
+void printFacet(const MeshFile& mesh, const std::array<int, 3>& triangle, TextWriter& out) {
+    const auto n = normalOf(mesh, triangle);
+    out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\n outer loop\n";
+    for (const int v : triangle) {
+        const auto p = mesh.points.col(v);
+        out << "  vertex " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     }
-    out << "endsolid wend\n";
+    out << " endloop\nendfacet\n";
+}
+
+std::array<int, 3> triangleOf(const MeshFile& mesh, int c) {
+    const auto nodes = mesh.cells[c];
+    return {nodes[0], nodes[1], nodes[2]};
+}
+
+/// A solid for each run of triangles of one group.
+std::string printText(const MeshFile& mesh) {
+    const std::vector<int> groups = mainGroups(mesh);
+    const auto nameOf = [&](int group) {
+        if (group < 0) return std::string("wend");
+        const MeshGroup& one = mesh.groups[static_cast<std::size_t>(group)];
+        return one.name.empty() ? std::to_string(one.tag) : one.name;
+    };
+    TextWriter out;
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        const int group = groups[static_cast<std::size_t>(c)];
+        const bool first = c == 0 || groups[static_cast<std::size_t>(c) - 1] != group;
+        if (first && c > 0) out << "endsolid " << nameOf(groups[static_cast<std::size_t>(c) - 1]) << '\n';
+        if (first) out << "solid " << nameOf(group) << '\n';
+        printFacet(mesh, triangleOf(mesh, c), out);
+    }
+    out << "endsolid " << nameOf(groups.empty() ? -1 : groups.back()) << '\n';
     return std::move(out.text());
 }
 
 std::string printBinary(const MeshFile& mesh) {
     std::string out = "binary STL";  // must not begin with "solid"
     out.resize(headerSize - 4, ' ');
-    appendInteger(out, static_cast<std::int64_t>(mesh.triangles.size()), Scalar::UInt32, std::endian::little);
+    appendInteger(out, mesh.cells.size(), Scalar::UInt32, std::endian::little);
     const auto append = [&](const Eigen::Vector3d& p) {
         for (double value : p) appendReal(out, value, Scalar::Float32, std::endian::little);
     };
-    for (const auto& triangle : mesh.triangles) {
+    const MeshField* attribute = cellField(mesh, {"attribute"});
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        const auto triangle = triangleOf(mesh, c);
         append(normalOf(mesh, triangle));
-        for (int v : triangle) append(mesh.points.col(v));
-        appendInteger(out, 0, Scalar::UInt16, std::endian::little);
+        for (const int v : triangle) append(mesh.points.col(v));
+        const double value = attribute ? attribute->ofCells[static_cast<std::size_t>(c)] : 0;
+        appendInteger(out, value >= 0 && value < 65536 ? std::lround(value) : 0, Scalar::UInt16,
+                      std::endian::little);
     }
     return out;
 }

@@ -1,8 +1,12 @@
 // TetGen and Triangle: .node (points, attributes, a marker) and .ele (cells, attributes), counted from 0 or
-// from 1.
+// from 1; beside them maybe .face and .edge (corners, a marker).
+
+#include <algorithm>
+#include <optional>
 
 #include "core/mesh/error.h"
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -72,28 +76,87 @@ int readCorner(Scanner& scanner, const Nodes& nodes) {
     return static_cast<int>(index);
 }
 
+std::optional<CellKind> elementKind(std::int64_t corners) {
+    if (corners == 3) return CellKind::Triangle;
+    if (corners == 4) return CellKind::Tetrahedron;
+    if (corners == 6) return CellKind::Triangle6;
+    if (corners == 10) return CellKind::Tetrahedron10;
+    return std::nullopt;
+}
+
+/// Triangle and TetGen number the nodes on edges in ways of their own: each goes to the edge whose middle is
+/// nearest.
+std::vector<int> inOrderOfVtk(const std::vector<int>& cell, const Eigen::Matrix3Xd& points) {
+    constexpr std::array<int, 2> edges[] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+    const std::size_t corners = cell.size() == 6 ? 3 : 4;
+    if (cell.size() == corners || cell.size() < 6) return cell;
+    std::vector<int> turned(cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(corners));
+    std::vector<int> left(cell.begin() + static_cast<std::ptrdiff_t>(corners), cell.end());
+    for (std::size_t e = 0; e + corners < cell.size(); ++e) {
+        const Eigen::Vector3d middle = (points.col(cell[static_cast<std::size_t>(edges[e][0])]) +
+                                        points.col(cell[static_cast<std::size_t>(edges[e][1])])) /
+                                       2;
+        const auto nearest =
+            std::ranges::min_element(left, {}, [&](int v) { return (points.col(v) - middle).squaredNorm(); });
+        turned.push_back(*nearest);
+        left.erase(nearest);
+    }
+    return turned;
+}
+
 void readElements(std::string_view bytes, Nodes& nodes) {
     Scanner scanner(bytes, '#');
     const auto declared = scanner.integer("the number of cells");
     const auto corners = scanner.integer("the number of corners");
-    if (corners != 3 && corners != 4)
-        scanner.fail("cells with 3 or 4 corners are read, not with " + std::to_string(corners));
+    const auto kind = elementKind(corners);
+    if (!kind) scanner.fail("cells with 3, 4, 6 or 10 corners are read, not with " + std::to_string(corners));
     const int attributes = attributeCount(scanner);
     const int count = scanner.checkedCount(declared, "cells", 2 * (1 + corners + attributes));
 
-    CellCollector cells;
-    std::vector<int> cell(corners);
+    std::vector<int> cell(static_cast<std::size_t>(corners));
     MeshField attribute{"attribute", true, attributes, {}};
     std::int64_t first = 0;
     for (int c = 0; c < count; ++c) {
         readNumber(scanner, c, first);
         for (int& v : cell) v = readCorner(scanner, nodes);
-        corners == 3 ? cells.polygon(cell, c) : cells.tetrahedron({cell[0], cell[1], cell[2], cell[3]}, c);
+        nodes.file.cells.add(*kind, inOrderOfVtk(cell, nodes.file.points));
         for (int k = 0; k < attributes; ++k) attribute.values.push_back(scanner.real("an attribute"));
     }
     scanner.requireEnd("the first line");
-    cells.moveInto(nodes.file);
+    if (attributes == 1) addGroups(nodes.file, attribute.values);
     if (attributes) nodes.file.fields.push_back(std::move(attribute));
+}
+
+/// Faces or edges with markers, which become groups; cells have the marker 0.
+void readSides(std::string_view bytes, CellKind kind, Nodes& nodes) {
+    if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+    Scanner scanner(bytes, '#');
+    const auto declared = scanner.integer("the number of faces or edges");
+    const int markers = attributeCount(scanner);
+    const auto corners = static_cast<std::size_t>(factsOf(kind).corners);
+    const int count = scanner.checkedCount(declared, "faces or edges", 2 * (1 + corners));
+    std::vector<int> cell(corners);
+    std::vector<double> numbers(static_cast<std::size_t>(nodes.file.cells.size()), 0.0);
+    std::int64_t first = 0;
+    for (int c = 0; c < count; ++c) {
+        readNumber(scanner, c, first);
+        for (int& v : cell) v = readCorner(scanner, nodes);
+        nodes.file.cells.add(kind, cell);
+        numbers.push_back(markers ? scanner.real("a marker") : 0);
+        scanner.line();  // TetGen may add the cells on both sides
+    }
+    addGroups(nodes.file, numbers);
+    MeshFile& file = nodes.file;
+    for (MeshField& field : file.fields)
+        if (field.perCell)
+            field.values.resize(static_cast<std::size_t>(file.cells.size() * field.components), 0.0);
+    if (!markers) return;
+    const auto marker = std::ranges::find_if(
+        file.fields, [](const auto& one) { return one.perCell && one.name == "marker"; });
+    if (marker == file.fields.end())
+        file.fields.push_back({"marker", true, 1, std::move(numbers), {}, Scalar::Int32});
+    else
+        std::copy(numbers.end() - count, numbers.end(), marker->values.end() - count);
 }
 
 const MeshField* fieldNamed(const MeshFile& mesh, bool perCell, std::string_view name) {
@@ -103,8 +166,10 @@ const MeshField* fieldNamed(const MeshFile& mesh, bool perCell, std::string_view
 }
 
 void printAttributes(TextWriter& out, const MeshField* field, std::size_t item) {
-    for (int k = 0; field && k < field->components; ++k)
-        out << ' ' << field->values[item * field->components + k];
+    const auto& values = field && field->perCell ? field->ofCells
+                         : field                 ? field->values
+                                                 : std::vector<double>();
+    for (int k = 0; field && k < field->components; ++k) out << ' ' << values[item * field->components + k];
 }
 
 std::string printNodes(const MeshFile& mesh, int dimension) {
@@ -114,7 +179,7 @@ std::string printNodes(const MeshFile& mesh, int dimension) {
     out << mesh.points.cols() << ' ' << dimension << ' ' << (attribute ? attribute->components : 0) << ' '
         << (marker ? 1 : 0) << '\n';
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
-        out << v + 1;
+        out << v + mesh.firstNumber;
         for (int k = 0; k < dimension; ++k) out << ' ' << mesh.points(k, v);
         printAttributes(out, attribute, static_cast<std::size_t>(v));
         if (marker) out << ' ' << tagOf(marker, static_cast<int>(v), 0);
@@ -123,34 +188,69 @@ std::string printNodes(const MeshFile& mesh, int dimension) {
     return std::move(out.text());
 }
 
-template <std::size_t N>
-std::string printElements(const MeshFile& mesh, const std::vector<std::array<int, N>>& cells) {
-    const MeshField* attribute = fieldNamed(mesh, true, "attribute");
-    if (!attribute) attribute = cellField(mesh, {"ref", "physical", "entity"});
+/// Cells of one kind, numbered one by one, each followed by what `rest` prints.
+template <class Rest>
+std::string printCells(const MeshFile& mesh, CellKind kind, const std::string& head, const Rest& rest) {
     TextWriter out;
-    out << cells.size() << ' ' << N << ' ' << (attribute ? attribute->components : 0) << '\n';
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        out << c + 1;
-        for (int v : cells[c]) out << ' ' << v + 1;
-        printAttributes(out, attribute, c);
+    out << std::ranges::count(mesh.cells.kinds, kind) << ' ' << head << '\n';
+    int number = mesh.firstNumber;
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        if (mesh.cells.kinds[static_cast<std::size_t>(c)] != kind) continue;
+        out << number++;
+        for (const int v : mesh.cells[c]) out << ' ' << v + mesh.firstNumber;
+        rest(out, static_cast<std::size_t>(c));
         out << '\n';
     }
     return std::move(out.text());
+}
+
+/// The field "attribute", or the numbers of the groups.
+std::string printElements(const MeshFile& mesh, CellKind kind) {
+    const MeshField* attribute = fieldNamed(mesh, true, "attribute");
+    const std::string corners = std::to_string(factsOf(kind).corners) + " ";
+    if (attribute)
+        return printCells(mesh, kind, corners + std::to_string(attribute->components),
+                          [&](TextWriter& out, std::size_t c) { printAttributes(out, attribute, c); });
+    const bool grouped = std::ranges::any_of(mesh.groups, [&](const auto& group) {
+        return group.dimension == factsOf(kind).dimension && !group.cells.empty();
+    });
+    if (!grouped) return printCells(mesh, kind, corners + "0", [](TextWriter&, std::size_t) {});
+    const std::vector<long> numbers = groupNumbers(mesh);
+    return printCells(mesh, kind, corners + "1",
+                      [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
+}
+
+/// Nothing without cells of the kind.
+std::string printSides(const MeshFile& mesh, CellKind kind) {
+    if (std::ranges::count(mesh.cells.kinds, kind) == 0) return {};
+    const std::vector<long> numbers = groupNumbers(mesh);
+    return printCells(mesh, kind, "1", [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
 }
 
 }  // namespace
 
 MeshFile readTetgen(std::span<const MeshSource> files) {
     Nodes nodes = inFile(files[0], [&] { return readNodes(files[0].bytes); });
+    nodes.file.firstNumber = static_cast<int>(nodes.first);
     inFile(files[1], [&] { readElements(files[1].bytes, nodes); });
+    if (files.size() > 2) {
+        const bool volume = std::ranges::any_of(nodes.file.cells.kinds,
+                                                [](auto kind) { return factsOf(kind).dimension == 3; });
+        if (volume) inFile(files[2], [&] { readSides(files[2].bytes, CellKind::Triangle, nodes); });
+        inFile(files[3], [&] { readSides(files[3].bytes, CellKind::Line, nodes); });
+    }
+    finishCells(nodes.file);
     return std::move(nodes.file);
 }
 
 std::vector<std::string> printTetgen(const MeshFile& mesh, const MeshWriteOptions&) {
-    if (!mesh.tetrahedra.empty()) return {printNodes(mesh, 3), printElements(mesh, mesh.tetrahedra)};
+    const std::string edges = printSides(mesh, CellKind::Line);
+    if (isVolume(mesh))
+        return {printNodes(mesh, 3), printElements(mesh, CellKind::Tetrahedron),
+                printSides(mesh, CellKind::Triangle), edges};
     if ((mesh.points.row(2).array() != 0).any())
         throw InputError("TetGen files hold tetrahedra or triangles in the plane z = 0, and these are not");
-    return {printNodes(mesh, 2), printElements(mesh, mesh.triangles)};
+    return {printNodes(mesh, 2), printElements(mesh, CellKind::Triangle), {}, edges};
 }
 
 }  // namespace wend::formats

@@ -1,10 +1,13 @@
-// AVS UCD .inp (text): the numbers of nodes, cells and values; nodes and cells with numbers of their own, a
-// cell with a material, which becomes the field "material"; then what is known at the nodes and in the cells.
+// AVS UCD .avs, .ucd (text): the numbers of nodes, cells and values; nodes and cells with numbers of their
+// own, a cell with a material, which becomes the field "material"; then what is known at the nodes and in the
+// cells.
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
@@ -13,11 +16,23 @@
 namespace wend::formats {
 namespace {
 
+/// `order[k]` is where VTK's node k stands in AVS's list; empty: they agree.
 struct UcdKind {
     std::string_view name;
-    int corners;
+    CellKind kind;
+    std::vector<std::size_t> order;
 };
-constexpr UcdKind kKinds[] = {{"pt", 1}, {"line", 2}, {"tri", 3}, {"quad", 4}, {"tet", 4}};
+const std::vector<UcdKind>& ucdKinds() {
+    static const std::vector<UcdKind> kinds = {{"pt", CellKind::Vertex, {}},
+                                               {"line", CellKind::Line, {}},
+                                               {"tri", CellKind::Triangle, {}},
+                                               {"quad", CellKind::Quad, {}},
+                                               {"tet", CellKind::Tetrahedron, {}},
+                                               {"pyr", CellKind::Pyramid, {1, 2, 3, 4, 0}},
+                                               {"prism", CellKind::Wedge, {3, 4, 5, 0, 1, 2}},
+                                               {"hex", CellKind::Hexahedron, {4, 5, 6, 7, 0, 1, 2, 3}}};
+    return kinds;
+}
 
 class UcdReader {
   public:
@@ -30,12 +45,13 @@ class UcdReader {
         const auto ofCells = m_scanner.integer("the number of values of a cell");
         m_scanner.line();  // values of the model
         readNodes(nodes);
-        for (int c = 0; c < cells; ++c) readCell(c);
+        for (int c = 0; c < cells; ++c) readCell();
         if (ofNodes > 0) readFields(m_nodes, ofNodes, false);
         if (ofCells > 0) readFields(m_cells, ofCells, true);
         const bool plain = std::ranges::all_of(m_materials, [](double material) { return material == 0; });
-        if (!plain) m_file.fields.push_back({"material", true, 1, m_collector.perCell(m_materials, 1)});
-        m_collector.moveInto(m_file);
+        if (!plain) m_file.fields.push_back({"material", true, 1, m_materials, {}, Scalar::Int32});
+        addGroupsOfFields(m_file);
+        finishCells(m_file);
         return std::move(m_file);
     }
 
@@ -61,20 +77,18 @@ class UcdReader {
             for (double& coordinate : p) coordinate = m_scanner.finite("a coordinate");
         }
     }
-    void readCell(int element) {
+    void readCell() {
         readNumber(m_cells, "cell");
         m_materials.push_back(static_cast<double>(m_scanner.integer("a material")));
         const auto name = m_scanner.word("a kind of cell");
         const auto kind =
-            std::ranges::find_if(kKinds, [&](const UcdKind& one) { return sameWord(one.name, name); });
-        if (kind == std::end(kKinds))
-            m_scanner.fail(inQuotes(name) + ": only triangles and tetrahedra are read");
-        std::array<int, 4> corners{};
-        for (int k = 0; k < kind->corners; ++k) corners[k] = known(m_nodes, "node");
-        if (kind->name == "tet")
-            m_collector.tetrahedron(corners, element);
-        else if (kind->corners >= 3)
-            m_collector.polygon(std::span(corners).first(kind->corners), element);
+            std::ranges::find_if(ucdKinds(), [&](const UcdKind& one) { return sameWord(one.name, name); });
+        if (kind == ucdKinds().end()) m_scanner.fail(inQuotes(name) + " is no kind of cell that is read");
+        std::vector<int> read(static_cast<std::size_t>(factsOf(kind->kind).nodes));
+        for (int& v : read) v = known(m_nodes, "node");
+        std::vector<int> nodes = read;
+        for (std::size_t k = 0; k < kind->order.size(); ++k) nodes[k] = read[kind->order[k]];
+        m_file.cells.add(kind->kind, nodes);
     }
     /// How many fields and the components of each, a line with name and unit for each, and a line of values
     /// for each node or cell.
@@ -105,17 +119,11 @@ class UcdReader {
                     field.values[static_cast<std::size_t>(at) * field.components + k] =
                         m_scanner.real("a value");
         }
-        for (MeshField& field : fields) take(std::move(field));
-    }
-    void take(MeshField field) {
-        if (isVtkLabels(field)) return takeVtkLabels(field, m_collector, m_file);
-        if (field.perCell) field.values = m_collector.perCell(field.values, field.components);
-        m_file.fields.push_back(std::move(field));
+        for (MeshField& field : fields) m_file.fields.push_back(std::move(field));
     }
 
     Scanner m_scanner;
     MeshFile m_file;
-    CellCollector m_collector;
     Numbers m_nodes, m_cells;
     std::vector<double> m_materials;
 };
@@ -153,28 +161,33 @@ MeshFile readUcd(std::span<const MeshSource> files) {
 }
 
 std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions&) {
-    const VtkCells cells = vtkCellsOf(mesh);
     std::vector<MeshField> fields = vtkFieldsOf(mesh);
+    const MeshField* material = cellField(mesh, {"material"});
+    std::erase_if(fields, [](const auto& field) { return field.perCell && field.name == "material"; });
     const auto ofCells =
         std::ranges::stable_partition(fields, [](const auto& field) { return !field.perCell; });
     const std::vector<MeshField> atCells(ofCells.begin(), ofCells.end()),
         atNodes(fields.begin(), ofCells.begin());
     TextWriter out;
-    out << mesh.points.cols() << ' ' << cells.types.size() << ' ' << components(atNodes) << ' '
+    out << mesh.points.cols() << ' ' << mesh.cells.size() << ' ' << components(atNodes) << ' '
         << components(atCells) << " 0\n";
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
         out << v + 1;
         for (int k = 0; k < 3; ++k) out << ' ' << mesh.points(k, v);
         out << '\n';
     }
-    for (std::size_t c = 0; c < cells.types.size(); ++c) {
-        out << c + 1 << " 0 " << (cells.types[c] == vtkTetrahedron ? "tet" : "tri");
-        for (auto at = cells.offsets[c]; at < cells.offsets[c + 1]; ++at)
-            out << ' ' << cells.connectivity[at] + 1;
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        const auto kind =
+            std::ranges::find(ucdKinds(), mesh.cells.kinds[static_cast<std::size_t>(c)], &UcdKind::kind);
+        const double number = material ? material->ofCells[static_cast<std::size_t>(c)] : 0;
+        out << c + 1 << ' ' << (std::abs(number) < 2147483647 ? std::lround(number) : 0) << ' ' << kind->name;
+        std::vector<int> nodes(mesh.cells[c].begin(), mesh.cells[c].end());
+        for (std::size_t k = 0; k < kind->order.size(); ++k) nodes[kind->order[k]] = mesh.cells[c][k];
+        for (const int v : nodes) out << ' ' << v + 1;
         out << '\n';
     }
     printFields(out, atNodes, mesh.points.cols());
-    printFields(out, atCells, static_cast<Eigen::Index>(cells.types.size()));
+    printFields(out, atCells, mesh.cells.size());
     return {std::move(out.text())};
 }
 

@@ -5,26 +5,9 @@
 namespace wend::formats {
 namespace {
 
-enum VtkType {
-    Vertex = 1,
-    PolyVertex,
-    Line,
-    PolyLine,
-    Triangle,
-    TriangleStrip,
-    PolygonCell,
-    Pixel,
-    Quad,
-    Tetrahedron
-};
-
-constexpr std::pair<int, const char*> unreadTypes[] = {{11, "voxel"},
-                                                       {12, "hexahedron"},
-                                                       {13, "wedge"},
-                                                       {14, "pyramid"},
-                                                       {22, "triangle of second order"},
-                                                       {24, "tetrahedron of second order"},
-                                                       {42, "polyhedron"}};
+constexpr int kPixel = 8, kVoxel = 11;
+constexpr std::pair<int, const char*> unreadTypes[] = {
+    {34, "triangle of second order with a node in its middle"}, {41, "convex point set"}, {42, "polyhedron"}};
 
 [[noreturn]] void failAt(std::size_t cell, const std::string& what) {
     throw InputError("cell " + std::to_string(cell) + ": " + what);
@@ -42,48 +25,30 @@ void requireCorners(std::size_t cell, std::size_t count, std::size_t needed) {
                "has " + std::to_string(count) + " corners where " + std::to_string(needed) + " are needed");
 }
 
-void addStrip(std::span<const int> corners, int element, CellCollector& collector) {
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-        const bool odd = k % 2 != 0;
-        const int turned[] = {corners[k - (odd ? 1 : 2)], corners[k - (odd ? 2 : 1)], corners[k]};
-        collector.polygon(turned, element);
-    }
+/// VTK numbers the triangles of a linear wedge the other way round than Gmsh, Abaqus and Nastran, whose order
+/// the list has.
+void turnWedge(auto nodes) {
+    std::swap(nodes[1], nodes[2]);
+    std::swap(nodes[4], nodes[5]);
 }
 
-void add(std::int64_t type, std::span<const int> corners, std::size_t cell, int element,
-         CellCollector& collector) {
-    switch (type) {
-        case Vertex:
-        case PolyVertex:
-        case Line:
-        case PolyLine:
-            return;
-        case Triangle:
-            requireCorners(cell, corners.size(), 3);
-            return collector.polygon(corners, element);
-        case TriangleStrip:
-            return addStrip(corners, element, collector);
-        case Quad:
-            requireCorners(cell, corners.size(), 4);
-            return collector.polygon(corners, element);
-        case PolygonCell:
-            return collector.polygon(corners, element);
-        case Pixel: {
-            requireCorners(cell, corners.size(), 4);
-            const int around[] = {corners[0], corners[1], corners[3], corners[2]};
-            return collector.polygon(around, element);
-        }
-        case Tetrahedron:
-            requireCorners(cell, corners.size(), 4);
-            return collector.tetrahedron({corners[0], corners[1], corners[2], corners[3]}, element);
-        default:
-            failAt(cell, nameOf(type) + ": only triangles and tetrahedra are read");
+void add(std::int64_t type, std::vector<int>& corners, std::size_t cell, CellList& list) {
+    if (type == kPixel || type == kVoxel) {
+        requireCorners(cell, corners.size(), type == kPixel ? 4 : 8);
+        for (std::size_t k = 2; k < corners.size(); k += 4) std::swap(corners[k], corners[k + 1]);
+        return list.add(type == kPixel ? CellKind::Quad : CellKind::Hexahedron, corners);
     }
+    const auto kind = cellKindOfVtk(type);
+    if (!kind) failAt(cell, nameOf(type) + " is not read");
+    if (const int nodes = factsOf(*kind).nodes; nodes > 0)
+        requireCorners(cell, corners.size(), static_cast<std::size_t>(nodes));
+    if (*kind == CellKind::Wedge) turnWedge(std::span(corners));
+    list.add(*kind, corners);
 }
 
 }  // namespace
 
-void collect(const VtkCells& cells, Eigen::Index vertexCount, int first, CellCollector& collector) {
+void collect(const VtkCells& cells, long vertexCount, int firstVertex, CellList& list) {
     if (cells.offsets.size() != cells.types.size() + 1)
         throw InputError("there are " + std::to_string(cells.types.size()) + " cell types and " +
                          std::to_string(cells.offsets.size()) + " offsets");
@@ -94,14 +59,27 @@ void collect(const VtkCells& cells, Eigen::Index vertexCount, int first, CellCol
             failAt(c, "its offset is outside the connectivity");
         corners.clear();
         for (auto at = begin; at < end; ++at) {
-            const auto v = cells.connectivity[at];
+            const auto v = cells.connectivity[static_cast<std::size_t>(at)];
             if (v < 0 || v >= vertexCount)
                 failAt(c, "names vertex " + std::to_string(v) + ", but there are only " +
                               std::to_string(vertexCount) + " (counted from 0)");
-            corners.push_back(static_cast<int>(v));
+            corners.push_back(firstVertex + static_cast<int>(v));
         }
-        add(cells.types[c], corners, c, first + static_cast<int>(c), collector);
+        add(cells.types[c], corners, c, list);
     }
+}
+
+VtkCells vtkCellsOf(const CellList& list) {
+    VtkCells cells;
+    cells.offsets.assign(list.begins.begin(), list.begins.end());
+    cells.connectivity.assign(list.nodes.begin(), list.nodes.end());
+    for (int c = 0; c < list.size(); ++c) {
+        const CellKind kind = list.kinds[static_cast<std::size_t>(c)];
+        cells.types.push_back(factsOf(kind).vtk);
+        if (kind == CellKind::Wedge)
+            turnWedge(std::span(cells.connectivity).subspan(static_cast<std::size_t>(list.begins[c]), 6));
+    }
+    return cells;
 }
 
 }  // namespace wend::formats

@@ -2,58 +2,56 @@
 
 #include <algorithm>
 
-#include "core/mesh/formats/boundary_values.h"
+#include "core/mesh/formats/mesh_bag.h"
 
 namespace wend::formats {
 namespace {
 
-template <std::size_t N>
-void append(VtkCells& cells, const std::vector<std::array<int, N>>& simplices, int type) {
-    for (const auto& simplex : simplices) {
-        cells.types.push_back(type);
-        cells.connectivity.insert(cells.connectivity.end(), simplex.begin(), simplex.end());
-        cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
-    }
+MeshField labelField(const MeshFile& bag) {
+    MeshField field{"label", true,
+                    1,       std::vector<double>(static_cast<std::size_t>(bag.cells.size()), 0.0),
+                    {},      Scalar::Int32};
+    for (std::size_t t = 0; t < bag.labels.size(); ++t)
+        field.values[static_cast<std::size_t>(bag.cellOfTriangle[t])] = bag.labels[t];
+    return field;
+}
+
+bool isLabel(const MeshField& field) {
+    return field.perCell && field.components == 1 && field.name == "label";
+}
+
+bool isTag(const MeshField& field) {
+    constexpr std::string_view tags[] = {"physical", "ref",   "attribute", "material",
+                                         "marker",   "label", "pid",       "group"};
+    return field.perCell && field.components == 1 && std::ranges::count(tags, field.name) > 0;
+}
+
+/// The labels of the boundary stand in a field of the file already.
+bool tellsLabels(const MeshField& field, const MeshFile& bag) {
+    if (!isTag(field)) return false;
+    for (std::size_t t = 0; t < bag.labels.size(); ++t)
+        if (field.values[static_cast<std::size_t>(bag.cellOfTriangle[t])] != bag.labels[t]) return false;
+    return true;
 }
 
 }  // namespace
 
-VtkCells vtkCellsOf(const MeshFile& mesh) {
-    VtkCells cells;
-    cells.offsets = {0};
-    append(cells, mesh.tetrahedra, vtkTetrahedron);
-    append(cells, mesh.triangles, vtkTriangle);
-    return cells;
-}
-
-std::vector<MeshField> vtkFieldsOf(const MeshFile& mesh) {
-    auto fields = mesh.fields;
-    const bool withBoundary = isVolume(mesh) && !mesh.triangles.empty();
-    const auto behind = withBoundary ? cellsBehind(mesh) : std::vector<int>();
-    auto labels = labelField(mesh);
-    if (labels) std::erase_if(fields, isVtkLabels);
-    for (auto& field : fields) {
-        if (!field.perCell || !withBoundary) continue;
-        const auto ofBoundary = boundaryValues(field, behind);
-        field.values.insert(field.values.end(), ofBoundary.begin(), ofBoundary.end());
-    }
-    if (labels) {
-        labels->values.insert(labels->values.begin(), mesh.tetrahedra.size(), 0.0);
-        fields.push_back(std::move(*labels));
+std::vector<MeshField> vtkFieldsOf(const MeshFile& bag) {
+    auto fields = bag.fields;
+    for (MeshField& field : fields)
+        if (field.perCell) field.values = std::move(field.ofCells);
+    const bool grouped =
+        std::ranges::any_of(bag.groups, [](const auto& group) { return !group.cells.empty(); });
+    if (!bag.labels.empty() && bag.labels.size() == bag.cellOfTriangle.size()) {
+        if (std::ranges::any_of(fields, [&](const MeshField& field) { return tellsLabels(field, bag); }))
+            return fields;
+        std::erase_if(fields, isLabel);
+        fields.push_back(labelField(bag));
+    } else if (grouped && std::ranges::none_of(fields, isTag)) {
+        const std::vector<long> numbers = groupNumbers(bag);
+        fields.push_back({"group", true, 1, {numbers.begin(), numbers.end()}, {}, Scalar::Int32});
     }
     return fields;
-}
-
-bool isVtkLabels(const MeshField& field) {
-    return field.perCell && field.components == 1 && field.name == "label";
-}
-
-void takeVtkLabels(const MeshField& field, const CellCollector& collector, MeshFile& file) {
-    file.labels = collector.boundaryLabels(field.values);
-    MeshField ofCells = field;
-    ofCells.values = collector.perCell(field.values, 1);
-    const bool none = std::ranges::all_of(ofCells.values, [](double value) { return value == 0; });
-    if (file.labels.empty() || !none) file.fields.push_back(std::move(ofCells));
 }
 
 }  // namespace wend::formats

@@ -3,10 +3,11 @@
 
 #include <optional>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/formats/vtk_fields.h"
+#include "core/mesh/formats/vtk_cells.h"
 
 namespace wend::formats {
 namespace {
@@ -60,14 +61,11 @@ class VtkReader {
         readHeader();
         while (!m_scanner.atEnd()) statement();
         // the data of POLYDATA counts the cells in this order
-        int element = 0;
-        for (const auto* part : {&m_vertices, &m_lines, &m_cells, &m_strips}) {
-            if (part->offsets.empty()) continue;
-            collect(*part, m_file.points.cols(), element, m_collector);
-            element += static_cast<int>(part->types.size());
-        }
-        takeFields(element);
-        m_collector.moveInto(m_file);
+        for (const auto* part : {&m_vertices, &m_lines, &m_cells, &m_strips})
+            if (!part->offsets.empty()) collect(*part, m_file.points.cols(), 0, m_file.cells);
+        takeFields(m_file.cells.size());
+        addGroupsOfFields(m_file);
+        finishCells(m_file);
         return std::move(m_file);
     }
 
@@ -240,7 +238,7 @@ class VtkReader {
         if (sameWord(keyword, "LOOKUP_TABLE")) {
             const auto size = wholeOnLine("the number of colours");
             readArray(name, 4, m_numbers.checkedCount(size, "colours", 1, Scalar::UInt8), colourType(),
-                      false);
+                      false);  // of the way to look at data, in the section of some
         } else if (colours) {
             const auto components = wholeOnLine("the number of components");
             readArray(name, components, m_tuples, colourType(), true);
@@ -303,9 +301,11 @@ class VtkReader {
         const std::int64_t packed = static_cast<std::int64_t>((tuples + bits - 1) / bits);
         m_numbers.checkedCount(packed, things.c_str(), static_cast<std::size_t>(components),
                                valueType.scalar);
-        MeshField field{name, m_data == Data::Cells, static_cast<int>(components),
-                        values(tuples * components, valueType)};
+        MeshField field{
+            name, m_data == Data::Cells, static_cast<int>(components), values(tuples * components, valueType),
+            {},   valueType.scalar};
         if (keep) m_fields.push_back({std::move(field), tuples});
+        if (!keep && m_data == Data::None) m_file.fileFields.push_back(std::move(field));
     }
     void takeFields(int elementCount) {
         for (auto& [field, tuples] : m_fields) {
@@ -313,11 +313,6 @@ class VtkReader {
             if (tuples != static_cast<std::size_t>(needed))
                 m_scanner.fail("the data " + inQuotes(field.name) + " has " + std::to_string(tuples) +
                                " tuples where " + std::to_string(needed) + " are needed");
-            if (isVtkLabels(field)) {
-                takeVtkLabels(field, m_collector, m_file);
-                continue;
-            }
-            if (field.perCell) field.values = m_collector.perCell(field.values, field.components);
             m_file.fields.push_back(std::move(field));
         }
     }
@@ -325,7 +320,6 @@ class VtkReader {
     Scanner m_scanner;
     NumberReader m_numbers{m_scanner, false, std::endian::big};
     MeshFile m_file;
-    CellCollector m_collector;
     VtkCells m_vertices, m_lines, m_cells, m_strips;
     Data m_data = Data::None;
     std::size_t m_tuples = 0;

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <cmath>
+
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scalar_type.h"
 #include "core/mesh/formats/text_writer.h"
+#include "core/mesh/formats/vtk_cells.h"
 #include "core/mesh/formats/vtk_fields.h"
 
 namespace wend::formats {
@@ -20,19 +24,54 @@ std::string encoded(const std::string& name) {
     return text.empty() ? "field" : text;
 }
 
+const char* typeName(Scalar type) {
+    switch (type) {
+        case Scalar::Int8:
+            return "char";
+        case Scalar::UInt8:
+            return "unsigned_char";
+        case Scalar::Int16:
+            return "short";
+        case Scalar::UInt16:
+            return "unsigned_short";
+        case Scalar::Int32:
+            return "int";
+        case Scalar::UInt32:
+            return "unsigned_int";
+        case Scalar::Int64:
+            return "long";  // meshio knows no "vtktypeint64"
+        case Scalar::UInt64:
+            return "unsigned_long";
+        case Scalar::Float32:
+            return "float";
+        default:
+            return "double";
+    }
+}
+
+bool isFinite(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
 class VtkPrinter {
   public:
+    /// VTK reads no NaN and no infinity from text, and drops all fields then: such files are binary.
     VtkPrinter(const MeshFile& mesh, bool binary)
-        : m_mesh(mesh), m_fields(vtkFieldsOf(mesh)), m_binary(binary) {}
+        : m_mesh(mesh), m_fields(vtkFieldsOf(mesh)), m_binary(binary) {
+        for (const MeshField& field : m_fields) m_binary = m_binary || !isFinite(field.values);
+        for (const MeshField& field : mesh.fileFields) m_binary = m_binary || !isFinite(field.values);
+    }
 
     /// The layout of version 3, which every reader knows.
     std::string print() {
         m_out << "# vtk DataFile Version 3.0\nWend\n"
               << (m_binary ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\n";
+        printFileFields();
         m_out << "POINTS " << m_mesh.points.cols() << " double\n";
-        for (const auto& p : m_mesh.points.colwise()) numbers(std::vector<double>(p.begin(), p.end()), 3);
+        for (const auto& p : m_mesh.points.colwise())
+            numbers(std::vector<double>(p.begin(), p.end()), 3, Scalar::Float64);
         endArray();
-        const auto cells = vtkCellsOf(m_mesh);
+        const auto cells = vtkCellsOf(m_mesh.cells);
         printCells(cells);
         printData(cells, false);
         printData(cells, true);
@@ -40,11 +79,16 @@ class VtkPrinter {
     }
 
   private:
-    void numbers(const std::vector<double>& values, int perLine) {
+    void printFileFields() {
+        if (m_mesh.fileFields.empty()) return;
+        m_out << "FIELD FieldData " << m_mesh.fileFields.size() << '\n';
+        for (const auto& field : m_mesh.fileFields) printField(field);
+    }
+    void numbers(const std::vector<double>& values, int perLine, Scalar type) {
         int inLine = 0;
         for (double value : values) {
             if (m_binary) {
-                appendReal(m_out.text(), value, Scalar::Float64, std::endian::big);
+                appendReal(m_out.text(), value, type, std::endian::big);
             } else {
                 m_out << value << (++inLine == perLine ? '\n' : ' ');
                 if (inLine == perLine) inLine = 0;
@@ -88,13 +132,14 @@ class VtkPrinter {
     }
     void printTexture() {
         m_out << "TEXTURE_COORDINATES uv 2 double\n";
-        numbers(std::vector<double>(m_mesh.uv.data(), m_mesh.uv.data() + m_mesh.uv.size()), 2);
+        numbers(std::vector<double>(m_mesh.uv.data(), m_mesh.uv.data() + m_mesh.uv.size()), 2,
+                Scalar::Float64);
         endArray();
     }
     void printField(const MeshField& field) {
         m_out << encoded(field.name) << ' ' << field.components << ' '
-              << field.values.size() / field.components << " double\n";
-        numbers(field.values, field.components);
+              << field.values.size() / field.components << ' ' << typeName(field.type) << '\n';
+        numbers(field.values, field.components, field.type);
         endArray();
     }
 

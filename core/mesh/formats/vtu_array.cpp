@@ -1,5 +1,7 @@
 #include "core/mesh/formats/vtu_array.h"
 
+#include <lz4.h>
+#include <lzma.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -12,8 +14,19 @@
 namespace wend::formats {
 namespace {
 
+constexpr std::pair<std::string_view, Scalar> kScalars[] = {
+    {"Int8", Scalar::Int8},      {"UInt8", Scalar::UInt8},   {"Int16", Scalar::Int16},
+    {"UInt16", Scalar::UInt16},  {"Int32", Scalar::Int32},   {"UInt32", Scalar::UInt32},
+    {"Int64", Scalar::Int64},    {"UInt64", Scalar::UInt64}, {"Float32", Scalar::Float32},
+    {"Float64", Scalar::Float64}};
+
 constexpr std::size_t blockSize = 1 << 15;  // VTK's
-constexpr std::size_t maxRatio = 1032;      // zlib compresses by no more
+
+/// No compressor expands a byte to more.
+std::size_t maxRatio(VtuEncoding::Compressor compressor) {
+    if (compressor == VtuEncoding::Compressor::Lz4) return 256;
+    return compressor == VtuEncoding::Compressor::Lzma ? 16384 : 1032;
+}
 
 /// Takes pieces off the front of the data, each of which is base64 for itself or raw.
 class Pieces {
@@ -57,13 +70,36 @@ std::size_t headerNumber(std::string_view header, std::size_t at, const VtuEncod
     return static_cast<std::size_t>(value);
 }
 
-std::string inflated(std::string_view compressed, std::size_t size) {
+bool inflate(std::string_view packed, std::string& bytes) {
+    uLongf written = bytes.size();
+    const auto* source = reinterpret_cast<const Bytef*>(packed.data());
+    return uncompress(reinterpret_cast<Bytef*>(bytes.data()), &written, source, packed.size()) == Z_OK &&
+           written == bytes.size();
+}
+
+bool unpackLz4(std::string_view packed, std::string& bytes) {
+    constexpr std::size_t most = LZ4_MAX_INPUT_SIZE;
+    if (packed.size() > most || bytes.size() > most) return false;
+    const int written = LZ4_decompress_safe(packed.data(), bytes.data(), static_cast<int>(packed.size()),
+                                            static_cast<int>(bytes.size()));
+    return written >= 0 && static_cast<std::size_t>(written) == bytes.size();
+}
+
+bool unpackLzma(std::string_view packed, std::string& bytes) {
+    std::uint64_t memory = std::uint64_t(256) << 20;
+    std::size_t read = 0, written = 0;
+    const auto status = lzma_stream_buffer_decode(
+        &memory, 0, nullptr, reinterpret_cast<const std::uint8_t*>(packed.data()), &read, packed.size(),
+        reinterpret_cast<std::uint8_t*>(bytes.data()), &written, bytes.size());
+    return status == LZMA_OK && written == bytes.size();
+}
+
+std::string unpacked(std::string_view packed, std::size_t size, VtuEncoding::Compressor compressor) {
     std::string bytes(size, '\0');
-    uLongf written = size;
-    const auto* source = reinterpret_cast<const Bytef*>(compressed.data());
-    const int status =
-        uncompress(reinterpret_cast<Bytef*>(bytes.data()), &written, source, compressed.size());
-    if (status != Z_OK || written != size) throw InputError("the compressed data is damaged");
+    const bool done = compressor == VtuEncoding::Compressor::Lz4    ? unpackLz4(packed, bytes)
+                      : compressor == VtuEncoding::Compressor::Lzma ? unpackLzma(packed, bytes)
+                                                                    : inflate(packed, bytes);
+    if (!done) throw InputError("the compressed data is damaged");
     return bytes;
 }
 
@@ -85,7 +121,8 @@ std::vector<Block> takeBlocks(Pieces& pieces, std::size_t textSize, const VtuEnc
         const auto packed = headerNumber(header, 3 + b, encoding);
         const auto size = b + 1 == count && partial ? partial : full;
         if (packed > room) throw InputError("the data ends too early");
-        if (size > maxRatio * (packed + 1)) throw InputError("the data's header makes no sense");
+        if (size > maxRatio(encoding.compressor) * (packed + 1))
+            throw InputError("the data's header makes no sense");
         blocks.push_back({packed, size});
         room -= packed;
     }
@@ -103,7 +140,7 @@ std::string decodeCompressed(Pieces pieces, std::size_t textSize, const VtuEncod
     std::string bytes;
     std::size_t at = 0;
     for (const auto& [packed, size] : blocks) {
-        bytes += inflated(std::string_view(data).substr(at, packed), size);
+        bytes += unpacked(std::string_view(data).substr(at, packed), size, encoding.compressor);
         at += packed;
     }
     return bytes;
@@ -128,19 +165,19 @@ std::string deflated(std::string_view bytes) {
 }  // namespace
 
 std::optional<Scalar> vtuScalarNamed(std::string_view name) {
-    constexpr std::pair<std::string_view, Scalar> names[] = {
-        {"Int8", Scalar::Int8},      {"UInt8", Scalar::UInt8},   {"Int16", Scalar::Int16},
-        {"UInt16", Scalar::UInt16},  {"Int32", Scalar::Int32},   {"UInt32", Scalar::UInt32},
-        {"Int64", Scalar::Int64},    {"UInt64", Scalar::UInt64}, {"Float32", Scalar::Float32},
-        {"Float64", Scalar::Float64}};
-    for (const auto& [known, type] : names)
+    for (const auto& [known, type] : kScalars)
         if (known == name) return type;
     return std::nullopt;
 }
 
+std::string_view vtuScalarName(Scalar type) {
+    return std::ranges::find(kScalars, type, &std::pair<std::string_view, Scalar>::second)->first;
+}
+
 std::size_t vtuArraySize(std::string_view text, const VtuEncoding& encoding) {
     Pieces pieces(text, encoding.base64);
-    if (!encoding.compressed) return headerNumber(pieces.peek(sizeOf(encoding.header)), 0, encoding);
+    if (encoding.compressor == VtuEncoding::Compressor::None)
+        return headerNumber(pieces.peek(sizeOf(encoding.header)), 0, encoding);
     std::size_t size = 0;
     for (const Block& block : takeBlocks(pieces, text.size(), encoding)) size += block.size;
     return size;
@@ -148,7 +185,8 @@ std::size_t vtuArraySize(std::string_view text, const VtuEncoding& encoding) {
 
 std::string decodeVtuArray(std::string_view text, const VtuEncoding& encoding) {
     Pieces pieces(text, encoding.base64);
-    if (encoding.compressed) return decodeCompressed(pieces, text.size(), encoding);
+    if (encoding.compressor != VtuEncoding::Compressor::None)
+        return decodeCompressed(pieces, text.size(), encoding);
     const auto word = sizeOf(encoding.header);
     const auto size = headerNumber(pieces.peek(word), 0, encoding);
     if (pieces.closedAfter(word)) {  // not VTK's way, but some programs'
@@ -162,7 +200,8 @@ std::string encodeVtuArray(std::string_view bytes, const VtuEncoding& encoding) 
     const auto wrapped = [&](std::string part) {
         return encoding.base64 ? encodeBase64(part) : std::move(part);
     };
-    if (!encoding.compressed) return wrapped(number(bytes.size(), encoding) + std::string(bytes));
+    if (encoding.compressor == VtuEncoding::Compressor::None)
+        return wrapped(number(bytes.size(), encoding) + std::string(bytes));
     std::vector<std::string> blocks;
     for (std::size_t at = 0; at < bytes.size(); at += blockSize)
         blocks.push_back(deflated(bytes.substr(at, blockSize)));

@@ -14,11 +14,12 @@ namespace wend::formats {
 struct VtuEncoding {
     std::endian order = std::endian::little;
     Scalar header = Scalar::UInt32;
-    bool compressed = false;  // by zlib
-    bool base64 = true;       // else raw; header and compressed blocks are encoded one by one
+    enum class Compressor { None, Zlib, Lz4, Lzma } compressor = Compressor::None;
+    bool base64 = true;  // else raw; header and compressed blocks are encoded one by one
 };
 
 std::optional<Scalar> vtuScalarNamed(std::string_view name);
+std::string_view vtuScalarName(Scalar type);
 
 /// How many bytes an array says that it has, checked against what `text` can hold. Nothing is expanded.
 std::size_t vtuArraySize(std::string_view text, const VtuEncoding& encoding);

@@ -1,15 +1,16 @@
 // VTK's XML unstructured grid: data arrays as text, base64 in place, or appended (base64 or raw), plain or
-// zlib.
+// compressed by zlib, LZ4 or LZMA, in one piece or several, which are put one behind the other.
 
 #include <algorithm>
 #include <optional>
 #include <pugixml.hpp>
 
 #include "core/mesh/error.h"
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/formats/vtk_fields.h"
+#include "core/mesh/formats/vtk_cells.h"
 #include "core/mesh/formats/vtu_array.h"
 
 namespace wend::formats {
@@ -52,15 +53,12 @@ class VtuReader {
         const auto root = m_document.child("VTKFile");
         if (!root) throw InputError("there is no element VTKFile: no .vtu file");
         readEncoding(root);
-        const auto piece = onlyPiece(root);
-        const auto pointCount = attribute(piece, "NumberOfPoints"),
-                   cellCount = attribute(piece, "NumberOfCells");
-        readPoints(piece, pointCount);
-        CellCollector collector;
-        collect(readCells(piece, cellCount), m_file.points.cols(), 0, collector);
-        readFields(piece.child("PointData"), false, pointCount, collector);
-        readFields(piece.child("CellData"), true, cellCount, collector);
-        collector.moveInto(m_file);
+        const auto grid = child(root, "UnstructuredGrid");
+        child(grid, "Piece");
+        for (const auto piece : grid.children("Piece")) readPiece(piece);
+        readFileFields(grid.child("FieldData"));
+        addGroupsOfFields(m_file);
+        finishCells(m_file);
         return std::move(m_file);
     }
 
@@ -108,18 +106,59 @@ class VtuReader {
         if (header != "UInt32" && header != "UInt64") fail(root, inQuotes(header) + " is no header_type");
         m_encoding.header = header == "UInt64" ? Scalar::UInt64 : Scalar::UInt32;
         const std::string_view compressor = root.attribute("compressor").value();
-        m_encoding.compressed = !compressor.empty();
-        if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-            fail(root,
-                 "it is compressed by " + inQuotes(compressor) + "; only vtkZLibDataCompressor is read");
+        using enum VtuEncoding::Compressor;
+        m_encoding.compressor = compressor == "vtkZLibDataCompressor"   ? Zlib
+                                : compressor == "vtkLZ4DataCompressor"  ? Lz4
+                                : compressor == "vtkLZMADataCompressor" ? Lzma
+                                                                        : None;
+        if (m_encoding.compressor == None && !compressor.empty())
+            fail(root, "it is compressed by " + inQuotes(compressor) + ", which is not read");
         const std::string_view appended =
             root.child("AppendedData").attribute("encoding").as_string("base64");
         m_appendedRaw = appended == "raw";
     }
-    pugi::xml_node onlyPiece(pugi::xml_node root) const {
-        const auto piece = child(child(root, "UnstructuredGrid"), "Piece");
-        if (piece.next_sibling("Piece")) fail(piece, "there are several pieces; save the mesh as one");
-        return piece;
+    /// Behind the pieces before it.
+    void readPiece(pugi::xml_node piece) {
+        const auto pointCount = attribute(piece, "NumberOfPoints"),
+                   cellCount = attribute(piece, "NumberOfCells");
+        const auto firstPoint = m_file.points.cols();
+        readPoints(piece, pointCount);
+        collect(readCells(piece, cellCount), static_cast<long>(pointCount), static_cast<int>(firstPoint),
+                m_file.cells);
+        const bool first = firstPoint == 0 && m_file.fields.empty();
+        std::vector<MeshField> fields;
+        readFields(piece.child("PointData"), false, pointCount, fields);
+        readFields(piece.child("CellData"), true, cellCount, fields);
+        if (first)
+            m_file.fields = std::move(fields);
+        else
+            appendFields(piece, fields);
+    }
+    /// Pieces have the same arrays.
+    void appendFields(pugi::xml_node piece, const std::vector<MeshField>& fields) {
+        bool same = fields.size() == m_file.fields.size();
+        for (std::size_t f = 0; same && f < fields.size(); ++f) {
+            MeshField& field = m_file.fields[f];
+            same = field.name == fields[f].name && field.perCell == fields[f].perCell &&
+                   field.components == fields[f].components;
+            field.values.insert(field.values.end(), fields[f].values.begin(), fields[f].values.end());
+        }
+        if (!same) fail(piece, "has other arrays than the piece before it");
+    }
+    void readFileFields(pugi::xml_node data) {
+        for (const auto array : data.children("DataArray")) {
+            const std::string name = array.attribute("Name").value();
+            if (std::string_view(array.attribute("type").value()) == "String") {
+                m_file.notices.push_back("the text " + inQuotes(name));
+                continue;
+            }
+            const int components = componentsOf(array);
+            auto values = numbersOf<double>(
+                array, std::nullopt, [](auto& reader, Scalar type) { return reader.real(type, "a number"); });
+            if (values.size() % static_cast<std::size_t>(components))
+                fail(array, "a part of a tuple is left over");
+            m_file.fileFields.push_back({name, false, components, std::move(values), {}, scalarOf(array)});
+        }
     }
 
     Scalar scalarOf(pugi::xml_node array) const {
@@ -196,7 +235,9 @@ class VtuReader {
     void readPoints(pugi::xml_node piece, std::int64_t count) {
         const auto array = child(child(piece, "Points"), "DataArray");
         const auto coordinates = reals(array, Count{count, 3});
-        m_file.points =
+        const auto first = m_file.points.cols();
+        m_file.points.conservativeResize(3, first + static_cast<Eigen::Index>(count));
+        m_file.points.rightCols(count) =
             Eigen::Map<const Eigen::Matrix3Xd>(coordinates.data(), 3, static_cast<Eigen::Index>(count));
     }
     VtkCells readCells(pugi::xml_node piece, std::int64_t count) {
@@ -208,25 +249,29 @@ class VtuReader {
         cells.offsets.insert(cells.offsets.begin(), 0);
         return cells;
     }
-    void readFields(pugi::xml_node data, bool perCell, std::int64_t tuples, const CellCollector& collector) {
+    void readFields(pugi::xml_node data, bool perCell, std::int64_t tuples, std::vector<MeshField>& fields) {
         const std::string_view texture = data.attribute("TCoords").value();
         for (const auto array : data.children("DataArray")) {
-            if (std::string_view(array.attribute("type").value()) == "String") continue;
+            const std::string name = array.attribute("Name").value();
+            if (std::string_view(array.attribute("type").value()) == "String") {
+                m_file.notices.push_back("the text " + inQuotes(name));
+                continue;
+            }
             const int components = componentsOf(array);
-            MeshField field{array.attribute("Name").value(), perCell, components,
-                            reals(array, Count{tuples, components})};
-            if (isVtkLabels(field)) {
-                takeVtkLabels(field, collector, m_file);
-                continue;
-            }
-            if (perCell)
-                field.values = collector.perCell(field.values, field.components);
-            else if (!texture.empty() && field.name == texture && field.components == 2) {
-                m_file.uv = Eigen::Map<const Eigen::Matrix2Xd>(field.values.data(), 2, m_file.points.cols());
-                continue;
-            }
-            m_file.fields.push_back(std::move(field));
+            MeshField field{name, perCell,        components, reals(array, Count{tuples, components}),
+                            {},   scalarOf(array)};
+            if (!perCell && !texture.empty() && field.name == texture && components == 2)
+                addTexture(field);
+            else
+                fields.push_back(std::move(field));
         }
+    }
+    void addTexture(const MeshField& field) {
+        const auto count = static_cast<Eigen::Index>(field.values.size() / 2);
+        const auto first = m_file.points.cols() - count;
+        if (m_file.uv.cols() != first) return;
+        m_file.uv.conservativeResize(2, first + count);
+        m_file.uv.rightCols(count) = Eigen::Map<const Eigen::Matrix2Xd>(field.values.data(), 2, count);
     }
     int componentsOf(pugi::xml_node array) const {
         if (!array.attribute("NumberOfComponents")) return 1;

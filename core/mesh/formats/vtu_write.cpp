@@ -1,5 +1,6 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_writer.h"
+#include "core/mesh/formats/vtk_cells.h"
 #include "core/mesh/formats/vtk_fields.h"
 #include "core/mesh/formats/vtu_array.h"
 
@@ -26,18 +27,19 @@ class VtuPrinter {
           m_appended(options.binary() && options.appended) {
         m_encoding.order = std::endian::native;
         m_encoding.header = Scalar::UInt64;
-        m_encoding.compressed = options.encoding == MeshWriteOptions::Encoding::Compressed;
+        if (options.encoding == MeshWriteOptions::Encoding::Compressed)
+            m_encoding.compressor = VtuEncoding::Compressor::Zlib;
         m_encoding.base64 = !m_appended;
     }
 
     std::string print() {
-        const auto cells = vtkCellsOf(m_mesh);
+        const auto cells = vtkCellsOf(m_mesh.cells);
         open(cells.types.size());
         m_out << "<Points>\n";
         array("Points", 3, std::span(m_mesh.points.data(), static_cast<std::size_t>(m_mesh.points.size())));
         m_out << "</Points>\n<Cells>\n";
         array<std::int64_t>("connectivity", 1, cells.connectivity);
-        array<std::int64_t>("offsets", 1, std::span(cells.offsets).subspan(1));
+        array<std::int64_t>("offsets", 1, std::span<const std::int64_t>(cells.offsets).subspan(1));
         array<std::int64_t>("types", 1, cells.types);
         m_out << "</Cells>\n";
         data(false);
@@ -51,9 +53,12 @@ class VtuPrinter {
         const bool little = m_encoding.order == std::endian::little;
         m_out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
               << (little ? "LittleEndian" : "BigEndian") << "\" header_type=\"UInt64\""
-              << (m_encoding.compressed ? " compressor=\"vtkZLibDataCompressor\"" : "")
-              << ">\n<UnstructuredGrid>\n"
-              << "<Piece NumberOfPoints=\"" << m_mesh.points.cols() << "\" NumberOfCells=\"" << cellCount
+              << (m_encoding.compressor == VtuEncoding::Compressor::Zlib
+                      ? " compressor=\"vtkZLibDataCompressor\""
+                      : "")
+              << ">\n<UnstructuredGrid>\n";
+        printFileFields();
+        m_out << "<Piece NumberOfPoints=\"" << m_mesh.points.cols() << "\" NumberOfCells=\"" << cellCount
               << "\">\n";
     }
     void close() {
@@ -61,29 +66,56 @@ class VtuPrinter {
         if (m_appended) m_out << "<AppendedData encoding=\"raw\">\n_" << m_data << "\n</AppendedData>\n";
         m_out << "</VTKFile>\n";
     }
+    void printFileFields() {
+        if (m_mesh.fileFields.empty()) return;
+        m_out << "<FieldData>\n";
+        for (const auto& field : m_mesh.fileFields)
+            fieldArray(field,
+                       " NumberOfTuples=\"" + std::to_string(field.values.size() / field.components) + "\"");
+        m_out << "</FieldData>\n";
+    }
     void data(bool perCell) {
         const bool texture = !perCell && m_mesh.uv.cols();
         m_out << (perCell ? "<CellData" : "<PointData") << (texture ? " TCoords=\"uv\">\n" : ">\n");
         if (texture) array("uv", 2, std::span(m_mesh.uv.data(), static_cast<std::size_t>(m_mesh.uv.size())));
         for (const auto& field : m_fields)
-            if (field.perCell == perCell) array<double>(field.name, field.components, field.values);
+            if (field.perCell == perCell) fieldArray(field, "");
         m_out << (perCell ? "</CellData>\n" : "</PointData>\n");
     }
 
+    /// In the type of the file that it comes from.
+    void fieldArray(const MeshField& field, const std::string& more) {
+        if (field.type == Scalar::Float64)
+            return array<double>(field.name, field.components, field.values, more);
+        std::string bytes;
+        for (const double value : field.values) appendReal(bytes, value, field.type, m_encoding.order);
+        openArray(field.name, field.components, vtuScalarName(field.type), more);
+        closeArray(std::span<const double>(field.values), field.components, bytes);
+    }
     template <class T>
-    void array(const std::string& name, int components, std::span<const T> values) {
-        constexpr bool real = std::is_same_v<T, double>;
-        const char* format = m_appended ? "appended" : m_binary ? "binary" : "ascii";
-        m_out << "<DataArray type=\"" << (real ? "Float64" : "Int64") << "\" Name=\"" << escaped(name)
-              << "\" NumberOfComponents=\"" << components << "\" format=\"" << format << '"';
+    void array(const std::string& name, int components, std::span<const T> values,
+               const std::string& more = "") {
+        openArray(name, components, std::is_same_v<T, double> ? "Float64" : "Int64", more);
+        closeArray(values, components, bytesOf(values));
+    }
+    void openArray(const std::string& name, int components, std::string_view type, const std::string& more) {
+        m_out << "<DataArray type=\"" << type << "\" Name=\"" << escaped(name) << "\" NumberOfComponents=\""
+              << components << '"' << more << " format=\""
+              << (m_appended ? "appended"
+                  : m_binary ? "binary"
+                             : "ascii")
+              << '"';
+    }
+    template <class T>
+    void closeArray(std::span<const T> values, int components, const std::string& bytes) {
         if (m_appended) {
             m_out << " offset=\"" << m_data.size() << "\"/>\n";
-            m_data += encodeVtuArray(bytesOf(values), m_encoding);
+            m_data += encodeVtuArray(bytes, m_encoding);
             return;
         }
         m_out << ">\n";
         if (m_binary)
-            m_out << encodeVtuArray(bytesOf(values), m_encoding) << '\n';
+            m_out << encodeVtuArray(bytes, m_encoding) << '\n';
         else
             text(values, components == 1 ? 12 : components);
         m_out << "</DataArray>\n";

@@ -67,7 +67,7 @@ void TestCliErrors::putMeshes() {
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");  // a tetrahedron
     put(path(), "nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
     put(path(), "flat.obj", points + "v 2 0 0\nf 1 2 3\nf 1 2 5\n");
-    put(path(), "inverted.obj", points + "v 2 0 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n");
+    put(path(), "overlapping.obj", points + "f 1 2 3\nf 2 4 3\nf 4 3 1\n");
     put(path(), "twice.obj", points + "f 1 2 3\nf 2 3 1\n");
     put(path(), "index.obj", points + "f 1 2 3\nf 2 4 9\n");
     put(path(), "empty.obj", "");
@@ -297,7 +297,7 @@ void TestCliErrors::badInput_data() {
     meshRow("empty mesh", "empty.obj", "empty.obj: ");
     meshRow("NaN", "nan.obj", "nan.obj: ");
     meshRow("no area", "flat.obj", "flat.obj: cell 1 has no area");
-    meshRow("inverted", "inverted.obj", "inverted.obj: cell 2 is inverted");
+    meshRow("overlapping", "overlapping.obj", "overlapping.obj: cells 0 and 2 overlap");
     meshRow("duplicate", "twice.obj", "twice.obj: cell 1 is a duplicate of cell 0");
     meshRow("index", "index.obj", "index.obj: ");
     meshRow("truncated mesh", "truncated.mesh", "truncated.mesh: ");

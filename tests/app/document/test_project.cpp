@@ -619,6 +619,46 @@ class TestProject : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, readCells<2>(path, spec));
     }
 
+    /// A name is looked up, kept while the handle is where it says, and written as ids where it was moved.
+    void handlesOnGroups() {
+        QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        writeTextFile(base + "/a.obj",
+                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng left\nf 1 2 3\ng right\nf 1 3 4\n");
+        writeTextFile(base + "/ids.txt", "3, 1 # the first two\n\n2");
+        const auto project = [&](const char* at) {
+            writeTextFile(base + "/p.wend",
+                          json(std::string("{'format': 'wend', 'version': 1, 'domain': {'mesh': 'a.obj'}, "
+                                           "'handles': [{'at': ") +
+                               at + "}]}"));
+            return readProject(base + "/p.wend").project;
+        };
+        auto held = project("{'group': 'right'}");
+        auto& handle = designOf<2>(*held).handles[0];
+        QCOMPARE(std::get<std::vector<int>>(handle.at), (std::vector<int>{0, 2, 3}));
+        writeProject(base + "/kept.wend", *held);
+        QVERIFY(readTextFile(base + "/kept.wend").find("\"group\": \"right\"") != std::string::npos);
+        handle.at = std::vector<int>{0, 2};
+        writeProject(base + "/moved.wend", *held);
+        QVERIFY(readTextFile(base + "/moved.wend").find("group") == std::string::npos);
+        auto listed = project("{'vertices': 'ids.txt'}");
+        QCOMPARE(std::get<std::vector<int>>(designOf<2>(*listed).handles[0].at), (std::vector<int>{3, 1, 2}));
+        fs::create_directory(base + "/deeper");
+        writeProject(base + "/deeper/q.wend", *listed, base);
+        QVERIFY(readTextFile(base + "/deeper/q.wend").find("../ids.txt") != std::string::npos);
+        try {
+            project("{'group': 'middle'}");
+            QFAIL("was found");
+        } catch (const InputError& error) {
+            QVERIFY2(QString(error.what())
+                         .endsWith("handles[0].at: there is no group 'middle' in the file; it has 'left' "
+                                   "(surfaces), 'right' (surfaces)"),
+                     error.what());
+        }
+        writeTextFile(base + "/ids.txt", "3\n-1\n");
+        QVERIFY_THROWS_EXCEPTION(InputError, project("{'vertices': 'ids.txt'}"));
+    }
+
     void numbers_data() {
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("text");

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace wend {
+
+/// The kinds of cell that mesh files hold. Nodes are in VTK's order: corners first, then those in the middle
+/// of edges, faces and the cell.
+enum class CellKind : unsigned char {
+    Vertex,
+    PolyVertex,
+    Line,
+    PolyLine,
+    Line3,
+    Triangle,
+    Quad,
+    Polygon,
+    TriangleStrip,
+    Triangle6,
+    Quad8,
+    Quad9,
+    Tetrahedron,
+    Pyramid,
+    Wedge,
+    Hexahedron,
+    Tetrahedron10,
+    Pyramid13,
+    Wedge15,
+    Wedge18,
+    Hexahedron20,
+    Hexahedron27
+};
+constexpr std::size_t kCellKinds = 22;
+
+struct CellKindFacts {
+    const char *name, *plural;
+    int dimension;
+    int corners, nodes;  // 0: any number
+    int vtk;             // its number in VTK
+};
+const CellKindFacts& factsOf(CellKind kind);
+
+std::optional<CellKind> cellKindOfVtk(long number);
+/// The same shape without nodes between the corners.
+CellKind linearKind(CellKind kind);
+
+}  // namespace wend

@@ -1,0 +1,232 @@
+#include "core/mesh/formats/lost_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "core/mesh/formats/mesh_bag.h"
+#include "core/mesh/formats/scanner.h"
+
+namespace wend::formats {
+namespace {
+
+/// What becomes of a cell.
+enum class Fate { Whole, Linear, Split, Lost };
+
+CellKind partKind(int dimension) {
+    constexpr CellKind kinds[] = {CellKind::Vertex, CellKind::Line, CellKind::Triangle,
+                                  CellKind::Tetrahedron};
+    return kinds[dimension];
+}
+
+Fate fateOf(const MeshFormat& format, CellKind kind) {
+    if (format.holds(kind)) return Fate::Whole;
+    if (linearKind(kind) != kind && format.holds(linearKind(kind))) return Fate::Linear;
+    const int dimension = factsOf(kind).dimension;
+    const bool splits = dimension >= 2 || kind == CellKind::PolyLine || kind == CellKind::PolyVertex;
+    return splits && format.holds(partKind(dimension)) ? Fate::Split : Fate::Lost;
+}
+
+/// A list of cells that becomes the bag's, with the cell that each came from.
+class Remaking {
+  public:
+    Remaking(const MeshFormat& format, MeshFile& bag) : m_format(format), m_bag(bag) {}
+
+    void remake() {
+        const CellList old = std::move(m_bag.cells);
+        m_bag.cells = {};
+        const auto triangles = std::move(m_bag.cellOfTriangle),
+                   tetrahedra = std::move(m_bag.cellOfTetrahedron);
+        m_bag.cellOfTriangle.assign(m_bag.triangles.size(), -1);
+        m_bag.cellOfTetrahedron.assign(m_bag.tetrahedra.size(), -1);
+        std::size_t t = 0, q = 0;  // in the order of the cells
+        for (int c = 0; c < old.size(); ++c) {
+            const std::size_t firstT = t, firstQ = q;
+            while (t < triangles.size() && triangles[t] == c) ++t;
+            while (q < tetrahedra.size() && tetrahedra[q] == c) ++q;
+            take(old, c);
+            addParts(m_bag.triangles, firstT, t, c, m_bag.cellOfTriangle);
+            addParts(m_bag.tetrahedra, firstQ, q, c, m_bag.cellOfTetrahedron);
+        }
+        for (MeshField& field : m_bag.fields)
+            if (field.perCell) field.ofCells = taken(field);
+        takeGroups(old.size());
+    }
+
+  private:
+    void take(const CellList& old, int c) {
+        const CellKind kind = old.kinds[static_cast<std::size_t>(c)];
+        m_fate = fateOf(m_format, kind);
+        const auto nodes = old[c];
+        if (m_fate == Fate::Whole) add(kind, nodes, c);
+        if (m_fate == Fate::Linear)
+            add(linearKind(kind), nodes.first(static_cast<std::size_t>(factsOf(kind).corners)), c);
+        if (m_fate != Fate::Split || factsOf(kind).dimension >= 2) return;
+        const std::size_t step = kind == CellKind::PolyLine ? 2 : 1;
+        for (std::size_t k = 0; k + step <= nodes.size(); ++k)
+            add(partKind(factsOf(kind).dimension), nodes.subspan(k, step), c);
+    }
+    template <std::size_t N>
+    void addParts(const std::vector<std::array<int, N>>& parts, std::size_t first, std::size_t end, int c,
+                  std::vector<int>& cellOf) {
+        for (std::size_t k = first; k < end; ++k) {
+            if (m_fate == Fate::Split) add(partKind(static_cast<int>(N) - 1), parts[k], c);
+            cellOf[k] = m_fate == Fate::Lost ? -1 : m_bag.cells.size() - 1;
+        }
+    }
+    void add(CellKind kind, std::span<const int> nodes, int from) {
+        m_bag.cells.add(kind, nodes);
+        m_from.push_back(from);
+    }
+    std::vector<double> taken(const MeshField& field) const {
+        std::vector<double> values;
+        values.reserve(m_from.size() * static_cast<std::size_t>(field.components));
+        for (const int c : m_from) {
+            const auto first = field.ofCells.begin() + static_cast<std::ptrdiff_t>(c) * field.components;
+            values.insert(values.end(), first, first + field.components);
+        }
+        return values;
+    }
+    void takeGroups(int oldCount) {
+        std::vector<char> within(static_cast<std::size_t>(oldCount), 0);
+        for (MeshGroup& group : m_bag.groups) {
+            for (const int c : group.cells) within[static_cast<std::size_t>(c)] = 1;
+            std::vector<int> cells;
+            for (std::size_t c = 0; c < m_from.size(); ++c)
+                if (within[static_cast<std::size_t>(m_from[c])]) cells.push_back(static_cast<int>(c));
+            for (const int c : group.cells) within[static_cast<std::size_t>(c)] = 0;
+            group.cells = std::move(cells);
+        }
+        std::erase_if(m_bag.groups,
+                      [](const MeshGroup& group) { return group.cells.empty() && group.vertices.empty(); });
+    }
+
+    const MeshFormat& m_format;
+    MeshFile& m_bag;
+    Fate m_fate = Fate::Whole;
+    std::vector<int> m_from;
+};
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+    return text;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < 4; ++i) text += (i ? ", " : " (") + names[i];
+    return text.empty() ? text : text + (names.size() > 4 ? " …)" : ")");
+}
+
+bool isTag(const MeshField& field) {
+    constexpr std::string_view tags[] = {"physical", "entity",   "ref",   "attribute",
+                                         "marker",   "material", "label", "partition"};
+    return field.components == 1 && std::ranges::count(tags, field.name) > 0;
+}
+
+bool isColour(const MeshField& field) {
+    constexpr std::string_view colours[] = {"red", "green", "blue"};
+    return !field.perCell && std::ranges::count(colours, field.name) > 0;
+}
+
+/// Everything that is left out, as "3 lines".
+class Losses {
+  public:
+    Losses(const MeshFormat& format, const MeshFile& bag) : m_format(format), m_bag(bag) {
+        if (bag.deck && bag.deckFormat == format.extensions.front()) return;  // all of it is kept
+        countCells();
+        countGroups();
+        countFields();
+        m_lost.insert(m_lost.end(), bag.notices.begin(), bag.notices.end());
+    }
+    std::string text() const {
+        const std::string in =
+            " not in " + std::string(m_format.article) + std::string(m_format.name) + " file";
+        std::string text;
+        if (!m_lost.empty())
+            text = joined(m_lost) +
+                   (m_lost.size() == 1 && (m_lost[0].starts_with("1 ") || !m_bag.notices.empty()) ? " is"
+                                                                                                  : " are") +
+                   in;
+        for (const std::string& one : m_changed) text += (text.empty() ? "" : "; ") + one;
+        return text;
+    }
+
+  private:
+    void countCells() {
+        std::map<CellKind, std::size_t> counts;
+        for (const CellKind kind : m_bag.cells.kinds) ++counts[kind];
+        for (const auto& [kind, count] : counts) {
+            const CellKindFacts& facts = factsOf(kind);
+            const Fate fate = fateOf(m_format, kind);
+            const std::string cells = counted(count, facts.name, facts.plural);
+            if (fate == Fate::Lost) m_lost.push_back(cells);
+            if (fate == Fate::Linear)
+                m_changed.push_back(cells + (count == 1 ? " is" : " are") +
+                                    " written without the nodes between corners");
+            if (fate == Fate::Split)
+                m_changed.push_back(cells + (count == 1 ? " is" : " are") + " written as " +
+                                    factsOf(partKind(facts.dimension)).plural);
+        }
+    }
+    void countGroups() {
+        std::size_t ofVertices = 0, names = 0, numbers = 0;
+        std::vector<std::string> lost;
+        const std::vector<int> main = mainGroups(m_bag);
+        const std::set<int> used(main.begin(), main.end());
+        for (std::size_t g = 0; g < m_bag.groups.size(); ++g) {
+            const MeshGroup& group = m_bag.groups[g];
+            const std::string name = group.name.empty() ? std::to_string(group.tag) : group.name;
+            if (group.cells.empty()) {
+                ofVertices += !m_format.holdsNodeGroups(group);
+            } else if (!m_format.holdsGroup(group, used.contains(static_cast<int>(g)))) {
+                ++numbers;
+                lost.push_back(name);
+            } else if (!group.name.empty() && !m_format.holdsNames(group)) {
+                ++names;
+            }
+        }
+        if (ofVertices > 0) m_lost.push_back(counted(ofVertices, "group of vertices", "groups of vertices"));
+        if (numbers > 0) m_lost.push_back(counted(numbers, "group", "groups") + listed(lost));
+        if (names > 0)
+            m_lost.push_back(names == 1 ? "the name of 1 group"
+                                        : "the names of " + std::to_string(names) + " groups");
+    }
+    void countFields() {
+        std::vector<std::string> lost;
+        for (const MeshField& field : m_bag.fields) {
+            const bool held =
+                m_format.holdsFields || isTag(field) || (m_format.holdsColours && isColour(field));
+            if (!held) lost.push_back(field.name);
+        }
+        if (!lost.empty()) m_lost.push_back(counted(lost.size(), "field", "fields") + listed(lost));
+        if (!m_bag.fileFields.empty() && !m_format.holdsFileFields)
+            m_lost.push_back(counted(m_bag.fileFields.size(), "field of the file", "fields of the file"));
+        if (m_bag.uv.cols() > 0 && !m_format.holdsTexture) m_lost.push_back("texture coordinates");
+    }
+
+    const MeshFormat& m_format;
+    const MeshFile& m_bag;
+    std::vector<std::string> m_lost, m_changed;
+};
+
+}  // namespace
+
+MeshFile asHeld(const MeshFormat& format, MeshFile bag) {
+    if (std::ranges::all_of(bag.cells.kinds, [&](CellKind kind) { return format.holds(kind); })) return bag;
+    Remaking(format, bag).remake();
+    return bag;
+}
+
+std::string lostParts(const MeshFormat& format, const MeshFile& bag) {
+    return Losses(format, bag).text();
+}
+
+}  // namespace wend::formats
