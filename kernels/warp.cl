@@ -1,5 +1,5 @@
 // The cells of a texture warp: every pixel looks up the picture through the inverse affine map of the cell that covers
-// it (warp/span_filters.inl has the same filters). Built with
+// it (warp/span_filters_inl.h has the same filters). Built with
 //   -DKIND=0|1       numbers of the picture: 8 bit, 16 bit
 //   -DN=1…4          its channels; with -DALPHA the last one is alpha, with -DWEIGHTED colours count by it
 //   -DADDS=0|1       a further channel of the output, full

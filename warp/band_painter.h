@@ -2,7 +2,7 @@
 
 #include "warp/layers.h"
 #include "warp/pixel_cells.h"
-#include "warp/span_painters.h"
+#include "warp/span_task.h"
 #include "warp/warp_job.h"
 
 namespace wend {
@@ -21,8 +21,7 @@ class BandPainter {
           m_begin(band * kBandRows),
           m_end(std::min(job.view.height, m_begin + kBandRows)),
           m_channels(job.header.channels),
-          m_spans(
-              spanFunctionsOf<T>(job.source->base().channels, job.options.filter, job.options.wideVectors)) {
+          m_paintSpan(spanPainterOf<T>(job.source->base().channels, job.options.filter)) {
         m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
         for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
         const bool shinesThrough = part == BandPart::All && !job.source->opaque();
@@ -73,7 +72,7 @@ class BandPainter {
             m_task.begin = from, m_task.end = to;
             m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
             m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
-            if (m_part == BandPart::All) m_spans.paint(m_task, target(from, y));
+            if (m_part == BandPart::All) m_paintSpan(m_task, SpanOutput::Pixels, target(from, y));
             if (!m_cells.empty()) m_cells.cover(y, from, to, place);
         });
     }
@@ -88,12 +87,12 @@ class BandPainter {
     OutColour sample(const CellMap& map, const CellFilter& filter, int x, int y) const {
         SpanTask task = m_task;
         task.level = levelOf(filter);
-        task.begin = x;
+        task.begin = x, task.end = x + 1;
         task.inner = false;
         task.setCell(map, filter);
         task.setRow(map, m_job.plane(0, y + 0.5).y());
         OutColour colour{};
-        m_spans.sample(task, colour.data());
+        m_paintSpan(task, SpanOutput::Colour, colour.data());
         const int channels = m_job.source->base().channels;
         std::fill(colour.begin() + channels, colour.end(), 0.0F);
         if (m_job.addsAlpha) colour[static_cast<std::size_t>(channels)] = kFull<T>;
@@ -212,7 +211,7 @@ class BandPainter {
     BandPart m_part;
     Image& m_strip;
     int m_top, m_band, m_begin, m_end, m_channels;
-    SpanFunctions m_spans;
+    PaintSpan m_paintSpan;
     SpanTask m_task;
     std::vector<TexelLevel> m_levels;
     PixelCells m_cells;  // if some of them show through others, or the outside is not transparent

@@ -1,7 +1,37 @@
 #include "warp/band_painter.h"
+#include "warp/span_targets.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "warp/band_painter_uint16.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "warp/span_filters_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wend::HWY_NAMESPACE {
+
+PaintSpan uint16Spans(int channels, Filter filter) {
+    return spanPainter<std::uint16_t>(channels, filter);
+}
+
+}  // namespace wend::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace wend {
+namespace {
+
+HWY_EXPORT(uint16Spans);
+
+}  // namespace
+
+template <>
+PaintSpan spanPainterOf<std::uint16_t>(int channels, Filter filter) {
+    return HWY_DYNAMIC_DISPATCH(uint16Spans)(channels, filter);
+}
 
 template void paintBand<std::uint16_t>(const WarpJob&, int, BandPart, Image&, int);
 
 }  // namespace wend
+#endif

@@ -29,7 +29,7 @@ std::array<float, 4> cubicWeights(float t) {
             -0.5F * s * t * t};
 }
 
-/// The elliptical kernel of span_filters.inl at q = r².
+/// The elliptical kernel of span_filters_inl.h at q = r².
 float radial(float q) {
     const float rest = 4 - std::min(q, 4.0F);
     return rest * rest * (((-0.00488379426F * q + 0.031282487F) * q - 0.0738093829F) * q + 0.0543943942F);

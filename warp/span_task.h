@@ -42,10 +42,12 @@ struct SpanTask {
     }
 };
 
-/// What paints spans for one number type, number of channels, filter and instruction set.
-struct SpanFunctions {
-    void (*paint)(const SpanTask&, void* to) = nullptr;        // rounded, from pixel `begin` on
-    void (*sample)(const SpanTask&, float* colour) = nullptr;  // of pixel `begin`: four lanes
-};
+/// Pixels are rounded, from pixel `begin` on; a colour is that of pixel `begin` alone, four floats.
+enum class SpanOutput { Pixels, Colour };
+using PaintSpan = void (*)(const SpanTask&, SpanOutput, void* to);
+
+/// Returns what paints spans of a picture of numbers of type T, on the SIMD target in use.
+template <typename T>
+PaintSpan spanPainterOf(int channels, Filter filter);
 
 }  // namespace wend

@@ -31,8 +31,6 @@ struct WarpOptions {
     int restMargin = 0;
     int threads = 0;
     MakeCellPainter makePainter;
-    bool wideVectors =
-        true;  // where the machine has them; else what runs everywhere: the same but for rounding
     std::stop_token stop;
     std::function<void(double)> progress;  // fraction done; called from any thread
 };

@@ -1,14 +1,37 @@
-// The filters, and spans painted with them. No include guard: read once per instruction set, within its
-// namespace (span_painters.h).
+// The filters, and spans painted with them. Read once per target of Highway. Nothing of the standard library
+// or of Eigen is used here: an inline function compiled for newer machines only might be linked for all.
 
-#include "warp/span_lanes.inl"
+#if defined(WEND_WARP_SPAN_FILTERS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEND_WARP_SPAN_FILTERS_INL_H
+#undef WEND_WARP_SPAN_FILTERS_INL_H
+#else
+#define WEND_WARP_SPAN_FILTERS_INL_H
+#endif
+
+#include "warp/careful_sample.h"
+#include "warp/span_lanes_inl.h"
+#include "warp/span_task.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wend::HWY_NAMESPACE {
+namespace {
+
+// Emulated vectors take minutes to compile where all is inlined.
+#undef WEND_SPAN_INLINE
+#if HWY_TARGET == HWY_EMU128
+#define WEND_SPAN_INLINE HWY_NOINLINE
+#else
+#define WEND_SPAN_INLINE HWY_ATTR HWY_INLINE
+#endif
+
+constexpr int kFarthestReach = 32;  // of an ellipse, in pixels of its level
 
 /// Pixels in memory from one on, and the step to the next row.
 template <typename T>
 struct Window {
     const T* first;
     std::ptrdiff_t stride;
-    WEND_INLINE const T* row(int j) const { return first + j * stride; }
+    HWY_ATTR HWY_INLINE const T* row(int j) const { return first + j * stride; }
 };
 
 /// Room for the window of one pixel at the border.
@@ -18,14 +41,14 @@ struct Patch {
     T pixels[(2 * kFarthestReach + 2) * kColumns * N + 4];
 };
 
-WEND_INLINE int clamped(int i, int size) {
+HWY_ATTR HWY_INLINE int clamped(int i, int size) {
     return i < 0 ? 0 : i < size ? i : size - 1;
 }
 
 /// Beyond the border of a picture the border's pixels go on.
 template <typename T, int N>
-WEND_TARGET __attribute__((noinline)) void copyWindow(const TexelLevel& level, int x, int y, int columns, int rows,
-                                          T* pixels) {
+HWY_ATTR HWY_NOINLINE void copyWindow(const TexelLevel& level, int x, int y, int columns, int rows,
+                                      T* pixels) {
     const T* data = static_cast<const T*>(level.data);
     for (int j = 0; j < rows; ++j) {
         const T* from = data + static_cast<std::ptrdiff_t>(clamped(y + j, level.height)) * level.width * N;
@@ -40,14 +63,14 @@ WEND_TARGET __attribute__((noinline)) void copyWindow(const TexelLevel& level, i
 template <typename T, int N>
 class Texels {
   public:
-    WEND_INLINE Texels(const SpanTask& task, T* patch)
+    HWY_ATTR HWY_INLINE Texels(const SpanTask& task, T* patch)
         : m_task(task),
           m_data(static_cast<const T*>(task.level.data)),
           m_stride(static_cast<std::ptrdiff_t>(task.level.width) * N),
           m_inner(task.inner),
           m_patch(patch) {}
 
-    WEND_INLINE Window<T> window(int x, int y, int columns, int rows) const {
+    HWY_ATTR HWY_INLINE Window<T> window(int x, int y, int columns, int rows) const {
         if (m_inner) return {m_data + y * m_stride + static_cast<std::ptrdiff_t>(x) * N, m_stride};
         copyWindow<T, N>(m_task.level, x, y, columns, rows, m_patch);
         return {m_patch, Patch<T, N>::kColumns * N};
@@ -67,7 +90,7 @@ class Texels {
 template <typename T, int N, bool weighted>
 class Filters {
   public:
-    WEND_INLINE Filters(const SpanTask& task, T* patch)
+    HWY_ATTR HWY_INLINE Filters(const SpanTask& task, T* patch)
         : m_texels(task, patch),
           m_alpha(task.level.alpha),
           m_xx(task.xx),
@@ -77,18 +100,20 @@ class Filters {
           m_reachX(task.reachX),
           m_reachY(task.reachY) {}
 
-    WEND_INLINE Colour nearest(int i, int j) const { return widened(m_texels.window(i, j, 1, 1).first); }
+    HWY_ATTR HWY_INLINE Colour nearest(int i, int j) const {
+        return widened(m_texels.window(i, j, 1, 1).first);
+    }
 
-    WEND_INLINE Colour bilinear(int i, int j, float s, float t) const {
+    WEND_SPAN_INLINE Colour bilinear(int i, int j, float s, float t) const {
         const Window<T> w = m_texels.window(i, j, 2, 2);
         if (s == 0 && t == 0) return widened(w.first);
         const Eight top = summands(w.row(0)), bottom = summands(w.row(1));
         const Eight column = top + eight(t) * (bottom - top);
-        return colour(low(column) + s * (high(column) - low(column)));
+        return colour(low(column) + all(s) * (high(column) - low(column)));
     }
 
     /// Catmull–Rom's cubic (Keys 1981, a = −½): interpolating.
-    WEND_INLINE Colour bicubic(int i, int j, float s, float t) const {
+    WEND_SPAN_INLINE Colour bicubic(int i, int j, float s, float t) const {
         const Window<T> w = m_texels.window(i - 1, j - 1, 4, 4);
         if (s == 0 && t == 0) return widened(w.row(1) + N);
         float x[4], y[4];
@@ -101,45 +126,47 @@ class Filters {
     }
 
     /// The mean over an ellipse, going over to the cubic where the ellipse is nearly the unit circle's.
-    WEND_INLINE Colour ewa(int i, int j, float s, float t) const {
-        if (m_blend == 0) return bicubic(i, j, s, t);
-        const Colour soft = elliptical(i, j, s, t);
-        if (m_blend == 1) return soft;
-        return mixed(soft, bicubic(i, j, s, t));
+    HWY_ATTR HWY_INLINE Colour ewa(int i, int j, float s, float t) const {
+        Colour soft = all(0);
+        const bool found = m_blend != 0 && elliptical(i, j, s, t, soft);
+        if (found && m_blend == 1) return soft;
+        const Colour sharp = bicubic(i, j, s, t);
+        return found ? mixed(soft, sharp) : sharp;
     }
 
   private:
     // --- colours that count by their alpha
     // --------------------------------------------------------------------
 
-    WEND_INLINE static Eight associated(Eight two) {
+    HWY_ATTR HWY_INLINE static Eight associated(Eight two) {
         if constexpr (!weighted) return two;
-        return replaced<N - 1>(two, eight(kFull<T>)) * (spread<N - 1>(two) * eight(1 / kFull<T>));
+        return lastReplaced<N>(two, eight(kFull<T>)) * (spread<N - 1>(two) * eight(1 / kFull<T>));
     }
-    WEND_INLINE static Eight summands(const T* p) { return associated(loadTwo<N>(p)); }
+    WEND_SPAN_INLINE static Eight summands(const T* p) { return associated(loadTwo<N>(p)); }
 
     /// The colour of a sum of summands.
-    WEND_INLINE static Colour colour(Colour sum) {
+    WEND_SPAN_INLINE static Colour colour(Colour sum) {
         if constexpr (!weighted) return sum;
-        const float alpha = sum[N - 1];
+        const float alpha = hn::ExtractLane(sum, N - 1);
         if (!(alpha > 0)) return all(0);
-        sum = sum * all(kFull<T> / alpha);
-        sum[N - 1] = alpha;
-        return sum;
+        return hn::InsertLane(sum * all(kFull<T> / alpha), N - 1, alpha);
     }
 
-    WEND_INLINE Colour mixed(Colour a, Colour b) const {
+    WEND_SPAN_INLINE Colour mixed(Colour a, Colour b) const {
         const Eight parts = associated(eight(a, b)) * eight(all(m_blend), all(1 - m_blend));
         return colour(low(parts) + high(parts));
     }
 
     /// Negative lobes of a filter must not make light below black or colour beyond its alpha: where alpha
     /// overshoots, associated colours shrink with it. Half and float numbers see sampleCarefully().
-    WEND_INLINE Colour limited(Colour value) const {
+    WEND_SPAN_INLINE Colour limited(Colour value) const {
         if constexpr (std::is_integral_v<T>) {
-            if (!weighted && m_alpha && value[N - 1] > kFull<T>) value = value * all(kFull<T> / value[N - 1]);
-            value = least(most(value, all(0)), all(kFull<T>));
-            if (!weighted && m_alpha) value = least(value, all(value[N - 1]));
+            if (!weighted && m_alpha) {
+                const float alpha = hn::ExtractLane(value, N - 1);
+                if (alpha > kFull<T>) value = value * all(kFull<T> / alpha);
+            }
+            value = hn::Min(hn::Max(value, all(0)), all(kFull<T>));
+            if (!weighted && m_alpha) value = hn::Min(value, hn::Broadcast<N - 1>(value));
         }
         return value;
     }
@@ -147,12 +174,12 @@ class Filters {
     // --- cubic
     // ------------------------------------------------------------------------------------------------
 
-    WEND_INLINE static void cubicWeights(float t, float* w) {
+    HWY_ATTR HWY_INLINE static void cubicWeights(float t, float* w) {
         const float s = 1 - t;
         w[0] = -0.5F * t * s * s, w[3] = -0.5F * s * t * t;
         w[1] = 1 + t * t * (1.5F * t - 2.5F), w[2] = 1 + s * s * (1.5F * s - 2.5F);
     }
-    WEND_INLINE static Eight cubicRow(const T* p, Eight left, Eight right) {
+    HWY_ATTR HWY_INLINE static Eight cubicRow(const T* p, Eight left, Eight right) {
         return left * summands(p) + right * summands(p + 2 * N);
     }
 
@@ -161,7 +188,7 @@ class Filters {
 
     /// The radial cubic of Mitchell and Netravali (1988) with B = 0.3782, C = 0.3109, which keeps straight
     /// lines straight, within 0.004 as a polynomial of q = r² that ends smoothly at r = 2.
-    WEND_INLINE static Eight kernel(Eight q) {
+    WEND_SPAN_INLINE static Eight kernel(Eight q) {
         const Eight rest = eight(4) - smaller(q, eight(4));
         const Eight inner =
             ((eight(-0.00488379426F) * q + eight(0.031282487F)) * q - eight(0.0738093829F)) * q +
@@ -173,7 +200,8 @@ class Filters {
         Eight colours, weights;
     };
 
-    WEND_INLINE Colour elliptical(int i, int j, float s, float t) const {
+    /// Returns whether any pixel weighs something.
+    WEND_SPAN_INLINE bool elliptical(int i, int j, float s, float t, Colour& mean) const {
         Sum sum{eight(0), eight(0)};
         if (m_reachX <= 1 && m_reachY <= 1)
             addBox<1>(i, j, s, t, sum);
@@ -184,15 +212,16 @@ class Filters {
         else
             addChords(i, j, s, t, sum);
         const Colour four = low(sum.weights) + high(sum.weights);
-        const float weight = four[0] + four[1] + four[2] + four[3];
-        if (!(weight > 0)) return bicubic(i, j, s, t);
-        return limited(colour((low(sum.colours) + high(sum.colours)) * all(1 / weight)));
+        const float weight = hn::GetLane(hn::SumOfLanes(Four(), four));
+        if (!(weight > 0)) return false;
+        mean = limited(colour((low(sum.colours) + high(sum.colours)) * all(1 / weight)));
+        return true;
     }
 
     /// All pixels of a box that holds the ellipse, from `reach` before the pixel (i, j) to reach + 1 after
     /// it.
     template <int reach>
-    WEND_INLINE void addBox(int i, int j, float s, float t, Sum& sum) const {
+    WEND_SPAN_INLINE void addBox(int i, int j, float s, float t, Sum& sum) const {
         constexpr int kSize = 2 * reach + 2;
         const Window<T> w = m_texels.window(i - reach, j - reach, kSize, kSize);
         const Eight dx = counted() - eight(static_cast<float>(reach) + s);
@@ -210,7 +239,7 @@ class Filters {
     }
 
     /// Row by row over the chord of the ellipse: q = xx (dx − middle)² + rest(dy).
-    WEND_INLINE void addChords(int i, int j, float s, float t, Sum& sum) const {
+    HWY_ATTR HWY_INLINE void addChords(int i, int j, float s, float t, Sum& sum) const {
         const int last = 2 * m_reachX + 1;
         const Window<T> w = m_texels.window(i - m_reachX, j - m_reachY, last + 2, 2 * m_reachY + 2);
         const float slant = m_xy / m_xx, depth = m_yy - m_xy * slant;
@@ -228,7 +257,7 @@ class Filters {
 
     /// Up to eight pixels from p on, the one at p being dx from the middle of the chord; those after the
     /// first 1 + `more` weigh nothing.
-    WEND_INLINE void addEight(const T* p, float dx, float rest, int more, Sum& sum) const {
+    WEND_SPAN_INLINE void addEight(const T* p, float dx, float rest, int more, Sum& sum) const {
         const Eight across = counted() + eight(dx);
         const Eight weights = kernel(eight(m_xx) * across * across + eight(rest));
         sum.weights = sum.weights + weights;
@@ -251,10 +280,10 @@ struct Places {
     float s[kSize], t[kSize];  // how far beyond its centre, in [0, 1)
 };
 
-/// Of `count` pixels (eight at a time, which may be some more) from `begin` on; `half` ½ for pixels' centres, 0
-/// for their corners. Far outside (or no number) is brought near, which changes nothing but the range of the
-/// numbers.
-WEND_INLINE void locate(const SpanTask& task, int begin, int count, double half, Places& places) {
+/// Of `count` pixels (eight at a time, which may be some more) from `begin` on; `half` ½ for pixels' centres,
+/// 0 for their corners. Far outside (or no number) is brought near, which changes nothing but the range of
+/// the numbers.
+HWY_ATTR HWY_INLINE void locate(const SpanTask& task, int begin, int count, double half, Places& places) {
     constexpr double kFar = 64;
     const double left = task.left, scale = task.scale, anchor = task.anchor, height = task.height;
     const double rowX = task.inRowX, rowY = task.inRowY, gradientX = task.gradientX,
@@ -277,27 +306,19 @@ WEND_INLINE void locate(const SpanTask& task, int begin, int count, double half,
 template <typename T, int N, Filter F>
 class SpanPainter {
   public:
-    WEND_TARGET static void paint(const SpanTask& task, void* to) {
-        if (task.level.weighted && F != Filter::Nearest)
-            paintPieces<N % 2 == 0>(task, static_cast<T*>(to));
-        else
-            paintPieces<false>(task, static_cast<T*>(to));
-    }
-
-    WEND_TARGET static void sample(const SpanTask& task, float* colour) {
-        SpanTask one = task;
-        one.end = one.begin + 1;
-        if (task.level.weighted && F != Filter::Nearest)
-            sampleOne<N % 2 == 0>(one, colour);
-        else
-            sampleOne<false>(one, colour);
+    HWY_ATTR static void paint(const SpanTask& task, SpanOutput output, void* to) {
+        if constexpr (N % 2 == 0 && F != Filter::Nearest) {
+            if (task.level.weighted) return paintPieces<true>(task, output, static_cast<T*>(to));
+        }
+        paintPieces<false>(task, output, static_cast<T*>(to));
     }
 
   private:
     static constexpr double kHalf = F == Filter::Nearest ? 0 : 0.5;
 
     template <bool weighted>
-    WEND_INLINE static Colour colourAt(const Filters<T, N, weighted>& filters, const Places& at, int k) {
+    HWY_ATTR HWY_INLINE static Colour colourAt(const Filters<T, N, weighted>& filters, const Places& at,
+                                               int k) {
         if constexpr (F == Filter::Nearest) return filters.nearest(at.i[k], at.j[k]);
         if constexpr (F == Filter::Bilinear) return filters.bilinear(at.i[k], at.j[k], at.s[k], at.t[k]);
         if constexpr (F == Filter::Bicubic) return filters.bicubic(at.i[k], at.j[k], at.s[k], at.t[k]);
@@ -307,97 +328,93 @@ class SpanPainter {
     /// Whether the filter may have made of half or float numbers what sampleCarefully() takes back. Alpha may
     /// miss 1 by rounding.
     template <bool weighted>
-    WEND_INLINE static bool isDoubtful(const SpanTask& task, Colour& colour) {
+    HWY_ATTR HWY_INLINE static bool isDoubtful(const SpanTask& task, Colour& colour) {
         constexpr float kLargest = sizeof(T) == 2 ? 65504.0F : 3.4e38F, kRounding = 1e-5F;
         const bool alpha = task.level.alpha;
-        float sum = 0;
-        for (int c = 0; c < N; ++c) {
-            if (!(colour[c] >= 0 && colour[c] <= kLargest)) return true;
-            sum += colour[c];
-        }
-        if (F == Filter::Bilinear || !alpha) return weighted && sum == 0;
-        if (sum == 0) return weighted;
-        const float beyond = colour[N - 1] - 1;
-        if (beyond > 0 && beyond <= kRounding) colour[N - 1] = 1;
+        const Colour own = N == 4 ? colour : hn::IfThenElseZero(hn::FirstN(Four(), N), colour);
+        if (!hn::AllTrue(Four(), hn::And(own >= all(0), own <= all(kLargest)))) return true;
+        const bool isNothing = hn::AllTrue(Four(), own == all(0));
+        if (F == Filter::Bilinear || !alpha) return weighted && isNothing;
+        if (isNothing) return weighted;
+        const float beyond = hn::ExtractLane(colour, N - 1) - 1;
+        if (beyond > 0 && beyond <= kRounding) colour = hn::InsertLane(colour, N - 1, 1.0F);
         return !(beyond >= -kRounding && beyond <= kRounding);
     }
 
     template <bool weighted>
-    WEND_INLINE static Colour settled(const SpanTask& task, const Places& at, int k, Colour colour) {
+    HWY_ATTR HWY_INLINE static Colour settled(const SpanTask& task, const Places& at, int k, Colour colour) {
         if constexpr (!std::is_integral_v<T> && F != Filter::Nearest) {
             const bool isSoft = F == Filter::Ewa && task.blend > 0;
             const bool isPixel = at.s[k] == 0 && at.t[k] == 0 && !isSoft;
             if (isPixel || !isDoubtful<weighted>(task, colour)) return colour;
             float numbers[4];
-            std::memcpy(numbers, &colour, sizeof numbers);
+            hn::StoreU(colour, Four(), numbers);
             sampleCarefully<T>(task, F, N, at.i[k], at.j[k], at.s[k], at.t[k], numbers);
-            std::memcpy(&colour, numbers, sizeof numbers);
+            colour = hn::LoadU(Four(), numbers);
         }
         return colour;
     }
 
-    template <bool weighted>
-    WEND_TARGET static void paintPieces(const SpanTask& task, T* to) {
-        if (task.addsAlpha)
-            paintPieces<weighted, N == 4 ? N : N + 1>(task, to);
-        else
-            paintPieces<weighted, N>(task, to);
+    /// Returns where the next pixel begins.
+    HWY_ATTR HWY_INLINE static T* put(Colour colour, bool addsAlpha, T* to) {
+        constexpr int kMore = N == 4 ? N : N + 1;
+        if (!addsAlpha) return storeColour<N>(colour, to), to + N;
+        if constexpr (kMore > N) colour = hn::InsertLane(colour, N % 4, kFull<T>);
+        storeColour<kMore>(colour, to);
+        return to + kMore;
     }
 
-    template <bool weighted, int channels>
-    WEND_TARGET static void paintPieces(const SpanTask& task, T* to) {
+    template <bool weighted>
+    HWY_ATTR HWY_NOINLINE static void paintPieces(const SpanTask& task, SpanOutput output, T* to) {
         Patch<T, N> patch;
         Places places;
         const Filters<T, N, weighted> filters(task, patch.pixels);
         const int last = task.end;
+        const bool addsAlpha = task.addsAlpha;
         for (int begin = task.begin; begin < last; begin += Places::kSize) {
             const int count = last - begin < Places::kSize ? last - begin : Places::kSize;
             locate(task, begin, count, kHalf, places);
-            for (int k = 0; k < count; ++k, to += channels) {
-                Colour colour = settled<weighted>(task, places, k, colourAt(filters, places, k));
-                if constexpr (channels > N) colour[N] = kFull<T>;
-                storeColour<channels>(colour, to);
+            for (int k = 0; k < count; ++k) {
+                const Colour colour = settled<weighted>(task, places, k, colourAt(filters, places, k));
+                if (output == SpanOutput::Colour)
+                    return hn::StoreU(colour, Four(), reinterpret_cast<float*>(to));
+                to = put(colour, addsAlpha, to);
             }
         }
-    }
-
-    template <bool weighted>
-    WEND_TARGET static void sampleOne(const SpanTask& task, float* colour) {
-        Patch<T, N> patch;
-        Places places;
-        locate(task, task.begin, 1, kHalf, places);
-        const Filters<T, N, weighted> filters(task, patch.pixels);
-        const Colour found = settled<weighted>(task, places, 0, colourAt(filters, places, 0));
-        std::memcpy(colour, &found, sizeof found);
     }
 };
 
 template <typename T, int N>
-SpanFunctions spanFunctions(Filter filter) {
+HWY_ATTR PaintSpan spanPainter(Filter filter) {
     switch (filter) {
         case Filter::Nearest:
-            return {SpanPainter<T, N, Filter::Nearest>::paint, SpanPainter<T, N, Filter::Nearest>::sample};
+            return SpanPainter<T, N, Filter::Nearest>::paint;
         case Filter::Bilinear:
-            return {SpanPainter<T, N, Filter::Bilinear>::paint, SpanPainter<T, N, Filter::Bilinear>::sample};
+            return SpanPainter<T, N, Filter::Bilinear>::paint;
         case Filter::Bicubic:
-            return {SpanPainter<T, N, Filter::Bicubic>::paint, SpanPainter<T, N, Filter::Bicubic>::sample};
+            return SpanPainter<T, N, Filter::Bicubic>::paint;
         case Filter::Ewa:
-            return {SpanPainter<T, N, Filter::Ewa>::paint, SpanPainter<T, N, Filter::Ewa>::sample};
+            return SpanPainter<T, N, Filter::Ewa>::paint;
     }
-    return {};
+    return nullptr;
 }
 
 template <typename T>
-SpanFunctions spanFunctions(int channels, Filter filter) {
+HWY_ATTR PaintSpan spanPainter(int channels, Filter filter) {
     switch (channels) {
         case 1:
-            return spanFunctions<T, 1>(filter);
+            return spanPainter<T, 1>(filter);
         case 2:
-            return spanFunctions<T, 2>(filter);
+            return spanPainter<T, 2>(filter);
         case 3:
-            return spanFunctions<T, 3>(filter);
+            return spanPainter<T, 3>(filter);
         default:
-            return spanFunctions<T, 4>(filter);
+            return spanPainter<T, 4>(filter);
     }
 }
-#undef WEND_INLINE
+
+}  // namespace
+}  // namespace wend::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
