@@ -103,7 +103,7 @@ void FrameExport::writeMesh(const std::string& path, const RunOptions& options, 
         fields = shapeFields<Dim>(*frame->built, frame->pose, velocityAt<Dim>(*m_project, *frame, remark));
     }
     if (watch.stop.stop_requested()) throw Cancelled();
-    const std::string lost = inSequence ? "" : lostInShape<Dim>(path, *frame->built, options.meshes);
+    const std::string lost = lostInShape<Dim>(path, *frame->built, options.meshes);
     if (!lost.empty() && watch.notice) watch.notice(lost);
     writeShape<Dim>(path, *frame->built, frame->pose, fields, options.meshes);
 }
