@@ -147,7 +147,9 @@ class TestStops : public QObject {
         if (row == "cancelled") {
             std::stop_source source;
             source.request_stop();
-            const AdvanceResult result = deformer.advance(1, {{}, {}, {}, source.get_token()});
+            typename Deformer<Dim>::Watch watch;
+            watch.stop = source.get_token();
+            const AdvanceResult result = deformer.advance(1, watch);
             QVERIFY(result.outcome == Outcome::Cancelled && result.message == "at time 0 cancelled");
         } else {
             const AdvanceResult result = deformer.advance(0.25);
