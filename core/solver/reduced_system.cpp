@@ -22,6 +22,7 @@ ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Eliminati
     if (!sliders.empty()) m_held.assign(m_unknowns.size(), 0);
     for (const auto& [vertex, held] : sliders)
         if (m_unknownOf[vertex] >= 0) m_held[static_cast<std::size_t>(m_unknownOf[vertex])] |= held;
+    if (!plan.columnStart.empty()) buildPattern(plan);
 }
 
 /// Takes out of a block what couples held coordinates.

@@ -7,9 +7,9 @@
 
 namespace wend {
 
-/// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A goes, with which
-/// coefficient, into which block of K, decided once if K is asked for. Without barycentric rows K is a part
-/// of A. In a coordinate in which a vertex is held y is 0: K has nothing there but its diagonal.
+/// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A contributes, with which
+/// coefficient, to which block of K, decided once where the plan lists blocks. Without barycentric rows K is
+/// a part of A. In a coordinate in which a vertex is held y is 0: K has nothing there but its diagonal.
 template <int Dim>
 class ReducedSystem {
   public:
@@ -22,9 +22,8 @@ class ReducedSystem {
     /// The coordinates in which an unknown is held, one bit each; empty: none is.
     const std::vector<unsigned>& held() const { return m_held; }
 
-    /// Lists the pattern and its terms, which gather() needs. The plan lists its contributions.
-    void buildPattern(const AssemblyPlan<Dim>& plan);
-    /// Scalar pattern of the lower triangle of K by columns (its diagonal blocks are full).
+    /// Scalar pattern of the lower triangle of K by columns (its diagonal blocks are full). Empty, and
+    /// gather() impossible, if the plan does not list its contributions.
     const std::vector<int>& columnStart() const { return m_columnStart; }
     const std::vector<int>& row() const { return m_row; }
 
@@ -46,6 +45,7 @@ class ReducedSystem {
         double coefficient;
     };
     void numberUnknowns(const AssemblyPlan<Dim>& plan);
+    void buildPattern(const AssemblyPlan<Dim>& plan);
     /// The row of Z of a vertex: its unknowns and their coefficients.
     std::vector<std::pair<int, double>> rowOfZ(int vertex) const;
     bool holds(std::size_t unknown, int coordinate) const {

@@ -112,7 +112,6 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     sliders = withoutPivots(givenSliders, elimination);
     projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
     system = ReducedSystem<Dim>(*plan, elimination, sliders);
-    if (!isMultigrid()) system.buildPattern(*plan);
 
     const auto held = wellConstrained(*rest, components, rows, sliders);
     std::vector<double> massRegularization;

@@ -2,6 +2,7 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -127,8 +128,9 @@ void TestSkin::fieldsAndLabelsInPly() {
     const auto mesh = sharedMeshFile(file("sheet.ply"));
     QVERIFY(trianglesOf(*mesh) == skin.triangles);
     QCOMPARE(uvOf(*mesh).cols(), pointsOf(*mesh).cols());
-    const MeshField& heat = fieldsOf(*mesh).at(0);
-    QVERIFY(heat.name == "heat" && heat.values == (std::vector<double>{1, 2, 3}));
+    const auto& fields = fieldsOf(*mesh);
+    const auto heat = std::ranges::find(fields, "heat", &MeshField::name);
+    QVERIFY(heat != fields.end() && heat->values == (std::vector<double>{1, 2, 3}));
     QVERIFY(readSkin(file("sheet.ply")).labels == skin.labels);
 }
 

@@ -50,10 +50,12 @@ class SignalHandlers {
     std::array<bool, kSignals> m_known{};
 };
 
-/// MPI is for this process alone, else it would start a daemon beside it.
+/// MPI is for this process alone: else it would start a daemon beside it, and leave a folder where this ends
+/// early.
 PetscErrorCode start() {
     const SignalHandlers handlers;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     PetscCall(PetscOptionsSetValue(nullptr, "-no_signal_handler", "1"));
     PetscCall(PetscOptionsSetValue(nullptr, "-skip_petscrc", "1"));
     PetscCall(PetscInitializeNoArguments());
