@@ -248,6 +248,8 @@ template <class Real>
 bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     const int columns = m_symbolic.columnsOf(s), rows = leading(s);
     Real *const front = panel(s), *const inverses = inverse(s);
+    const double part =
+        work(s) / columns / (updateRows(s) > 0 ? 2 : 1);  // the update matrix is the other half
     for (int from = 0; from < columns; from += kPanelColumns) {
         const int to = std::min(columns, from + kPanelColumns), below = dense::padded<Real>(to);
         if (m_stop.stop_requested()) return false;
@@ -256,7 +258,7 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
             if (m_stop.stop_requested()) return;
             m_kernels->continueColumns(front, rows, from, to, below + begin, below + end, inverses);
         });
-        m_meter->add(work(s) * (to - from) / columns / 2);
+        m_meter->add(part * (to - from));
     }
     return !m_stop.stop_requested();
 }
