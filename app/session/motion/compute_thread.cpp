@@ -27,7 +27,8 @@ void ComputeThread::loop(std::stop_token stop) {
         } catch (const SurfaceError& error) {
             giveUp(error, true);
         } catch (const NotEnoughMemory& error) {
-            giveUp(InputError(std::string("the shape ") + error.what() + "; fewer vertices need less"),
+            giveUp(InputError("the shape needs about " + byteText(error.needed()) + " of memory; " +
+                              byteText(error.free()) + " are free; fewer vertices need less"),
                    false);
         } catch (const std::exception& error) {
             giveUp(error, false);
