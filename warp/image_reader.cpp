@@ -87,11 +87,11 @@ std::string oddPixels(const Image& image) {
         }
         if (count == 0) return std::string();
         const auto width = static_cast<std::size_t>(image.width);
-        const std::string place =
-            "at x " + std::to_string(first % width) + ", y " + std::to_string(first / width);
-        return count == 1 ? "1 pixel is not a finite number (NaN or infinity), " + place
-                          : std::to_string(count) +
-                                " pixels are not finite numbers (NaN or infinity), the first " + place;
+        const std::string x = std::to_string(first % width), y = std::to_string(first / width);
+        return count == 1
+                   ? "1 pixel is not a finite number (NaN or infinity), at x " + x + ", y " + y
+                   : std::to_string(count) +
+                         " pixels are not finite numbers (NaN or infinity), the first at x " + x + ", y " + y;
     });
 }
 

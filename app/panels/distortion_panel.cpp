@@ -97,7 +97,7 @@ void DistortionPanel::makeControls() {
     m_lock->setToolButtonStyle(Qt::ToolButtonTextOnly);
     describe(m_lock, m_keep->text(), m_keep->statusTip());
     m_keep->setToolTip(m_lock->toolTip());
-    m_find->setText(tr("Go to the worst place"));
+    m_find->setText(tr("Worst place"));
     for (QToolButton* button : {m_lock, m_find, m_crossings, m_blown}) button->setProperty("role", "chip");
     describe(m_find, tr("Go to the worst place"),
              tr("Brings the most distorted triangle into view; it is ringed in the overlay."));
