@@ -493,7 +493,7 @@ void TestCli::infoOfBadMesh() {
         problems[problem["what"].toString()] = problem["where"].toArray();
     QCOMPARE(problems.value("cells without area"), (QJsonArray{3, 4}));
     QCOMPARE(problems.value("cells that repeat an earlier one"), (QJsonArray{4}));
-    QCOMPARE(problems.value("cells oriented against the others"), (QJsonArray{2}));
+    QVERIFY(!problems.contains("cells oriented against the others"));  // a matter of order, turned inside
     QVERIFY(run({"info", "bad.obj"}).out.contains("cells without area"));
     const auto good = QJsonDocument::fromJson(run({"info", "bar.mesh", "--json"}).out.toUtf8());
     QVERIFY(good["problems"].toArray().isEmpty());
