@@ -97,7 +97,7 @@ void DistortionPanel::makeControls() {
     m_lock->setToolButtonStyle(Qt::ToolButtonTextOnly);
     describe(m_lock, m_keep->text(), m_keep->statusTip());
     m_keep->setToolTip(m_lock->toolTip());
-    m_find->setText(tr("Worst place"));
+    m_find->setText(tr("Go to the worst place"));
     for (QToolButton* button : {m_lock, m_find, m_crossings, m_blown}) button->setProperty("role", "chip");
     describe(m_find, tr("Go to the worst place"),
              tr("Brings the most distorted triangle into view; it is ringed in the overlay."));
@@ -116,7 +116,8 @@ void DistortionPanel::arrange() {
     details->setSpacing(6);
     details->addWidget(m_smooth);
     details->addLayout(totals());
-    layout->addLayout(sideBySide({m_lock, nullptr, m_find}));
+    layout->addLayout(sideBySide({m_lock, nullptr}));
+    layout->addLayout(sideBySide({m_find, nullptr}));
 }
 
 QLayout* DistortionPanel::totals() {

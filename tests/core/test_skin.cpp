@@ -132,7 +132,7 @@ void TestSkin::fieldsAndLabelsInPly() {
     const auto heat = std::ranges::find(fields, "heat", &MeshField::name);
     QVERIFY(heat != fields.end());
     QCOMPARE(heat->values, (std::vector<double>{1.5, 1.5, 3}));  // a quad has the mean of its triangles
-    QVERIFY(readSkin(file("sheet.ply")).labels == skin.labels);
+    QCOMPARE(readSkin(file("sheet.ply")).labels, skin.labels);
 }
 
 void TestSkin::normalsPointOut() {
