@@ -52,6 +52,8 @@ MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector
         });
         file.fields.push_back(field);
     }
+    if (!skin.labels.empty())  // for formats without groups
+        file.fields.push_back({"label", true, 1, {skin.labels.begin(), skin.labels.end()}});
     return file;
 }
 

@@ -20,7 +20,7 @@ const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
 Formats meshFormats(bool solid, bool film) {
     Formats formats, others;
     for (const MeshFormatFacts& format : meshFormatFacts()) {
-        if (format.together && (film || !solid)) continue;  // two files each
+        if (format.together > 1 && (film || !solid)) continue;  // several files each
         const auto& first = format.extensions.front();
         (format.holdsTetrahedra == solid ? formats : others)
             << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),

@@ -77,9 +77,20 @@ MeshFile asWritten(const MeshFile& mesh, const MeshFormat& format, const MeshWri
     return mesh.made && !format.withBoundary && !options.boundary ? withoutBoundary(std::move(file)) : file;
 }
 
-/// Triangles first: Gmsh numbers elements so.
+/// Adds the numbers of the groups as the field "label", unless a field has them.
+void addLabels(MeshFile& bag) {
+    if (bag.groups.empty() || cellField(bag, {"label", "physical", "ref", "attribute", "material", "pid"}))
+        return;
+    const std::vector<long> numbers = groupNumbers(bag);
+    MeshField field{"label", true, 1, {}, {numbers.begin(), numbers.end()}, Scalar::Int32};
+    bag.fields.push_back(std::move(field));
+}
+
+/// Returns the mesh as the format is given it. Gmsh numbers triangles first; PLY has groups as a field alone.
 MeshFile bagFor(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options) {
-    return bagOf(asWritten(mesh, format, options), format.print == printGmsh);
+    MeshFile bag = bagOf(asWritten(mesh, format, options), format.print == printGmsh);
+    if (format.print == printPly) addLabels(bag);
+    return bag;
 }
 
 constexpr CellKind kFirstOfSpace = CellKind::Tetrahedron;
