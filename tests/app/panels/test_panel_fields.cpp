@@ -145,10 +145,9 @@ void TestPanelFields::inEveryStep(const std::function<void()>& check) {
     for (const Mode mode : kModes) {
         m_f->window().tools().setMode(mode);
         settleLayout(m_f->window().properties());
-        // What is told of a file comes later, and may take another line.
+        // The facts about a file may follow later and take another line.
         const auto* facts = m_f->window().properties().findChild<QLabel*>(QStringLiteral("facts"));
-        QVERIFY(!facts->isVisible() ||
-                QTest::qWaitFor([&] { return facts->text().contains(QStringLiteral("·")); }, 20000));
+        QVERIFY(!facts->isVisible() || QTest::qWaitFor([&] { return !facts->text().isEmpty(); }, 20000));
         settleLayout(m_f->window().properties());
         check();
     }
