@@ -15,9 +15,10 @@ states=${project%.wend}.states
 wend=${WEND:-wend}
 
 submit() { sbatch --parsable --export=ALL "$@"; }
-quoted() { printf '%q ' "$@"; }
+quoted() { [ $# -eq 0 ] || printf '%q ' "$@"; }
 
-flow="from=; [ -e $(quoted "$states") ] && from='--from '$(quoted "$states"); $(quoted "$wend") run $(quoted "$project") \$from --states $(quoted "$states")"
+flow="if [ -e $(quoted "$states")]; then $(quoted "$wend" run "$project" --from "$states" --states "$states");
+else $(quoted "$wend" run "$project" --states "$states"); fi"
 first=$(submit --requeue --job-name=wend-states --wrap "$flow")
 frames="$(quoted "$here/frames.sh" "$project" "$states" "$pattern" "$count" "$shards") \$SLURM_ARRAY_TASK_ID $(quoted "$@")"
 second=$(submit --dependency="afterok:$first" --array="1-$shards" --job-name=wend-frames --wrap "$frames")
