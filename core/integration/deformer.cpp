@@ -30,10 +30,12 @@ Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
 template <int Dim>
 Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         std::shared_ptr<const Material<Dim>> material, std::vector<Handle<Dim>> handles,
-                        IntegrationOptions options, const BackEndFactory<Dim>& backEnd)
+                        IntegrationOptions options, const BackEndFactory<Dim>& backEnd,
+                        const IterativeSolverFactory<Dim>& multigrid)
     : m_integrator(std::make_unique<Integrator>(
           rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
-              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads, options.solver);
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads, options.solver,
+                                         multigrid);
           })) {}
 
 template <int Dim>

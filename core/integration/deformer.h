@@ -74,10 +74,10 @@ class Deformer {
     Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
              std::vector<Handle<Dim>> handles, IntegrationOptions options = {},
              BackEndKind backEnd = BackEndKind::Automatic);
-    /// The same with a back end of the caller's, as OpenCL's.
+    /// The same with a back end of the caller's, as OpenCL's, and an iterative solver: see VelocitySolver.
     Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
-             std::vector<Handle<Dim>> handles, IntegrationOptions options,
-             const BackEndFactory<Dim>& backEnd);
+             std::vector<Handle<Dim>> handles, IntegrationOptions options, const BackEndFactory<Dim>& backEnd,
+             const IterativeSolverFactory<Dim>& multigrid = {});
     ~Deformer();
     Deformer(Deformer&&) noexcept;
     Deformer& operator=(Deformer&&) noexcept;

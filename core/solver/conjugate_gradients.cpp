@@ -9,9 +9,16 @@ namespace {
 // What a last step without its product may leave of the error at least, for all that is expected of it.
 constexpr double kPlainContraction = 0.25;
 
+/// Of the unknowns of all parts.
 template <int Dim>
-double dot(const Points<Dim>& a, const Points<Dim>& b) {
-    return a.cwiseProduct(b).sum();
+double dot(const Points<Dim>& a, const Points<Dim>& b, const PartLinks& links) {
+    const int own = links.own(static_cast<int>(a.cols()));
+    return links.sum(a.leftCols(own).cwiseProduct(b.leftCols(own)).sum());
+}
+
+template <class Matrix>
+double largest(const Matrix& v, const PartLinks& links) {
+    return links.largest(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0);
 }
 
 template <int Dim>
@@ -42,18 +49,20 @@ void record(double contraction, Result& result) {
 template <int Dim>
 typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
     BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
-    const Goal& goal, const Points<Dim>* load, Points<Dim>& v) {
+    const Goal& goal, const Points<Dim>* load, Points<Dim>& v, const PartLinks& links) {
     Result result;
     backEnd.apply(v, m_Alifted);
     if (load) m_Alifted += *load;
     system.restrict(m_Alifted, m_r);
     m_r = -m_r;
     m_z.resizeLike(m_r);
+    const int own = links.own(static_cast<int>(m_r.cols()));
+    const auto allowed = [&] { return goal.tolerance * largest(v, links); };
     double start = 0, before = 0, rzBefore = 0;
-    while (result.iterations < goal.most && !goal.stop.stop_requested()) {
+    while (result.iterations < goal.most && !links.decide(goal.stop.stop_requested())) {
         if (!precondition(flat<Dim>(m_r), flat<Dim>(m_z))) break;
         ++result.iterations;
-        const double size = m_z.cwiseAbs().maxCoeff(), rz = dot<Dim>(m_r, m_z);
+        const double size = largest(m_z.leftCols(own), links), rz = dot<Dim>(m_r, m_z, links);
         if (size == 0) {
             result.end = Result::End::Converged;
             break;
@@ -68,7 +77,8 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
         double contraction = first ? goal.contraction : std::max(goal.minContraction, size / before);
         if (goal.cautious && !first) contraction = std::max(contraction, mean);
         const double plain = std::max(contraction, kPlainContraction);
-        if (plain < 1 && size * remaining(plain, goal.cautious) <= goal.tolerance * v.cwiseAbs().maxCoeff()) {
+        if (plain < 1 && size * remaining(plain, goal.cautious) <= allowed()) {
+            links.update(flat<Dim>(m_z), Dim);
             system.expand(m_z, v);
             result.end = Result::End::Converged;
             break;
@@ -77,20 +87,23 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             m_p = m_z;
         else
             m_p = m_z + rz / rzBefore * m_p;
+        links.update(flat<Dim>(m_p), Dim);
         m_lifted.setZero(Dim, v.cols());
         system.expand(m_p, m_lifted);
         backEnd.apply(m_lifted, m_Alifted);
         system.restrict(m_Alifted, m_q);
-        const double pKp = dot<Dim>(m_p, m_q);
+        const double pKp = dot<Dim>(m_p, m_q, links);
         if (!(pKp > 0 && rz > 0)) break;
         v += rz / pKp * m_lifted;
-        const double allowed = goal.tolerance * v.cwiseAbs().maxCoeff();
-        if (contraction < 1 && size * remaining(contraction, goal.cautious) <= allowed) {
+        const double goalSize = allowed();
+        if (contraction < 1 && size * remaining(contraction, goal.cautious) <= goalSize) {
             result.end = Result::End::Converged;
             break;
         }
         const double lasting = goal.trials > 1 ? std::max(goal.minContraction, mean) : contraction;
-        if (result.iterations > goal.trials && goal.hopeless(iterationsTo(allowed, size, lasting))) break;
+        if (result.iterations > goal.trials &&
+            links.decide(goal.hopeless && goal.hopeless(iterationsTo(goalSize, size, lasting))))
+            break;
         m_r -= rz / pKp * m_q;
         before = size;
         rzBefore = rz;

@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "core/assembly/back_end.h"
+#include "core/solver/part_links.h"
 #include "core/solver/reduced_system.h"
 
 namespace wend {
@@ -51,8 +52,11 @@ class ConjugateGradients {
     /// would bring it under the tolerance is the last. Where it need not bring much it is z itself, without
     /// the product that tells how far to go along it: within a few percent as far as that. `load` is f, one
     /// column per vertex; null: none.
+    /// In a part of a divided system v is that of all of its vertices, on entry and at the end, and what the
+    /// preconditioner gives counts for the part's own unknowns only. The stop and `hopeless` count in the
+    /// first part.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
-               const Goal& goal, const Points<Dim>* load, Points<Dim>& v);
+               const Goal& goal, const Points<Dim>* load, Points<Dim>& v, const PartLinks& links = {});
 
   private:
     Points<Dim> m_r, m_z, m_p, m_q;   // per unknown vertex

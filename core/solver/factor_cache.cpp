@@ -106,7 +106,7 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
 /// The back end is at that shape.
 template <int Dim>
 Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop) {
-    using Status = typename Multigrid<Dim>::Status;
+    using Status = typename IterativeSolver<Dim>::Status;
     const Stopwatch watch(m_statistics.factor);
     switch (m_multigrid->build(shape, stop)) {
         case Status::Stopped:

@@ -8,7 +8,7 @@
 #include "core/assembly/back_end.h"
 #include "core/factor/factor.h"
 #include "core/solver/conjugate_gradients.h"
-#include "core/solver/multigrid/multigrid.h"
+#include "core/solver/iterative_solver.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
 #include "core/solver/velocity_solver.h"
@@ -26,10 +26,8 @@ class FactorCache {
     FactorCache(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, SolverStatistics& statistics)
         : m_backEnd(backEnd), m_system(system), m_statistics(statistics) {}
 
-    /// From now on multigrid takes the factor's place.
-    void useMultigrid(std::unique_ptr<Multigrid<Dim>> multigrid) { m_multigrid = std::move(multigrid); }
-    bool isMultigrid() const { return m_multigrid != nullptr; }
-    Multigrid<Dim>& multigrid() { return *m_multigrid; }
+    /// From now on multigrid takes the factor's place. It outlives this, too.
+    void useMultigrid(IterativeSolver<Dim>& multigrid) { m_multigrid = &multigrid; }
 
     /// Of another system: nothing is kept, and it is to be analyzed. The plan outlives it, too.
     void reset(const AssemblyPlan<Dim>& plan);
@@ -65,7 +63,7 @@ class FactorCache {
     bool isSingle() const { return m_memory.kind == FactorKind::Single; }
     /// x ≈ K⁻¹ b with the factor at hand; false if that is not finite.
     bool solve(std::span<const double> b, std::span<double> x) {
-        return m_multigrid ? m_multigrid->apply(b, x) : m_factor.solve(b, x, m_backEnd.workers());
+        return m_factor.solve(b, x, m_backEnd.workers());
     }
 
     /// By how much an iteration reduces the error: the first one at that lag, and any one at best.
@@ -90,7 +88,7 @@ class FactorCache {
     bool m_analyzed = false;
     FactorProgress m_progress;
     Factor m_factor;
-    std::unique_ptr<Multigrid<Dim>> m_multigrid;
+    IterativeSolver<Dim>* m_multigrid = nullptr;
     Nodal<Dim> m_shape;          // where the factor at hand was made; null: it has served
     FactorMemory<Dim> m_memory;  // its counts are the policy's
     RefactorPolicy m_policy;

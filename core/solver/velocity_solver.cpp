@@ -22,10 +22,12 @@ VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> n
 template <int Dim>
 VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                                     std::shared_ptr<const Material<Dim>> material,
-                                    const BackEndFactory<Dim>& backEnd, int threads, SolverKind solver)
+                                    const BackEndFactory<Dim>& backEnd, int threads, SolverKind solver,
+                                    const IterativeSolverFactory<Dim>& multigrid)
     : m_impl(std::make_unique<Impl>(
           normalizedRest, *material, backEnd, threads,
-          chosenSolver(solver, Dim, normalizedRest->vertexCount(), machineMemory()))) {}
+          chosenSolver(solver, Dim, normalizedRest->vertexCount(), machineMemory()),
+          multigrid ? multigrid : IterativeSolverFactory<Dim>(makeMultigridSolver<Dim>))) {}
 
 template <int Dim>
 VelocitySolver<Dim>::~VelocitySolver() = default;

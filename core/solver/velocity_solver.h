@@ -10,6 +10,7 @@
 #include "core/assembly/back_end.h"
 #include "core/factor/factor_kind.h"
 #include "core/solver/constraint_rows.h"
+#include "core/solver/iterative_solver.h"
 #include "core/solver/refactor_policy.h"
 #include "core/solver/solver_choice.h"
 
@@ -72,11 +73,12 @@ class VelocitySolver {
     VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                    std::shared_ptr<const Material<Dim>> material, BackEndKind kind = BackEndKind::Automatic,
                    int threads = 0, SolverKind solver = SolverKind::Direct);
-    /// The same with a back end of the caller's. Multigrid computes on the processor all the same. Throws
-    /// InputError if its module is missing.
+    /// The same with a back end of the caller's. Multigrid computes on the processor all the same, in this
+    /// process if `multigrid` is empty; throws InputError if its module is missing.
     VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                    std::shared_ptr<const Material<Dim>> material, const BackEndFactory<Dim>& backEnd,
-                   int threads, SolverKind solver = SolverKind::Direct);
+                   int threads, SolverKind solver = SolverKind::Direct,
+                   const IterativeSolverFactory<Dim>& multigrid = {});
     ~VelocitySolver();
     VelocitySolver(VelocitySolver&&) noexcept;
     VelocitySolver& operator=(VelocitySolver&&) noexcept;

@@ -80,7 +80,8 @@ bool mayTurn(const Material<Dim>& material) {
 
 template <int Dim>
 VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
-                                const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver)
+                                const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver,
+                                const IterativeSolverFactory<Dim>& makeMultigrid)
     : rest(std::move(mesh)),
       components(cellComponents(*rest)),
       material(stuff),
@@ -91,11 +92,13 @@ VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
     const bool isDirect = solver == SolverKind::Direct;
     plan = std::make_shared<const AssemblyPlan<Dim>>(
         makeAssemblyPlan(*rest, smoothing, isDirect ? Contributions::Listed : Contributions::Left));
-    backEnd = (isDirect ? makeBackEnd : makeCpuBackEnd<Dim>)(plan, *rest, material, threads);
+    if (isDirect)
+        ownBackEnd = makeBackEnd(plan, *rest, material, threads);
+    else
+        multigrid = makeMultigrid({plan, rest, material, system, threads});
+    backEnd = isDirect ? ownBackEnd.get() : &multigrid->backEnd();
     cache.emplace(*backEnd, system, statistics);
-    if (!isDirect)
-        cache->useMultigrid(
-            std::make_unique<Multigrid<Dim>>(*backEnd, system, LocalForms<Dim>(plan, rest, material)));
+    if (multigrid) cache->useMultigrid(*multigrid);
 }
 
 template <int Dim>
@@ -118,8 +121,10 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     if (std::find(held.begin(), held.end(), false) != held.end())
         for (int component : components)
             massRegularization.push_back(held[component] ? 0.0 : kMassRegularization);
-    if (isMultigrid()) cache->multigrid().analyze(plan, massRegularization);
-    backEnd->setMassRegularization(std::move(massRegularization));
+    if (isMultigrid())
+        multigrid->analyze(std::move(massRegularization));
+    else
+        backEnd->setMassRegularization(std::move(massRegularization));
 
     cache->reset(*plan);
     constrained = true;
@@ -206,13 +211,9 @@ void VelocitySolver<Dim>::Impl::turnFactor() {
     turnedTo = to;
 }
 
-/// Conjugate gradients with the factor at hand; false if a new one is the better way.
 template <int Dim>
-bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
-    const Stopwatch watch(statistics.solve);
-    const double lag = cache->lag();
-    // Sliding is along fixed directions, and multigrid smooths with the matrix of the shape itself.
-    const bool turned = turns && lag > 0 && sliders.empty() && !isMultigrid();
+typename ConjugateGradients<Dim>::Result VelocitySolver<Dim>::Impl::iterateWithFactor(
+    const typename ConjugateGradients<Dim>::Goal& goal, bool turned, Points<Dim>& v) {
     if (turned) turnFactor();
     const auto precondition = [&](std::span<const double> r, std::span<double> z) {
         if (!turned) return cache->solve(r, z);
@@ -222,6 +223,16 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
         rotations->turn(system.unknowns(), z);
         return done;
     };
+    return iteration.run(*backEnd, system, precondition, goal, loadOrNull(), v);
+}
+
+/// Conjugate gradients with the factor at hand; false if a new one is the better way.
+template <int Dim>
+bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
+    const Stopwatch watch(statistics.solve);
+    const double lag = cache->lag();
+    // Sliding is along fixed directions.
+    const bool turned = turns && lag > 0 && sliders.empty();
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = isMultigrid() ? std::max(tolerance, kMultigridTolerance) : tolerance;
     goal.cautious = isMultigrid();
@@ -233,7 +244,8 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     const RefactorPolicy& policy = cache->policy();
     goal.trials = policy.keepsPace() ? kTrials : 1;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
-    const auto result = iteration.run(*backEnd, system, precondition, goal, loadOrNull(), v);
+    const auto result =
+        isMultigrid() ? multigrid->run(goal, loadOrNull(), v) : iterateWithFactor(goal, turned, v);
     statistics.iterations += result.iterations;
     cache->learn(lag, result);
     return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();

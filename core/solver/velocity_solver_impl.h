@@ -15,7 +15,8 @@ template <int Dim>
 struct VelocitySolver<Dim>::Impl {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
     std::shared_ptr<const AssemblyPlan<Dim>> plan;
-    std::unique_ptr<BackEnd<Dim>> backEnd;
+    std::unique_ptr<BackEnd<Dim>> ownBackEnd;  // of the direct solver
+    BackEnd<Dim>* backEnd = nullptr;           // that, or multigrid's
     std::vector<int> components;
 
     std::vector<ConstraintRow> rows;
@@ -25,7 +26,8 @@ struct VelocitySolver<Dim>::Impl {
     Elimination elimination;
     Projection<Dim> projection;
     ReducedSystem<Dim> system;
-    std::optional<FactorCache<Dim>> cache;  // always; of the back end and the system above
+    std::unique_ptr<IterativeSolver<Dim>> multigrid;  // of the system above; null: direct
+    std::optional<FactorCache<Dim>> cache;            // always; of the back end and the system above
 
     Material<Dim> material;
     std::optional<RestEnergy<Dim>> restEnergy;  // made at the first use
@@ -44,8 +46,9 @@ struct VelocitySolver<Dim>::Impl {
     Points<Dim> last;  // v̂ of the last solve
 
     Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
-         const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver);
-    bool isMultigrid() const { return cache->isMultigrid(); }
+         const BackEndFactory<Dim>& makeBackEnd, int threads, SolverKind solver,
+         const IterativeSolverFactory<Dim>& makeMultigrid);
+    bool isMultigrid() const { return multigrid != nullptr; }
     void setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders = {});
     bool analyze();
     RestEnergy<Dim>& rested();
@@ -58,6 +61,8 @@ struct VelocitySolver<Dim>::Impl {
     void turn(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields);
     void turnFactor();
     bool iterate(Points<Dim>& v);
+    typename ConjugateGradients<Dim>::Result iterateWithFactor(
+        const typename ConjugateGradients<Dim>::Goal& goal, bool turned, Points<Dim>& v);
     SolveOutcome solveAnew(const Points<Dim>& prescribed, Points<Dim>& v, const Points<Dim>* velocity);
     SolveOutcome solveDirectly(Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);

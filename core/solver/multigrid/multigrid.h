@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/assembly/back_end.h"
+#include "core/solver/iterative_solver.h"
 #include "core/solver/multigrid/chebyshev.h"
 #include "core/solver/multigrid/galerkin.h"
 #include "core/solver/reduced_system.h"
@@ -18,7 +19,7 @@ namespace wend {
 template <int Dim>
 class Multigrid {
   public:
-    enum class Status { Done, NotPositiveDefinite, Stopped };
+    using Status = typename IterativeSolver<Dim>::Status;
 
     /// The back end and the system outlive it. Throws InputError where the module for coarse levels is
     /// missing.

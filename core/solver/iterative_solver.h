@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/assembly/back_end.h"
+#include "core/solver/conjugate_gradients.h"
+#include "core/solver/reduced_system.h"
+
+namespace wend {
+
+/// Conjugate gradients with multigrid for the systems of one mesh, one set of constraints after another: in
+/// this process, or divided among several. One thread uses it at a time.
+template <int Dim>
+class IterativeSolver {
+  public:
+    enum class Status { Done, NotPositiveDefinite, Stopped };
+    using Goal = typename ConjugateGradients<Dim>::Goal;
+    using Result = typename ConjugateGradients<Dim>::Result;
+
+    virtual ~IterativeSolver() = default;
+
+    /// Applies the matrix; does not assemble it.
+    virtual BackEnd<Dim>& backEnd() = 0;
+    /// What follows from cells and the present system alone; epsilon as in BackEnd::setMassRegularization(),
+    /// which gets it.
+    virtual void analyze(std::vector<double> epsilon) = 0;
+    /// Builds all levels at a shape, which is the back end's.
+    virtual Status build(Nodal<Dim> shape, const std::stop_token& stop) = 0;
+    /// ConjugateGradients::run() with these levels, at the back end's shape.
+    virtual Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) = 0;
+};
+
+/// What an iterative solver is made for: a plan, the rest mesh that it was made of (normalized), a valid
+/// material, and the system, which changes with the constraints; threads as in BackEndFactory. References
+/// outlive the solver.
+template <int Dim>
+struct SolverTask {
+    std::shared_ptr<const AssemblyPlan<Dim>> plan;
+    std::shared_ptr<const SimplicialMesh<Dim>> rest;
+    const Material<Dim>& material;
+    const ReducedSystem<Dim>& system;
+    int threads;
+};
+
+template <int Dim>
+using IterativeSolverFactory = std::function<std::unique_ptr<IterativeSolver<Dim>>(const SolverTask<Dim>&)>;
+
+/// In this process. Throws InputError where the module for coarse levels is missing.
+template <int Dim>
+std::unique_ptr<IterativeSolver<Dim>> makeMultigridSolver(const SolverTask<Dim>& task);
+
+}  // namespace wend
