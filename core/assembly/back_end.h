@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
+#include "core/assembly/block_source.h"
 #include "core/assembly/stage_vectors.h"
 #include "core/energy/material.h"
 #include "core/factor/worker_pool.h"
@@ -57,6 +58,8 @@ class BackEnd {
     /// The values of A: Dim × Dim blocks (column-major) in the order of the plan's pattern, its lower
     /// triangle.
     virtual void assemble(std::span<double> values) = 0;
+    /// Blocks of A at the present shape, until the next setShape(). Null where a device computes.
+    virtual std::unique_ptr<BlockSource> blockSource() { return nullptr; }
     /// A v without the matrix; `Av` may not be `v`.
     virtual void apply(const Points<Dim>& v, Points<Dim>& Av) = 0;
     /// E(v) = E_φ + E_S, without the mass regularization.

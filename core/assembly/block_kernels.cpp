@@ -43,7 +43,7 @@ void blocksInPlane(const int* start, const Contribution* contributions, const do
             const Contribution& pair = contributions[i];
             const Row<4> O = outerProduct(gradients + 2 * static_cast<std::ptrdiff_t>(pair.left),
                                           gradients + 2 * static_cast<std::ptrdiff_t>(pair.right));
-            const double* const ab = coefficients + 2 * static_cast<std::ptrdiff_t>(pair.coefficients);
+            const double* const ab = coefficients + 2 * static_cast<std::ptrdiff_t>(pair.term);
             A = addProduct(A, O, ab[0]);
             B = addProduct(B, O, ab[1]);
         }
@@ -65,7 +65,7 @@ void blocksInSpace(const int* start, const Contribution* contributions, const do
             const Contribution& pair = contributions[i];
             const double* const p = gradients + 4 * static_cast<std::ptrdiff_t>(pair.left);
             const double* const q = gradients + 4 * static_cast<std::ptrdiff_t>(pair.right);
-            const double* const ab = coefficients + 2 * static_cast<std::ptrdiff_t>(pair.coefficients);
+            const double* const ab = coefficients + 2 * static_cast<std::ptrdiff_t>(pair.term);
             const Row<4> g = loadRow<4>(p), h = loadRow<4>(q), ah = h * ab[0], bg = g * ab[1];
 #pragma GCC unroll 3
             for (int c = 0; c < 3; ++c) column[c] = addProduct(addProduct(column[c], ah, p[c]), bg, q[c]);

@@ -58,22 +58,25 @@ class CpuBackEnd final : public BackEnd<Dim> {
 
     int setShape(const Points<Dim>& shape) override;
     void assemble(std::span<double> values) override;
+    std::unique_ptr<BlockSource> blockSource() override;
     void apply(const Points<Dim>& v, Points<Dim>& Av) override;
     double energy(const Points<Dim>& v) override;
 
   private:
     void prepareCell(const SimplicialMesh<Dim>& rest, int c);
     void updateStressMatrix(const Points<Dim>& shape, int c);
+    class Source;
+    void computeCornerTerms();
     void computeCornerTerms(int c);
-    Mat<Dim> block(int index) const;
-    Mat<Dim> crossBlock(const typename Plan::Cross& pair) const;
+    Mat<Dim> ownBlock(int left, int right) const;
+    Mat<Dim> crossBlock(int left, int right, int facet) const;
     /// B of a cell, or I.
     Mat<Dim> anisotropy(int c) const { return m_B.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : m_B[c]; }
     EnergyWeights facetWeights(int f) const;
     Mat<Dim> facetAnisotropy(int f) const;
     Strain<Dim> facetStress(int f, const Strain<Dim>& jump) const;
     void computeFields(const Points<Dim>& v);
-    Mat<Dim> massBlock(const typename Plan::Own& pair) const;
+    Mat<Dim> massBlock(int left, int right) const;
     Strain<Dim> strain(const Points<Dim>& v, int c) const;
     Strain<Dim> load(int c) const;
     Vec<Dim> massTimes(const Points<Dim>& v, int c, int vertex) const;
@@ -193,46 +196,81 @@ void CpuBackEnd<Dim>::computeCornerTerms(int c) {
     }
 }
 
-/// Across a facet: −¼ weight G_leftᵀ D_f G_right, or −weight T_leftᵀ T_right with the paper's kind.
 template <int Dim>
-Mat<Dim> CpuBackEnd<Dim>::crossBlock(const typename Plan::Cross& pair) const {
-    const double weight = -m_facetWeight[pair.facet];
-    if (isPaper()) return weight * m_T[pair.left].transpose().lazyProduct(m_T[pair.right]);
-    return 0.25 * weight *
-           stressBlock<Dim>(facetWeights(pair.facet), facetAnisotropy(pair.facet), gradient(pair.left),
-                            gradient(pair.right));
-}
-
-/// ε V (1 + δ_ab) / ((d + 1)(d + 2)) I: the consistent mass of linear hat functions.
-template <int Dim>
-Mat<Dim> CpuBackEnd<Dim>::massBlock(const typename Plan::Own& pair) const {
-    const int c = pair.left / kCorners;
-    const double mass = massRegularization(c) * m_geometry[c].measure / (kCorners * (kCorners + 1));
-    return (pair.left == pair.right ? 2 * mass : mass) * Mat<Dim>::Identity();
-}
-
-template <int Dim>
-Mat<Dim> CpuBackEnd<Dim>::block(int index) const {
-    Mat<Dim> A = Mat<Dim>::Zero();
-    for (int i = m_plan->ownStart[index]; i < m_plan->ownStart[index + 1]; ++i) {
-        const auto& pair = m_plan->own[i];
-        A += strainColumns<Dim>(gradient(pair.left)).transpose().lazyProduct(m_U[pair.right]);
-        if (!m_massRegularization.empty()) A += massBlock(pair);
-    }
-    for (int i = m_plan->crossStart[index]; i < m_plan->crossStart[index + 1]; ++i)
-        A += crossBlock(m_plan->cross[i]);
-    return A;
-}
-
-template <int Dim>
-void CpuBackEnd<Dim>::assemble(std::span<double> values) {
+void CpuBackEnd<Dim>::computeCornerTerms() {
     m_T.resize(m_plan->cells.size() * kCorners);
     m_U.resize(m_T.size());
     m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) computeCornerTerms(c);
     });
+}
+
+/// Across a facet: −¼ weight G_leftᵀ D_f G_right, or −weight T_leftᵀ T_right with the paper's kind.
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::crossBlock(int left, int right, int facet) const {
+    const double weight = -m_facetWeight[facet];
+    if (isPaper()) return weight * m_T[left].transpose().lazyProduct(m_T[right]);
+    return 0.25 * weight *
+           stressBlock<Dim>(facetWeights(facet), facetAnisotropy(facet), gradient(left), gradient(right));
+}
+
+/// ε V (1 + δ_ab) / ((d + 1)(d + 2)) I: the consistent mass of linear hat functions.
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::massBlock(int left, int right) const {
+    const int c = left / kCorners;
+    const double mass = massRegularization(c) * m_geometry[c].measure / (kCorners * (kCorners + 1));
+    return (left == right ? 2 * mass : mass) * Mat<Dim>::Identity();
+}
+
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::ownBlock(int left, int right) const {
+    Mat<Dim> A = strainColumns<Dim>(gradient(left)).transpose().lazyProduct(m_U[right]);
+    if (!m_massRegularization.empty()) A += massBlock(left, right);
+    return A;
+}
+
+/// Blocks of A from the corners' terms.
+template <int Dim>
+class CpuBackEnd<Dim>::Source final : public BlockSource {
+  public:
+    explicit Source(const CpuBackEnd& backEnd) : m_backEnd(backEnd) {}
+
+    void compute(std::span<const int> start, const Contribution* contributions,
+                 double* values) const override {
+        const int cells = m_backEnd.m_plan->cellCount();
+        for (std::size_t b = 0; b + 1 < start.size(); ++b) {
+            Mat<Dim> A = Mat<Dim>::Zero();
+            for (int i = start[b]; i < start[b + 1]; ++i) {
+                const auto [left, right, term] = contributions[i];
+                A += term < cells ? m_backEnd.ownBlock(left, right)
+                                  : m_backEnd.crossBlock(left, right, term - cells);
+            }
+            Eigen::Map<Mat<Dim>>(values + b * Dim * Dim) = A;
+        }
+    }
+
+  private:
+    const CpuBackEnd& m_backEnd;
+};
+
+template <int Dim>
+std::unique_ptr<BlockSource> CpuBackEnd<Dim>::blockSource() {
+    computeCornerTerms();
+    return std::make_unique<Source>(*this);
+}
+
+template <int Dim>
+void CpuBackEnd<Dim>::assemble(std::span<double> values) {
+    computeCornerTerms();
     m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) Eigen::Map<Mat<Dim>>(values.data() + i * Dim * Dim) = block(i);
+        for (int i = begin; i < end; ++i) {
+            Mat<Dim> A = Mat<Dim>::Zero();
+            for (int k = m_plan->ownStart[i]; k < m_plan->ownStart[i + 1]; ++k)
+                A += ownBlock(m_plan->own[k].left, m_plan->own[k].right);
+            for (int k = m_plan->crossStart[i]; k < m_plan->crossStart[i + 1]; ++k)
+                A += crossBlock(m_plan->cross[k].left, m_plan->cross[k].right, m_plan->cross[k].facet);
+            Eigen::Map<Mat<Dim>>(values.data() + i * Dim * Dim) = A;
+        }
     });
 }
 

@@ -32,6 +32,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     }
     int setShape(const Points<Dim>& shape) override;
     void assemble(std::span<double> values) override;
+    std::unique_ptr<BlockSource> blockSource() override;
     void apply(const Points<Dim>& v, Points<Dim>& Av) override;
     double energy(const Points<Dim>& v) override;
 
@@ -42,9 +43,15 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     void listContributions();
     void connect();
     isotropic::Jump kindOfJump() const;
-    void cellTerms(int begin, int end);
-    void facetTerms(int begin, int end);
-    void addMassRegularization(std::span<double> values);
+    /// What contributions are made of, at one shape.
+    struct Terms {
+        std::vector<double> gradients;     // of the corners
+        std::vector<double> coefficients;  // pairs: of the cells, then of the facets
+    };
+    class Source;
+    void computeTerms(Terms& terms);
+    void cellTerms(int begin, int end, Terms& terms) const;
+    void facetTerms(int begin, int end, Terms& terms) const;
     void addMassTimes(const Points<Dim>& v, int p, Points<Dim>& Av) const;
     /// ε V / ((d + 1)(d + 2)): the consistent mass of two different corners.
     double mass(int c) const { return m_massRegularization[c] * m_measure[c] / (kCorners * (kCorners + 1)); }
@@ -66,11 +73,10 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     std::vector<int> m_sumStart,
         m_sumCorners;  // of the plan's corners, each vertex's as a multiple of kPadding
     std::vector<double> m_force, m_massRegularization;
-    // For the assembly: the contributions of every block in one list; coefficients of the cells, then of the
-    // facets.
+    // For the assembly: the contributions of every block in one list.
     std::vector<int> m_start;
-    std::vector<isotropic::Contribution> m_contributions;
-    std::vector<double> m_cornerGradients, m_coefficients;
+    std::vector<Contribution> m_contributions;
+    Terms m_terms;
 };
 
 template <int Dim>
@@ -235,15 +241,13 @@ void IsotropicBackEnd<Dim>::listContributions() {
                 {m_plan->cross[i].left, m_plan->cross[i].right, m_cellCount + m_plan->cross[i].facet});
         m_start.push_back(static_cast<int>(m_contributions.size()));
     }
-    m_cornerGradients.assign(static_cast<std::size_t>(m_cellCount) * kCorners * kPoint, 0.0);
-    m_coefficients.resize(2 * static_cast<std::size_t>(m_cellCount + m_facetCount));
 }
 
 /// Own: ¼ (V D + Σ weight D_facet), so a = 2 (V q + Σ weight q_facet), b = V r + Σ weight r_facet. With
 /// stress jumps ¼ V D + β D², D² X = 16 q² X + (8 q r + d r²) Tr(X) I, β the sum of the weights: a = 2 (V q +
 /// 16 β q²), b = V r + 4 β (8 q r + d r²).
 template <int Dim>
-void IsotropicBackEnd<Dim>::cellTerms(int begin, int end) {
+void IsotropicBackEnd<Dim>::cellTerms(int begin, int end, Terms& terms) const {
     for (int c = begin; c < end; ++c) {
         const double q = m_q[c], r = m_r[c], V = m_measure[c];
         double shear = 0, dilation = 0;
@@ -251,22 +255,22 @@ void IsotropicBackEnd<Dim>::cellTerms(int begin, int end) {
             const std::size_t corner = static_cast<std::size_t>(c) * kCorners + k;
             shear += m_shear[corner];
             dilation += m_dilation[corner];
-            double* const g = m_cornerGradients.data() + kPoint * corner;
+            double* const g = terms.gradients.data() + kPoint * corner;
             for (int a = 0; a < Dim; ++a) g[a] = gradient(c * kCorners + k, a);
         }
         if (m_jump == isotropic::Jump::Stress) {
             dilation = 4 * shear * (8 * q * r + Dim * r * r);
             shear *= 16 * q * q;
         }
-        m_coefficients[2 * c] = 2 * (V * q + shear);
-        m_coefficients[2 * c + 1] = V * r + dilation;
+        terms.coefficients[2 * c] = 2 * (V * q + shear);
+        terms.coefficients[2 * c + 1] = V * r + dilation;
     }
 }
 
 /// Across a facet: −¼ weight D_facet, with stress jumps −weight D_i D_j.
 template <int Dim>
-void IsotropicBackEnd<Dim>::facetTerms(int begin, int end) {
-    double* const pairs = m_coefficients.data() + 2 * static_cast<std::size_t>(m_cellCount);
+void IsotropicBackEnd<Dim>::facetTerms(int begin, int end, Terms& terms) const {
+    double* const pairs = terms.coefficients.data() + 2 * static_cast<std::size_t>(m_cellCount);
     for (int f = begin; f < end; ++f) {
         if (m_jump != isotropic::Jump::Stress) {
             pairs[2 * f] = -2 * m_facetShear[f];
@@ -281,27 +285,58 @@ void IsotropicBackEnd<Dim>::facetTerms(int begin, int end) {
 }
 
 template <int Dim>
-void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
-    if (m_start.empty()) listContributions();
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) { cellTerms(begin, end); });
-    m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) { facetTerms(begin, end); });
-    const auto blocks = Dim == 2 ? isotropic::blocks2 : isotropic::blocks3;
-    m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
-        blocks(m_start.data(), m_contributions.data(), m_cornerGradients.data(), m_coefficients.data(), begin,
-               end, values.data());
-    });
-    if (!m_massRegularization.empty()) addMassRegularization(values);
+void IsotropicBackEnd<Dim>::computeTerms(Terms& terms) {
+    terms.gradients.resize(static_cast<std::size_t>(m_cellCount) * kCorners * kPoint);
+    terms.coefficients.resize(2 * static_cast<std::size_t>(m_cellCount + m_facetCount));
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) { cellTerms(begin, end, terms); });
+    m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) { facetTerms(begin, end, terms); });
+}
+
+/// Blocks of A, mass regularization included.
+template <int Dim>
+class IsotropicBackEnd<Dim>::Source final : public BlockSource {
+  public:
+    Source(const IsotropicBackEnd& backEnd, const Terms& terms) : m_backEnd(backEnd), m_terms(terms) {}
+    Source(IsotropicBackEnd& backEnd) : m_backEnd(backEnd), m_terms(m_own) { backEnd.computeTerms(m_own); }
+
+    void compute(std::span<const int> start, const Contribution* contributions,
+                 double* values) const override {
+        const int count = static_cast<int>(start.size()) - 1;
+        const auto blocks = Dim == 2 ? isotropic::blocks2 : isotropic::blocks3;
+        blocks(start.data(), contributions, m_terms.gradients.data(), m_terms.coefficients.data(), 0, count,
+               values);
+        if (m_backEnd.m_massRegularization.empty()) return;
+        for (int b = 0; b < count; ++b)
+            for (int i = start[b]; i < start[b + 1]; ++i) addMass(contributions[i], values + b * Dim * Dim);
+    }
+
+  private:
+    void addMass(const Contribution& pair, double* block) const {
+        if (pair.term >= m_backEnd.m_cellCount) return;
+        const double mass = (pair.left == pair.right ? 2 : 1) * m_backEnd.mass(pair.term);
+        for (int a = 0; a < Dim; ++a) block[a * (Dim + 1)] += mass;
+    }
+
+    const IsotropicBackEnd& m_backEnd;
+    Terms m_own;
+    const Terms& m_terms;
+};
+
+template <int Dim>
+std::unique_ptr<BlockSource> IsotropicBackEnd<Dim>::blockSource() {
+    return std::make_unique<Source>(*this);
 }
 
 template <int Dim>
-void IsotropicBackEnd<Dim>::addMassRegularization(std::span<double> values) {
-    for (int b = 0; b < m_plan->blockCount(); ++b)
-        for (int i = m_plan->ownStart[b]; i < m_plan->ownStart[b + 1]; ++i) {
-            const auto& pair = m_plan->own[i];
-            const double m = (pair.left == pair.right ? 2 : 1) * mass(pair.left / kCorners);
-            for (int a = 0; a < Dim; ++a)
-                values[static_cast<std::size_t>(b) * Dim * Dim + a * (Dim + 1)] += m;
-        }
+void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
+    if (m_start.empty()) listContributions();
+    computeTerms(m_terms);
+    const Source source(*this, m_terms);
+    m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
+        source.compute({m_start.data() + begin, static_cast<std::size_t>(end - begin) + 1},
+                       m_contributions.data(),
+                       values.data() + static_cast<std::ptrdiff_t>(begin) * Dim * Dim);
+    });
 }
 
 /// In Mandel coordinates.

@@ -48,7 +48,7 @@ struct SolverTask {
 template <int Dim>
 using IterativeSolverFactory = std::function<std::unique_ptr<IterativeSolver<Dim>>(const SolverTask<Dim>&)>;
 
-/// In this process. Throws InputError where the module for coarse levels is missing.
+/// In this process.
 template <int Dim>
 std::unique_ptr<IterativeSolver<Dim>> makeMultigridSolver(const SolverTask<Dim>& task);
 

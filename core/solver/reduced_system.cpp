@@ -54,16 +54,6 @@ void ReducedSystem<Dim>::numberUnknowns(const AssemblyPlan<Dim>& plan) {
     }
 }
 
-template <int Dim>
-std::vector<std::pair<int, double>> ReducedSystem<Dim>::rowOfZ(int vertex) const {
-    if (m_unknownOf[vertex] >= 0) return {{m_unknownOf[vertex], 1.0}};
-    std::vector<std::pair<int, double>> row;
-    if (m_pivotOf[vertex] < 0) return row;
-    for (const auto& [other, weight] : m_elimination.pivots[m_pivotOf[vertex]].free)
-        if (m_unknownOf[other] >= 0) row.emplace_back(m_unknownOf[other], -weight);
-    return row;
-}
-
 /// K_PQ = Σ z_pP z_qQ A_pq over all ordered pairs (p, q); A_qp = A_pqᵀ stands for the upper triangle.
 template <int Dim>
 void ReducedSystem<Dim>::buildPattern(const AssemblyPlan<Dim>& plan) {
@@ -74,7 +64,8 @@ void ReducedSystem<Dim>::buildPattern(const AssemblyPlan<Dim>& plan) {
                 if (P >= Q) columns[Q].push_back({P, block, transposed, zP * zQ});
     };
     std::vector<std::vector<std::pair<int, double>>> Z(plan.vertexCount);
-    for (int v = 0; v < plan.vertexCount; ++v) Z[v] = rowOfZ(v);
+    for (int v = 0; v < plan.vertexCount; ++v)
+        forUnknowns(v, [&](int unknown, double z) { Z[v].emplace_back(unknown, z); });
     for (int q = 0; q < plan.vertexCount; ++q)
         for (int b = plan.columnStart[q]; b < plan.columnStart[q + 1]; ++b) {
             const int p = plan.row[b];

@@ -22,6 +22,12 @@ class ReducedSystem {
     /// The coordinates in which an unknown is held, one bit each; empty: none is.
     const std::vector<unsigned>& held() const { return m_held; }
 
+    /// The unknown that is a vertex's own, or −1.
+    int unknownOf(int vertex) const { return m_unknownOf[static_cast<std::size_t>(vertex)]; }
+    /// Calls visit(unknown, coefficient) for the row of Z of a vertex.
+    template <typename Visit>
+    void forUnknowns(int vertex, Visit&& visit) const;
+
     /// Scalar pattern of the lower triangle of K by columns (its diagonal blocks are full). Empty, and
     /// gather() impossible, if the plan does not list its contributions.
     const std::vector<int>& columnStart() const { return m_columnStart; }
@@ -46,8 +52,6 @@ class ReducedSystem {
     };
     void numberUnknowns(const AssemblyPlan<Dim>& plan);
     void buildPattern(const AssemblyPlan<Dim>& plan);
-    /// The row of Z of a vertex: its unknowns and their coefficients.
-    std::vector<std::pair<int, double>> rowOfZ(int vertex) const;
     bool holds(std::size_t unknown, int coordinate) const {
         return !m_held.empty() && (m_held[unknown] >> coordinate & 1U) != 0;
     }
@@ -61,5 +65,14 @@ class ReducedSystem {
     std::vector<int> m_blockStart, m_termStart;           // block columns; terms per block
     std::vector<Term> m_terms;
 };
+
+template <int Dim>
+template <typename Visit>
+void ReducedSystem<Dim>::forUnknowns(int vertex, Visit&& visit) const {
+    if (m_unknownOf[vertex] >= 0) visit(m_unknownOf[vertex], 1.0);
+    if (m_pivotOf[vertex] < 0) return;
+    for (const auto& [other, weight] : m_elimination.pivots[m_pivotOf[vertex]].free)
+        if (m_unknownOf[other] >= 0) visit(m_unknownOf[other], -weight);
+}
 
 }  // namespace wend

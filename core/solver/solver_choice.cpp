@@ -3,9 +3,6 @@
 #include <unistd.h>
 
 #include <cmath>
-
-#include "core/solver/multigrid/algebraic_hierarchy.h"
-
 namespace wend {
 namespace {
 
@@ -30,7 +27,7 @@ SolverKind chosenSolver(SolverKind wanted, int dimension, int vertices, double m
     if (wanted != SolverKind::Automatic) return wanted;
     const bool large = (dimension == 3 && vertices >= kQuickerSolid) ||
                        directSolverBytes(dimension, vertices) > kPartOfMemory * machineMemory;
-    return large && hasAlgebraicHierarchy() ? SolverKind::Multigrid : SolverKind::Direct;
+    return large ? SolverKind::Multigrid : SolverKind::Direct;
 }
 
 double machineMemory() {

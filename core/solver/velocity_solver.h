@@ -74,7 +74,7 @@ class VelocitySolver {
                    std::shared_ptr<const Material<Dim>> material, BackEndKind kind = BackEndKind::Automatic,
                    int threads = 0, SolverKind solver = SolverKind::Direct);
     /// The same with a back end of the caller's. Multigrid computes on the processor all the same, in this
-    /// process if `multigrid` is empty; throws InputError if its module is missing.
+    /// process if `multigrid` is empty.
     VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                    std::shared_ptr<const Material<Dim>> material, const BackEndFactory<Dim>& backEnd,
                    int threads, SolverKind solver = SolverKind::Direct,

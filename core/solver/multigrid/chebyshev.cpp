@@ -2,80 +2,107 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <array>
 #include <cstdint>
 
 namespace wend {
 namespace {
 
-constexpr int kGrain = 1024;
+constexpr int kGrain = 512;  // rows
 constexpr int kLanczosSteps = 10;
 constexpr double kMargin = 1.15;  // over the estimate, which is from below
 constexpr double kPart = 0.06;    // of the spectrum that is left to the coarse space
 
-template <int Dim>
-double dot(const Points<Dim>& a, const Points<Dim>& b) {
-    return a.cwiseProduct(b).sum();
+template <int Size>
+double dot(const Points<Size>& a, const Points<Size>& b) {
+    return a.leftCols(b.cols()).cwiseProduct(b).sum();
 }
 
-/// Numbers in [−1, 1[ without a pattern, the same every time.
-template <int Dim>
-Points<Dim> rough(Eigen::Index columns) {
-    Points<Dim> x(Dim, columns);
-    std::uint64_t state = 0x9E3779B97F4A7C15ULL;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        x.data()[i] = static_cast<double>(state >> 11) * 0x1p-52 - 1;
+/// Numbers in [−1, 1[ without a pattern, the same every time: splitmix64 of the row and the coordinate.
+template <int Size>
+void makeRough(Points<Size>& x) {
+    std::uint64_t number = 0;
+    for (double& value : x.reshaped()) {
+        std::uint64_t bits = ++number * 0x9E3779B97F4A7C15ULL;
+        bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9ULL;
+        bits = (bits ^ bits >> 27) * 0x94D049BB133111EBULL;
+        value = static_cast<double>((bits ^ bits >> 31) >> 11) * 0x1p-52 - 1;
     }
-    return x;
+}
+
+template <int Size>
+void update(Points<Size>& x, const PartLinks& links) {
+    links.update({x.data(), static_cast<std::size_t>(x.size())}, Size);
+}
+
+/// Calls visit(row, (K x)_row) for every row.
+template <int Size, typename Visit>
+void forProducts(const BlockRows<Size>& K, const Points<Size>& x, WorkerPool& workers, Visit&& visit) {
+    workers.forPieces(K.rows(), kGrain, [&](int begin, int end) {
+        std::array<double, static_cast<std::size_t>(kGrain) * Size> Kx;
+        K.multiply(x, begin, end, Kx.data());
+        for (int i = begin; i < end; ++i)
+            visit(i, Eigen::Map<const Vec<Size>>(Kx.data() + static_cast<std::ptrdiff_t>(i - begin) * Size));
+    });
 }
 
 }  // namespace
 
-template <int Dim>
-void Chebyshev<Dim>::applyInverse(const Points<Dim>& r, Points<Dim>& z, WorkerPool& workers) const {
-    z.resize(Dim, r.cols());
-    workers.forPieces(static_cast<int>(r.cols()), kGrain, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) z.col(i).noalias() = m_inverse[i] * r.col(i);
-    });
+template <int Size>
+void multiply(const BlockRows<Size>& K, const Points<Size>& x, Points<Size>& Kx, WorkerPool& workers) {
+    Kx.resize(Size, K.rows());
+    forProducts<Size>(K, x, workers, [&](int i, const auto& product) { Kx.col(i) = product; });
 }
 
-template <int Dim>
-bool Chebyshev<Dim>::prepare(std::vector<Mat<Dim>> diagonal, const std::vector<unsigned>& held,
-                             const Product& product, WorkerPool& workers) {
-    m_inverse = std::move(diagonal);
-    for (std::size_t i = 0; i < m_inverse.size(); ++i) {
-        Mat<Dim>& D = m_inverse[i];
-        const unsigned mask = held.empty() ? 0U : held[i];
-        for (int k = 0; k < Dim; ++k)
-            if (mask >> k & 1U) {
-                D.row(k).setZero();
-                D.col(k).setZero();
-                D(k, k) = 1;
-            }
-        const Eigen::LLT<Mat<Dim>> factor(D);
+template <int Size>
+void subtractProduct(const BlockRows<Size>& K, const Points<Size>& x, Points<Size>& r, WorkerPool& workers) {
+    forProducts<Size>(K, x, workers, [&](int i, const auto& product) { r.col(i) -= product; });
+}
+
+template <int Size>
+bool Chebyshev<Size>::invertDiagonal(const BlockRows<Size>& K, const std::vector<unsigned>& held) {
+    m_inverse.resize(K.rows());
+    for (int i = 0; i < K.rows(); ++i) {
+        Mat<Size> D = K.block(K.entryOf(i, i)).template cast<double>();
+        const Eigen::LLT<Mat<Size>> factor(D);
         if (factor.info() != Eigen::Success) return false;
-        D = factor.solve(Mat<Dim>::Identity());
-        for (int k = 0; k < Dim; ++k)
+        D = factor.solve(Mat<Size>::Identity());
+        const unsigned mask = held.empty() ? 0U : held[i];
+        for (int k = 0; k < Size; ++k)
             if (mask >> k & 1U) D(k, k) = 0;
+        m_inverse[i] = D.template cast<float>();
+        if (!m_inverse[i].allFinite()) return false;
     }
-    // Conjugate gradients from a rough right-hand side give Lanczos' tridiagonal matrix.
-    const auto columns = static_cast<Eigen::Index>(m_inverse.size());
-    Points<Dim> r, z, p, Kp;
-    applyInverse(rough<Dim>(columns), z, workers);
-    product(z, r);  // smooth parts count less in K z
+    return true;
+}
+
+/// Conjugate gradients from a rough right-hand side give Lanczos' tridiagonal matrix.
+template <int Size>
+bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsigned>& held,
+                              const PartLinks& links, WorkerPool& workers) {
+    if (!invertDiagonal(K, held)) return false;
+    const auto applyInverse = [&](const Points<Size>& r, Points<Size>& z) {
+        for (int i = 0; i < K.rows(); ++i)
+            z.col(i).noalias() = m_inverse[i].template cast<double>() * r.col(i);
+    };
+    Points<Size> r(Size, K.rows()), z(Size, K.columns()), p, Kp;
+    makeRough<Size>(r);
+    applyInverse(r, z);
+    update<Size>(z, links);
+    multiply<Size>(K, z, r, workers);  // smooth parts count less in K z
     Eigen::VectorXd main(kLanczosSteps), side(kLanczosSteps);
     double rz = 0, alpha = 1, beta = 0;
     int steps = 0;
     for (; steps < kLanczosSteps; ++steps) {
-        applyInverse(r, z, workers);
-        const double next = dot<Dim>(r, z);
+        applyInverse(r, z);
+        const double next = links.sum(dot<Size>(z, r));
         if (!(next > 0)) break;
         beta = steps > 0 ? next / rz : 0;
-        p = steps > 0 ? Points<Dim>(z + beta * p) : z;
+        p = steps > 0 ? Points<Size>(z + beta * p) : z;
+        update<Size>(p, links);
         rz = next;
-        product(p, Kp);
-        const double pKp = dot<Dim>(p, Kp);
+        multiply<Size>(K, p, Kp, workers);
+        const double pKp = links.sum(dot<Size>(p, Kp));
         if (!(pKp > 0)) break;
         const double before = alpha;
         alpha = rz / pKp;
@@ -91,30 +118,44 @@ bool Chebyshev<Dim>::prepare(std::vector<Mat<Dim>> diagonal, const std::vector<u
     return std::isfinite(m_largest) && m_largest > 0;
 }
 
-template <int Dim>
-void Chebyshev<Dim>::smooth(int degree, bool residual, const Product& product, Points<Dim>& r, Points<Dim>& z,
-                            WorkerPool& workers) {
+template <int Size>
+void Chebyshev<Size>::smooth(int degree, bool residual, const BlockRows<Size>& K, Points<Size>& r,
+                             Points<Size>& z, const PartLinks& links, WorkerPool& workers) {
     const double high = m_largest, low = kPart * m_largest, middle = 0.5 * (high + low),
                  half = 0.5 * (high - low), sigma = middle / half;
     double rho = 1 / sigma;
-    applyInverse(r, m_d, workers);
-    m_d /= middle;
-    z += m_d;
+    m_d.resize(Size, K.columns());
+    m_next.resize(Size, K.columns());
+    workers.forPieces(K.rows(), kGrain, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            m_d.col(i) = m_inverse[i].template cast<double>() * r.col(i) / middle;
+            z.col(i) += m_d.col(i);
+        }
+    });
     for (int i = 1; i < degree; ++i) {
-        product(m_d, m_Kd);
-        r -= m_Kd;
-        applyInverse(r, m_s, workers);
-        const double next = 1 / (2 * sigma - rho);
-        m_d = next * rho * m_d + (2 * next / half) * m_s;
+        const double next = 1 / (2 * sigma - rho), keep = next * rho, add = 2 * next / half;
+        update<Size>(m_d, links);
+        forProducts<Size>(K, m_d, workers, [&](int row, const auto& Kd) {
+            r.col(row) -= Kd;
+            m_next.col(row) =
+                keep * m_d.col(row) + add * (m_inverse[row].template cast<double>() * r.col(row));
+            z.col(row) += m_next.col(row);
+        });
+        m_d.swap(m_next);
         rho = next;
-        z += m_d;
     }
     if (!residual) return;
-    product(m_d, m_Kd);
-    r -= m_Kd;
+    update<Size>(m_d, links);
+    subtractProduct<Size>(K, m_d, r, workers);
 }
 
-template class Chebyshev<2>;
-template class Chebyshev<3>;
+#define WEND_INSTANTIATE(Size)                                                                       \
+    template class Chebyshev<Size>;                                                                  \
+    template void multiply(const BlockRows<Size>&, const Points<Size>&, Points<Size>&, WorkerPool&); \
+    template void subtractProduct(const BlockRows<Size>&, const Points<Size>&, Points<Size>&, WorkerPool&);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+WEND_INSTANTIATE(6)
+WEND_INSTANTIATE(12)
 
 }  // namespace wend

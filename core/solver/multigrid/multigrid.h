@@ -1,51 +1,68 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <stop_token>
-#include <string>
+#include <vector>
 
-#include "core/assembly/back_end.h"
+#include "core/factor/factor.h"
 #include "core/solver/iterative_solver.h"
-#include "core/solver/multigrid/chebyshev.h"
-#include "core/solver/multigrid/galerkin.h"
-#include "core/solver/reduced_system.h"
+#include "core/solver/multigrid/coarse_matrix.h"
+#include "core/solver/multigrid/reduced_matrix.h"
 
 namespace wend {
 
-/// A preconditioner for K = Zᵀ A Z that never has K: a symmetric V-cycle whose finest level is smoothed with
-/// matrix-free products, and whose coarse matrix, 20 to 30 times smaller, is left to algebraic multigrid.
-/// Memory and work grow with the number of vertices. The same bits for any number of threads.
+/// One level: its matrix, the smoother, and the way to the next one.
+template <int Size, int Modes>
+struct Level {
+    Aggregates aggregates;
+    BlockRows<Size> matrix;
+    Chebyshev<Size> smoother;
+    Prolongation<Size, Modes> prolongation;
+    Points<Size> r, z, step;
+};
+
+/// A preconditioner for K = Zᵀ A Z: a symmetric V-cycle of smoothed aggregation on K in single precision,
+/// down to a matrix that is factored. Coarse fields are linear in the place within each aggregate: rigid
+/// motions alone are too rough where the smoothness, which is of fourth order, outweighs the energy. Memory
+/// and work grow with the number of vertices. The same bits for any number of threads.
 template <int Dim>
 class Multigrid {
   public:
+    static constexpr int kModes = Dim * (Dim + 1);
     using Status = typename IterativeSolver<Dim>::Status;
 
-    /// The back end and the system outlive it. Throws InputError where the module for coarse levels is
-    /// missing.
-    Multigrid(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, LocalForms<Dim> forms);
+    /// They outlive it.
+    Multigrid(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system)
+        : m_backEnd(backEnd), m_system(system) {}
 
-    /// What follows from cells and constraints alone; epsilon as in BackEnd::setMassRegularization().
-    void analyze(std::shared_ptr<const AssemblyPlan<Dim>> plan, std::vector<double> epsilon);
+    /// What follows from cells and constraints alone. The plan outlives it.
+    void analyze(const AssemblyPlan<Dim>& plan);
     /// All levels at a shape, which is the back end's.
-    Status build(std::shared_ptr<const Points<Dim>> shape, const std::stop_token& stop);
-    /// z ≈ K⁻¹ r, K at the back end's present shape; false if that is not finite.
+    Status build(const Points<Dim>& shape, const std::stop_token& stop);
+    /// z ≈ K⁻¹ r, K at the shape of the levels; false if that is not finite.
     bool apply(std::span<const double> r, std::span<double> z);
 
-    const BlockMatrix& coarseMatrix() const { return m_galerkin.matrix(); }
-
   private:
-    void product(const Points<Dim>& x, Points<Dim>& Kx);
+    using Coarse = Level<kModes, kModes>;
+    std::vector<typename Prolongation<Dim, kModes>::Motions> linearMotions(const Points<Dim>& shape) const;
+    template <int Size>
+    Status buildNext(Level<Size, kModes>& level, const BlockRows<Size>& K,
+                     std::vector<typename Prolongation<Size, kModes>::Motions> motions, std::size_t next,
+                     const std::stop_token& stop);
+    Status factorize(const BlockRows<kModes>& A, const std::stop_token& stop);
+    template <int Size>
+    bool cycle(Level<Size, kModes>& level, const BlockRows<Size>& K, std::size_t next);
+    bool solveCoarsest(const Points<kModes>& r, Points<kModes>& z);
 
     BackEnd<Dim>& m_backEnd;
     const ReducedSystem<Dim>& m_system;
-    LocalForms<Dim> m_forms;
-    CoarseSpace<Dim> m_space;
-    Galerkin<Dim> m_galerkin;
-    Chebyshev<Dim> m_smoother;
-    std::unique_ptr<AlgebraicHierarchy> m_hierarchy;
-    Points<Dim> m_lifted, m_Alifted, m_r, m_z, m_step, m_Kstep;
-    std::vector<double> m_right, m_coarse;
+    ReducedMatrix<Dim> m_matrix;
+    Level<Dim, kModes> m_finest;  // its matrix is the one above
+    std::vector<Coarse> m_coarse;
+    std::vector<unsigned> m_noneHeld;
+    PartLinks m_links;
+    Factor m_factor;  // of the matrix after all levels
+    Points<kModes> m_r, m_z;
 };
 
 }  // namespace wend

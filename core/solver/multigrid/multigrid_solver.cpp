@@ -16,17 +16,17 @@ class MultigridSolver final : public IterativeSolver<Dim> {
         : m_plan(task.plan),
           m_system(task.system),
           m_backEnd(makeCpuBackEnd<Dim>(task.plan, *task.rest, task.material, task.threads)),
-          m_multigrid(*m_backEnd, m_system, LocalForms<Dim>(task.plan, task.rest, task.material)) {}
+          m_multigrid(*m_backEnd, m_system) {}
 
     BackEnd<Dim>& backEnd() override { return *m_backEnd; }
 
     void analyze(std::vector<double> epsilon) override {
-        m_multigrid.analyze(m_plan, epsilon);
+        m_multigrid.analyze(*m_plan);
         m_backEnd->setMassRegularization(std::move(epsilon));
     }
 
     Status build(Nodal<Dim> shape, const std::stop_token& stop) override {
-        return m_multigrid.build(std::move(shape), stop);
+        return m_multigrid.build(*shape, stop);
     }
 
     Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) override {

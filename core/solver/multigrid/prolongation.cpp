@@ -1,0 +1,192 @@
+#include "core/solver/multigrid/prolongation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/solver/multigrid/numbering.h"
+
+namespace wend {
+namespace {
+
+constexpr int kGrain = 256;
+constexpr double kDamping = 4.0 / 3;  // of the inverse of the largest eigenvalue
+// A motion of an aggregate that is so nearly a sum of others, relative to its size squared, is left out.
+constexpr double kDependent = 1e-10;
+
+/// G = L Lᵀ; columns without a pivot are 0, and their bits set.
+template <class Square>
+unsigned factorize(const Square& G, Square& L) {
+    unsigned missing = 0;
+    L.setZero();
+    for (int j = 0; j < G.cols(); ++j) {
+        const double d = G(j, j) - L.row(j).head(j).squaredNorm();
+        if (!(d > kDependent * G(j, j))) {
+            missing |= 1U << j;
+            continue;
+        }
+        L(j, j) = std::sqrt(d);
+        for (int i = j + 1; i < G.rows(); ++i)
+            L(i, j) = (G(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
+    }
+    return missing;
+}
+
+/// Q with B = Q Lᵀ; columns that are missing are 0.
+template <class Motions, class Square>
+Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
+    Motions Q = B;
+    for (int j = 0; j < L.cols(); ++j) {
+        for (int k = 0; k < j; ++k) Q.col(j) -= L(j, k) * Q.col(k);
+        if (missing >> j & 1U)
+            Q.col(j).setZero();
+        else
+            Q.col(j) /= L(j, j);
+    }
+    return Q;
+}
+
+}  // namespace
+
+template <int Size, int Modes>
+auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions)
+    -> std::vector<Square> {
+    std::vector<Square> G(aggregates.count, Square::Zero());
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        G[aggregates.of[i]] += motions[i].transpose() * motions[i];
+    m_missing.resize(G.size());
+    for (std::size_t a = 0; a < G.size(); ++a) {
+        Square L;
+        m_missing[a] = factorize(G[a], L);
+        G[a] = L;
+    }
+    m_start.resize(motions.size() + 1);
+    std::iota(m_start.begin(), m_start.end(), 0);
+    m_aggregate = aggregates.of;
+    m_blocks.resize(motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const int a = aggregates.of[i];
+        m_blocks[i] = orthonormal(motions[i], G[a], m_missing[a]).template cast<float>();
+    }
+    for (Square& L : G) L.transposeInPlace();
+    return G;
+}
+
+/// P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held.
+template <int Size, int Modes>
+void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
+                                       const Chebyshev<Size>& smoother, WorkerPool& workers) {
+    struct Piece {
+        std::vector<int> aggregates;
+        std::vector<Block> blocks;
+    };
+    std::vector<Piece> pieces((K.rows() + kGrain - 1) / kGrain);
+    std::vector<int> start(m_start.size(), 0);
+    workers.forPieces(K.rows(), kGrain, [&](int begin, int end) {
+        Piece& piece = pieces[begin / kGrain];
+        Numbering places;
+        std::vector<Motions> sums;
+        std::vector<int> order;
+        const auto at = [&](int aggregate) -> Motions& {
+            const int place = places.of(aggregate);
+            if (place == static_cast<int>(sums.size())) sums.push_back(Motions::Zero());
+            return sums[place];
+        };
+        for (int row = begin; row < end; ++row) {
+            places.clear();
+            sums.clear();
+            for (int k = K.begin(row); k < K.begin(row + 1); ++k) {
+                const Mat<Size> A = K.block(k).template cast<double>();
+                const int column = K.column(k);
+                for (int e = m_start[column]; e < m_start[column + 1]; ++e)
+                    at(m_aggregate[e]) += A.lazyProduct(m_blocks[e].template cast<double>());
+            }
+            const Mat<Size> step = damping * smoother.inverse(row).template cast<double>();
+            for (Motions& sum : sums) sum = (-step.lazyProduct(sum)).eval();
+            for (int e = m_start[row]; e < m_start[row + 1]; ++e)
+                at(m_aggregate[e]) += m_blocks[e].template cast<double>();
+            order.resize(places.size());
+            std::iota(order.begin(), order.end(), 0);
+            std::sort(order.begin(), order.end(),
+                      [&](int a, int b) { return places.keys()[a] < places.keys()[b]; });
+            for (int i : order) {
+                piece.aggregates.push_back(places.keys()[i]);
+                piece.blocks.push_back(sums[i].template cast<float>());
+            }
+            start[row + 1] = static_cast<int>(order.size());
+        }
+    });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    m_start = std::move(start);
+    m_aggregate = {};
+    m_blocks = {};
+    m_aggregate.reserve(m_start.back());
+    m_blocks.reserve(m_start.back());
+    for (Piece& piece : pieces) {
+        m_aggregate.insert(m_aggregate.end(), piece.aggregates.begin(), piece.aggregates.end());
+        m_blocks.insert(m_blocks.end(), piece.blocks.begin(), piece.blocks.end());
+        piece = {};
+    }
+}
+
+template <int Size, int Modes>
+void Prolongation<Size, Modes>::listUsers() {
+    m_usersStart.assign(m_missing.size() + 1, 0);
+    for (int a : m_aggregate) ++m_usersStart[a + 1];
+    std::partial_sum(m_usersStart.begin(), m_usersStart.end(), m_usersStart.begin());
+    m_users.resize(m_aggregate.size());
+    m_userEntries.resize(m_aggregate.size());
+    auto next = m_usersStart;
+    for (int row = 0; row < rows(); ++row)
+        for (int e = m_start[row]; e < m_start[row + 1]; ++e) {
+            const int place = next[m_aggregate[e]]++;
+            m_users[place] = row;
+            m_userEntries[place] = e;
+        }
+}
+
+template <int Size, int Modes>
+auto Prolongation<Size, Modes>::build(const Aggregates& aggregates, const std::vector<Motions>& motions,
+                                      const BlockRows<Size>& K, const Chebyshev<Size>& smoother,
+                                      WorkerPool& workers) -> std::vector<Square> {
+    auto coarse = makeMotions(aggregates, motions);
+    smooth(kDamping / smoother.largest(), K, smoother, workers);
+    listUsers();
+    return coarse;
+}
+
+template <int Size, int Modes>
+void Prolongation<Size, Modes>::restrict(const Points<Size>& r, Points<Modes>& coarse,
+                                         WorkerPool& workers) const {
+    coarse.resize(Modes, aggregates());
+    workers.forPieces(aggregates(), kGrain / 4, [&](int begin, int end) {
+        for (int a = begin; a < end; ++a) {
+            Vec<Modes> sum = Vec<Modes>::Zero();
+            for (int i = m_usersStart[a]; i < m_usersStart[a + 1]; ++i)
+                for (int k = 0; k < Size; ++k)
+                    sum += r(k, m_users[i]) *
+                           m_blocks[m_userEntries[i]].row(k).transpose().template cast<double>();
+            coarse.col(a) = sum;
+        }
+    });
+}
+
+template <int Size, int Modes>
+void Prolongation<Size, Modes>::prolong(const Points<Modes>& coarse, Points<Size>& z,
+                                        WorkerPool& workers) const {
+    workers.forPieces(rows(), kGrain, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            Vec<Size> sum = Vec<Size>::Zero();
+            for (int e = m_start[i]; e < m_start[i + 1]; ++e)
+                sum += m_blocks[e].template cast<double>() * coarse.col(m_aggregate[e]);
+            z.col(i) = sum;
+        }
+    });
+}
+
+template class Prolongation<2, 6>;
+template class Prolongation<6, 6>;
+template class Prolongation<3, 12>;
+template class Prolongation<12, 12>;
+
+}  // namespace wend

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "core/solver/multigrid/aggregates.h"
+#include "core/solver/multigrid/chebyshev.h"
+
+namespace wend {
+
+/// The prolongation P of smoothed aggregation (Vaněk, Mandel, Brezina 1996): a coarse field is `Modes`
+/// numbers for each aggregate. Within it they are the motions of a near null space, made orthonormal; steps
+/// of Jacobi's method with K make them smooth.
+template <int Size, int Modes>
+class Prolongation {
+  public:
+    using Block = Eigen::Matrix<float, Size, Modes, Eigen::RowMajor>;
+    /// Of a row: the values of all motions.
+    using Motions = Eigen::Matrix<double, Size, Modes>;
+    using Square = Eigen::Matrix<double, Modes, Modes>;
+
+    /// Makes P; returns the motions as coarse fields.
+    std::vector<Square> build(const Aggregates& aggregates, const std::vector<Motions>& motions,
+                              const BlockRows<Size>& K, const Chebyshev<Size>& smoother, WorkerPool& workers);
+
+    int rows() const { return static_cast<int>(m_start.size()) - 1; }
+    int aggregates() const { return static_cast<int>(m_missing.size()); }
+    /// The entries of a row are [begin(row), begin(row + 1)), their aggregates ascending.
+    int begin(int row) const { return m_start[row]; }
+    int aggregate(int entry) const { return m_aggregate[entry]; }
+    const Block& block(int entry) const { return m_blocks[entry]; }
+    /// Of an aggregate: the rows that have it, ascending, and their entries.
+    int usersBegin(int aggregate) const { return m_usersStart[aggregate]; }
+    int user(int place) const { return m_users[place]; }
+    int userEntry(int place) const { return m_userEntries[place]; }
+    /// Motions that an aggregate of too few rows does not have: bit k.
+    unsigned missing(int aggregate) const { return m_missing[aggregate]; }
+
+    /// Pᵀ r and P c.
+    void restrict(const Points<Size>& r, Points<Modes>& coarse, WorkerPool& workers) const;
+    void prolong(const Points<Modes>& coarse, Points<Size>& z, WorkerPool& workers) const;
+
+  private:
+    std::vector<Square> makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions);
+    void smooth(double damping, const BlockRows<Size>& K, const Chebyshev<Size>& smoother,
+                WorkerPool& workers);
+    void listUsers();
+
+    std::vector<int> m_start, m_aggregate;
+    std::vector<Block> m_blocks;
+    std::vector<int> m_usersStart, m_users, m_userEntries;
+    std::vector<unsigned> m_missing;
+};
+
+}  // namespace wend
