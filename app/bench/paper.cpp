@@ -126,8 +126,9 @@ class Figurist {
         const auto project = readProject(projectFile).project;
         RunOptions options;
         options.fields = false;
-        options.outputs.mesh = poseFile;
-        options.outputs.report = poseFile + ".json";
+        options.outputs.mesh = {poseFile};
+        const std::string reportFile = poseFile + ".json";
+        options.outputs.report = {reportFile};
         RunWatch watch;
         watch.stop = m_recorder.stop();
         AdvanceResult result;
@@ -136,7 +137,7 @@ class Figurist {
         const Points<Dim> pose = readMesh<Dim>(poseFile).points;
         Figures figures = figuresOf<Dim>(rest, pose);
         if (middle) figures.push_back({"metric, middle third", ofMiddleThird<Dim>(rest, pose).totalMetric});
-        const auto report = parseJson(readTextFile(options.outputs.report), options.outputs.report);
+        const auto report = parseJson(readTextFile(reportFile), reportFile);
         figures.push_back({"off its path", report["constraintError"].get<double>()});
         m_recorder.add({what, 0, time, figures});
         return figures;

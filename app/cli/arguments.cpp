@@ -58,7 +58,8 @@ void check(const Option& option, const std::string& value) {
         throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
                          spaced(option.choices));
     if (option.kind == OptionKind::Number || option.kind == OptionKind::Integer) checkNumber(option, value);
-    if (option.kind == OptionKind::File && value.empty()) throw UsageError(flag + ": names no file");
+    const bool isFile = option.kind == OptionKind::File || option.kind == OptionKind::Output;
+    if (isFile && value.empty()) throw UsageError(flag + ": names no file");
 }
 
 std::string valueName(const Option& option) {
@@ -67,7 +68,7 @@ std::string valueName(const Option& option) {
     if (const std::string form = formBesideChoices(option); !form.empty())
         return " " + std::string(option.choices) + "|" + form;
     if (option.kind == OptionKind::Integer) return " N";
-    return option.kind == OptionKind::File ? " FILE" : " X";
+    return option.kind == OptionKind::File || option.kind == OptionKind::Output ? " FILE" : " X";
 }
 
 std::string remark(const Option& option) {
@@ -75,6 +76,7 @@ std::string remark(const Option& option) {
     if (const std::string fallback = defaultText(option); !fallback.empty()) text += "default " + fallback;
     const bool numeric = option.kind == OptionKind::Number || option.kind == OptionKind::Integer;
     if (numeric) text += (text.empty() ? "" : "; ") + ("in " + option.range.text());
+    if (option.kind == OptionKind::Output) text += "may be repeated";
     if (!option.unit.empty()) text += (text.empty() ? "" : "; ") + std::string(option.unit);
     return text.empty() ? "" : " (" + text + ")";
 }
@@ -101,15 +103,16 @@ void Arguments::take(const std::string& flag, const std::optional<std::string>& 
                      const std::vector<std::string>& words, std::size_t& at) {
     const Option* option = findFlag(flag, m_command);
     if (!option) throw UsageError("`wend " + m_command + "` has no option " + flag);
-    if (has(flag)) throw UsageError(flag + " is given twice");
+    if (has(flag) && option->kind != OptionKind::Output) throw UsageError(flag + " is given twice");
     if (option->kind == OptionKind::Flag) {
         if (attached) throw UsageError(flag + " takes no value");
         m_values.set(flag, "");
         return;
     }
     if (!attached && at + 1 == words.size()) throw UsageError(flag + " needs a value");
-    m_values.set(flag, attached ? *attached : words[++at]);
-    check(*option, m_values.text(flag));
+    const std::string value = attached ? *attached : words[++at];
+    check(*option, value);
+    m_values.add(flag, value);
 }
 
 double Arguments::phi(const std::string& flag, int dim) const {

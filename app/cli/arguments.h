@@ -19,13 +19,16 @@ class UsageError : public std::runtime_error {
 class Arguments {
   public:
     /// `words` follow the subcommand's name. Throws UsageError: an unknown option, one that the subcommand
-    /// does not take, one given twice or without its value, a value of the wrong kind or out of range.
+    /// does not take, one given twice that is no output, one without its value, a value of the wrong kind or
+    /// out of range.
     Arguments(const std::string& command, const std::vector<std::string>& words);
 
     const std::vector<std::string>& files() const { return m_files; }
     const OptionValues& values() const { return m_values; }
     bool has(const std::string& flag) const { return m_values.has(flag); }
     std::string text(const std::string& flag) const { return m_values.text(flag); }
+    /// Returns the values of an option that may be repeated, in their order.
+    std::vector<std::string> texts(const std::string& flag) const { return m_values.texts(flag); }
     double number(const std::string& flag) const { return m_values.number(flag); }
     int integer(const std::string& flag) const { return m_values.integer(flag); }
     std::optional<double> given(const std::string& flag) const { return m_values.given(flag); }

@@ -195,7 +195,7 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
 template <int Dim>
 Json handlesInfo(const Design<Dim>& design) {
     static const char* const places[] = {"vertices", "points", "region"};
-    static const char* const kinds[] = {"translate", "rotate", "curve", "recorded"};
+    static const char* const kinds[] = {"translate", "rotate", "curve", "recorded", "field", "poses"};
     Json handles = Json::array();
     for (const Handle<Dim>& handle : design.handles) {
         Json motions = Json::array();

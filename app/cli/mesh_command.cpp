@@ -138,7 +138,7 @@ ExitCode runMesh(const Arguments& arguments) try {
         throw UsageError("--outline is for pictures");
     readDomain(arguments, *input.project);
     RunOutputs outputs;
-    outputs.mesh = output;
+    outputs.mesh = {output};
     const std::vector<OwnInput> inputs =
         inputsOf(domainOf(*input.project), designOf(*input.project), path, input.folder);
     if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);

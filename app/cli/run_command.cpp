@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <filesystem>
@@ -21,37 +22,26 @@ namespace {
 
 RunOutputs outputsFrom(const Arguments& arguments) {
     RunOutputs outputs;
-    outputs.image = arguments.text("--image");
-    outputs.mesh = arguments.text("--mesh");
-    outputs.velocity = arguments.text("--velocity");
-    outputs.stMap = arguments.text("--stmap");
-    outputs.frames = arguments.text("--frames");
-    outputs.report = arguments.text("--report");
-    outputs.states = arguments.text("--states");
-    outputs.material.phi = arguments.text("--phi-picture");
-    outputs.material.stiffness = arguments.text("--stiffness-picture");
-    outputs.material.direction = arguments.text("--direction-picture");
+    outputs.image = arguments.texts("--image");
+    outputs.mesh = arguments.texts("--mesh");
+    outputs.velocity = arguments.texts("--velocity");
+    outputs.stMap = arguments.texts("--stmap");
+    outputs.frames = arguments.texts("--frames");
+    outputs.report = arguments.texts("--report");
+    outputs.states = arguments.texts("--states");
+    outputs.material = {arguments.texts("--phi-picture"), arguments.texts("--stiffness-picture"),
+                        arguments.texts("--direction-picture")};
     outputs.count = arguments.integer("--count");
     outputs.framesPerSecond = arguments.number("--fps");
-    int standardOutputs = 0;
-    for (const auto* name :
-         {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report,
-          &outputs.material.phi, &outputs.material.stiffness, &outputs.material.direction})
-        standardOutputs += *name == "-";
-    if (standardOutputs > 1) throw UsageError("only one output can go to standard output (-)");
-    if (outputs.states == "-") throw UsageError("--states cannot go to standard output (-)");
-    if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
+    for (const char* flag : {"--states", "--frames"})
+        if (std::ranges::count(arguments.texts(flag), "-") > 0)
+            throw UsageError(std::string(flag) + " cannot go to standard output (-)");
+    if (std::ranges::count(outputs.singleFiles(), "-") > 1)
+        throw UsageError("only one output can go to standard output (-)");
     if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
-    if (arguments.has("--fps") && !isAnimation(outputs.frames))
+    if (arguments.has("--fps") && std::ranges::none_of(outputs.frames, isAnimation))
         throw UsageError("--fps is for --frames with a film: a .webp or .glb without ####");
     return outputs;
-}
-
-bool asksForAnything(const RunOutputs& outputs) {
-    return !(outputs.image + outputs.mesh + outputs.velocity + outputs.stMap + outputs.frames +
-             outputs.report + outputs.states)
-                .empty() ||
-           outputs.material.any();
 }
 
 /// "3/8".
@@ -71,11 +61,11 @@ Shard shardFrom(const std::string& text) {
 void requireShardOfFrames(const RunOptions& options) {
     const RunOutputs& outputs = options.outputs;
     if (options.from.empty()) throw UsageError("--shard needs states (--from FILE)");
-    if (outputs.frames.empty() || isAnimation(outputs.frames))
+    if (outputs.frames.empty() || std::ranges::any_of(outputs.frames, isAnimation))
         throw UsageError("--shard is for --frames with #### in the name");
     RunOutputs others = outputs;
     others.frames.clear();
-    if (asksForAnything(others)) throw UsageError("with --shard nothing but --frames is written");
+    if (others.any()) throw UsageError("with --shard nothing but --frames is written");
 }
 
 RunOptions optionsFrom(const Arguments& arguments) {
@@ -126,36 +116,43 @@ void override(Project& project, const Arguments& arguments) {
 
 ExitCode runRun(const Arguments& arguments) {
     const std::string path = onlyFile(arguments, "project");
-    const RunOptions options = optionsFrom(arguments);
+    RunOptions options = optionsFrom(arguments);
     const auto shown =
         arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
     Terminal terminal(shown, arguments.has("--quiet"));
     const LoadedProject loaded = readProject(path);
     Project& project = *loaded.project;
-    for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
+    std::vector<std::string> notices = loaded.warnings;
     override(project, arguments);
     paint(project, folderOf(path), arguments);
     std::vector<OwnInput> inputs = inputsOf(project.domain, project.design, path, folderOf(path));
     // Its own states go on growing.
-    if (!options.from.empty() && !sameFile(options.from, options.outputs.states))
+    if (!options.from.empty() && std::ranges::none_of(options.outputs.states, [&](const std::string& file) {
+            return sameFile(options.from, file);
+        }))
         inputs.push_back({OwnFile::States, options.from});
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
-    if (!asksForAnything(options.outputs))
-        terminal.warn(path + ": no output was asked for; nothing will be written");
-    if (options.at && *options.at > project.end)
-        terminal.warn(path + ": nothing moves after its end at time " + shortNumber(project.end));
+    if (!options.outputs.any()) notices.push_back("no output was asked for; nothing will be written");
+    const double standsFrom = std::max(project.end, endOfMotions(project));
+    if (options.at && *options.at > standsFrom)
+        notices.push_back("nothing moves after its end at time " + shortNumber(standsFrom));
+    const auto notice = [&](const std::string& text) {
+        if (!options.strict) terminal.warn(path + ": " + text);
+    };
+    std::ranges::for_each(notices, notice);
+    options.notices = notices;
 
     std::atomic<double> kept = -1;  // the time up to which there are states
     const auto cancelled = [&] {
         return kept < 0 ? std::string(kCancelled)
-                        : "cancelled; " + options.outputs.states + " has the states up to time " +
+                        : "cancelled; " + options.outputs.states.front() + " has the states up to time " +
                               shortNumber(kept) + ", nothing else was written";
     };
     Interrupt interrupt([&] { terminal.end(cancelled()); });
     RunWatch watch;
     watch.stop = interrupt.token();
-    watch.notice = [&](const std::string& text) { terminal.warn(path + ": " + text); };
+    watch.notice = notice;
     watch.summary = [&](const std::string& text) { terminal.tell(path + ": " + text); };
     watch.progress = [&](const std::string& work, double fraction) { terminal.progress(work, fraction); };
     watch.kept = [&](double time) { kept = time; };
@@ -165,6 +162,9 @@ ExitCode runRun(const Arguments& arguments) {
         Terminal::error(path + ": " + result.message);
     } catch (const Cancelled&) {
         terminal.end(cancelled());
+    } catch (const NoticeError& error) {
+        terminal.end(path + ": " + error.what() + " (--strict)");
+        return error.isOfShape() ? ExitCode::Incomplete : ExitCode::Input;
     }
     return ExitCode::Incomplete;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/motion/reach.h"
+
 namespace wend {
 
 int dimensionOf(const Project& project) {
@@ -67,6 +69,13 @@ std::shared_ptr<Project> newProject() {
 
 std::shared_ptr<Project> copyOf(const Project& project) {
     return std::make_shared<Project>(project);
+}
+
+double endOfMotions(const Project& project) {
+    double end =
+        std::visit([](const auto& design) { return lastMotionEnd(design.handles, 1.0); }, project.design);
+    for (const SettleWindow& window : project.settle) end = std::max(end, window.end);
+    return end;
 }
 
 void appendSettling(Project& project, double from, double length) {

@@ -17,6 +17,7 @@ struct Project {
     AnyDesign design;
     DepthRegions depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
+    bool endIsGiven = true;            // false: the file leaves `end` to the motions, see endOfMotions()
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
     SolidView view;                    // in space
     IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()
@@ -24,6 +25,10 @@ struct Project {
 
     int dimension() const { return design.index() == 0 ? 2 : 3; }
 };
+
+/// Returns the end of a project that gives none: that of the last motion, 1 if nothing moves, and at least
+/// the end of the last window of settling.
+double endOfMotions(const Project& project);
 
 /// Adds a window of settling, which `end` covers then.
 void appendSettling(Project& project, double from, double length = 1);

@@ -95,7 +95,9 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
                                                   : "handle \"" + handles[i].name + '"');
         try {
             m_timelines.emplace_back(handles[i]);
+            const size_t first = m_points.size();
             take(placer.place(handles[i].at, index), handles[i].slides);
+            takeFields(handles[i], first);
         } catch (const InputError& error) {
             throw InputError(m_names.back() + ": " + error.reason());
         }
@@ -116,6 +118,30 @@ void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, unsigned slide
             m_sliders.emplace_back(point.terms.front().first, kAll & ~slides);
         else
             throw InputError("only vertices can slide");
+}
+
+/// A point inside a cell has the displacements of its vertices, weighted as they are.
+template <int Dim>
+void Constraints<Dim>::takeFields(const Handle<Dim>& handle, size_t firstPoint) {
+    m_displacements.resize(m_points.size());
+    for (size_t m = 0; m < handle.motions.size(); ++m) {
+        const auto* field = std::get_if<FieldMotion<Dim>>(&handle.motions[m].kind);
+        if (!field) continue;
+        const auto valueOf = [&](int vertex) {
+            const auto found =
+                std::ranges::lower_bound(*field->values, vertex, {}, &Displacements<Dim>::value_type::first);
+            if (found == field->values->end() || found->first != vertex)
+                throw InputError("motion " + std::to_string(m + 1) +
+                                 ": there is no displacement for vertex " + std::to_string(vertex) +
+                                 (field->file.empty() ? "" : " in " + field->file));
+            return found->second;
+        };
+        for (size_t k = firstPoint; k < m_points.size(); ++k) {
+            m_displacements[k].resize(handle.motions.size(), Vec<Dim>::Zero());
+            for (const auto& [vertex, weight] : m_points[k].terms)
+                m_displacements[k][m] += weight * valueOf(vertex);
+        }
+    }
 }
 
 template <int Dim>
@@ -146,31 +172,51 @@ bool Constraints<Dim>::moving(double t, Side side) const {
 }
 
 template <int Dim>
-std::vector<MovingMap<Dim>> Constraints<Dim>::maps(double t, Side side) const {
-    std::vector<MovingMap<Dim>> result;
+auto Constraints<Dim>::maps(double t, Side side) const -> std::vector<HandleMap> {
+    std::vector<HandleMap> result;
     result.reserve(m_timelines.size());
-    for (const HandleTimeline<Dim>& timeline : m_timelines) result.push_back(timeline.at(t, side));
+    for (const HandleTimeline<Dim>& timeline : m_timelines)
+        result.push_back({timeline.at(t, side), timeline.motionAt(t, side)});
     return result;
 }
 
 template <int Dim>
+Vec<Dim> Constraints<Dim>::displacement(size_t id, int motion) const {
+    if (motion < 0 || m_displacements[id].empty()) return Vec<Dim>::Zero();
+    return m_displacements[id][static_cast<size_t>(motion)];
+}
+
+template <int Dim>
+Vec<Dim> Constraints<Dim>::place(const HandleMap& now, size_t id, const Vec<Dim>& anchor) const {
+    const Vec<Dim> p = now.map.position(anchor);
+    return now.map.share == 0 ? p : Vec<Dim>(p + now.map.share * displacement(id, now.motion));
+}
+
+template <int Dim>
+Vec<Dim> Constraints<Dim>::anchorAt(const HandleMap& now, size_t id, const Vec<Dim>& p) const {
+    if (now.map.share == 0) return preimage<Dim>(now.map.position, p);
+    return preimage<Dim>(now.map.position, p - now.map.share * displacement(id, now.motion));
+}
+
+template <int Dim>
 Vec<Dim> Constraints<Dim>::anchor(int id, const Vec<Dim>& p, double t, Side side) const {
-    return preimage<Dim>(m_timelines[m_points[id].handle].at(t, side).position, p);
+    const HandleTimeline<Dim>& timeline = m_timelines[m_points[id].handle];
+    return anchorAt({timeline.at(t, side), timeline.motionAt(t, side)}, static_cast<size_t>(id), p);
 }
 
 template <int Dim>
 auto Constraints<Dim>::anchors(const Points<Dim>& shape, double t, Side side) const -> Anchors {
-    const std::vector<MovingMap<Dim>> map = maps(t, side);
+    const std::vector<HandleMap> map = maps(t, side);
     Anchors result;
-    for (const ConstrainedPoint& point : m_points) {
-        result.push_back(preimage<Dim>(map[point.handle].position, point.in<Dim>(shape)));
+    for (size_t k = 0; k < m_points.size(); ++k) {
+        result.push_back(anchorAt(map[m_points[k].handle], k, m_points[k].in<Dim>(shape)));
     }
     return result;
 }
 
 template <int Dim>
 void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Anchors& anchors) const {
-    const std::vector<MovingMap<Dim>> before = maps(t, Side::Before), after = maps(t, Side::After);
+    const std::vector<HandleMap> before = maps(t, Side::Before), after = maps(t, Side::After);
     for (size_t k = 0; k < m_points.size(); ++k) {
         const int handle = m_points[k].handle;
         const HandleTimeline<Dim>& timeline = m_timelines[handle];
@@ -178,9 +224,9 @@ void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Ancho
                    staysActive = timeline.active(t, Side::After);
         if (wasActive && staysActive) {
             if (timeline.motionAt(t, Side::Before) == timeline.motionAt(t, Side::After)) continue;
-            anchors[k] = before[handle].position(anchors[k]);  // a motion begins with the identity
+            anchors[k] = place(before[handle], k, anchors[k]);  // a motion begins with the identity
         } else {
-            anchors[k] = preimage<Dim>(after[handle].position, m_points[k].in<Dim>(shape));
+            anchors[k] = anchorAt(after[handle], k, m_points[k].in<Dim>(shape));
         }
     }
 }
@@ -192,12 +238,12 @@ auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const 
         1e-9;  // relative to the size, which is 1 in the frame of the computation
     std::multimap<std::vector<std::pair<int, double>>, size_t> known;
     for (size_t i = 0; i < std::min(others.size(), theirs.size()); ++i) known.emplace(others[i].terms, i);
-    const std::vector<MovingMap<Dim>> after = maps(t, Side::After);
+    const std::vector<HandleMap> after = maps(t, Side::After);
     Anchors result = anchors(shape, t);
     for (size_t k = 0; k < m_points.size(); ++k) {
         const auto [first, last] = known.equal_range(m_points[k].terms);
         for (auto it = first; it != last; ++it) {
-            const Vec<Dim> p = after[m_points[k].handle].position(theirs[it->second]);
+            const Vec<Dim> p = place(after[m_points[k].handle], k, theirs[it->second]);
             if ((p - m_points[k].in<Dim>(shape)).norm() <= kSameTrajectory) result[k] = theirs[it->second];
             if (others[it->second].handle == m_points[k].handle) break;
         }
@@ -208,13 +254,17 @@ auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const 
 template <int Dim>
 void Constraints<Dim>::evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
                                 Points<Dim>& positions, Points<Dim>& velocities) const {
-    const std::vector<MovingMap<Dim>> now = maps(t, side);
+    const std::vector<HandleMap> now = maps(t, side);
     positions.resize(Dim, static_cast<Eigen::Index>(ids.size()));
     velocities.resize(Dim, static_cast<Eigen::Index>(ids.size()));
     for (size_t i = 0; i < ids.size(); ++i) {
-        const MovingMap<Dim>& map = now[m_points[ids[i]].handle];
-        positions.col(static_cast<Eigen::Index>(i)) = map.position(anchors[ids[i]]);
-        velocities.col(static_cast<Eigen::Index>(i)) = map.velocity(anchors[ids[i]]);
+        const auto id = static_cast<size_t>(ids[i]);
+        const auto column = static_cast<Eigen::Index>(i);
+        const HandleMap& own = now[m_points[id].handle];
+        positions.col(column) = place(own, id, anchors[id]);
+        velocities.col(column) = own.map.velocity(anchors[id]);
+        if (own.map.shareRate != 0)
+            velocities.col(column) += own.map.shareRate * displacement(id, own.motion);
     }
 }
 

@@ -95,10 +95,21 @@ class Constraints {
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
   private:
+    /// Where a handle's points are from their anchors, by its motion of that number (−1: it holds still).
+    struct HandleMap {
+        MovingMap<Dim> map;
+        int motion = -1;
+    };
     void take(std::vector<ConstrainedPoint> points, unsigned slides);
-    std::vector<MovingMap<Dim>> maps(double t, Side side) const;
+    void takeFields(const Handle<Dim>& handle, size_t firstPoint);
+    std::vector<HandleMap> maps(double t, Side side) const;
+    Vec<Dim> displacement(size_t id, int motion) const;
+    Vec<Dim> place(const HandleMap& map, size_t id, const Vec<Dim>& anchor) const;
+    Vec<Dim> anchorAt(const HandleMap& map, size_t id, const Vec<Dim>& p) const;
 
     std::vector<ConstrainedPoint> m_points;
+    /// Per point the displacements by FieldMotions, by the number of the motion; empty without any.
+    std::vector<std::vector<Vec<Dim>>> m_displacements;
     std::vector<std::pair<int, unsigned>> m_sliders;
     std::vector<HandleTimeline<Dim>> m_timelines;
     std::vector<std::string> m_names;

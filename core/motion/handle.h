@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,9 +47,39 @@ struct Recorded {
     std::vector<Vec<Dim>> points;
 };
 
+/// Vertices with their displacements, by vertex.
+template <int Dim>
+using Displacements = std::vector<std::pair<int, Vec<Dim>>>;
+/// Every held vertex moves along its own straight line: x ↦ x + e(s) u.
+template <int Dim>
+struct FieldMotion {
+    std::string file, array;  // that the values are from; empty: they are the project's own
+    std::shared_ptr<const Displacements<Dim>> values = std::make_shared<const Displacements<Dim>>();
+};
+/// In the plane an angle; in space the axis times the angle.
+template <int Dim>
+using RotationVector = Eigen::Matrix<double, Dim == 2 ? 1 : 3, 1>;
+/// x ↦ R x + position.
+template <int Dim>
+struct RigidPose {
+    Vec<Dim> position = Vec<Dim>::Zero();
+    RotationVector<Dim> rotation = RotationVector<Dim>::Zero();
+};
+/// Motion of a body through poses, relative to the first: M(t) = P(t) P(0)⁻¹, with a screw motion of constant
+/// twist between each two (see ScrewMotion).
+template <int Dim>
+struct PoseMotion {
+    std::string file;           // that the poses are from; empty: they are the project's own
+    std::vector<double> times;  // increasing
+    std::vector<RigidPose<Dim>> poses;
+    bool hasOwnTimes = false;  // the file's times are those of the project
+};
+
 template <int Dim>
 struct Motion {
-    std::variant<Translate<Dim>, Rotate<Dim>, CurveMotion<Dim>, Recorded<Dim>> kind;
+    std::variant<Translate<Dim>, Rotate<Dim>, CurveMotion<Dim>, Recorded<Dim>, FieldMotion<Dim>,
+                 PoseMotion<Dim>>
+        kind;
     double start = 0, end = 1;  // the time window
     Ease ease = Ease::Linear;
     Extras extras = {};

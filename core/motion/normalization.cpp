@@ -42,6 +42,14 @@ struct Mover {
     void operator()(Rotate<Dim>& motion) const { motion.centre = frame.normal(motion.centre); }
     void operator()(CurveMotion<Dim>& motion) const { (*this)(motion.points); }
     void operator()(Recorded<Dim>& motion) const { (*this)(motion.points); }
+    void operator()(FieldMotion<Dim>& motion) const {
+        auto values = std::make_shared<Displacements<Dim>>(*motion.values);
+        for (auto& [vertex, displacement] : *values) displacement /= frame.size;
+        motion.values = std::move(values);
+    }
+    void operator()(PoseMotion<Dim>& motion) const {
+        for (RigidPose<Dim>& pose : motion.poses) pose.position = frame.normal(pose.position);
+    }
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/mesh/error.h"
 #include "core/motion/easing.h"
 #include "core/motion/moving_frame.h"
+#include "core/motion/screw_motion.h"
 
 namespace wend {
 
@@ -69,6 +70,25 @@ void check(const Recorded<Dim>& motion) {
 }
 
 template <int Dim>
+void check(const FieldMotion<Dim>& motion) {
+    for (const auto& [vertex, displacement] : *motion.values)
+        require(displacement.allFinite(),
+                "the displacement of vertex " + std::to_string(vertex) + " is not finite");
+}
+
+template <int Dim>
+void check(const PoseMotion<Dim>& motion) {
+    require(motion.times.size() == motion.poses.size() && motion.poses.size() >= 2,
+            "poses are needed for at least 2 times");
+    for (size_t i = 0; i < motion.times.size(); ++i) {
+        require(std::isfinite(motion.times[i]) && (i == 0 || motion.times[i] > motion.times[i - 1]),
+                "the times of the poses do not increase at pose " + std::to_string(i));
+        require(motion.poses[i].position.allFinite() && motion.poses[i].rotation.allFinite(),
+                "pose " + std::to_string(i) + " is not finite");
+    }
+}
+
+template <int Dim>
 Curve<Dim> curveOf(const CurveMotion<Dim>& motion) {
     switch (motion.interpolation) {
         case Interpolation::Bezier:
@@ -124,6 +144,12 @@ MovingMap<Dim> mapOf(const Rotate<Dim>& motion, double u) {
     return {{R, motion.centre - R * motion.centre}, {rate, -rate * motion.centre}};
 }
 
+/// Every point its own way: see MovingMap::share.
+template <int Dim>
+MovingMap<Dim> mapOf(const FieldMotion<Dim>&, double u) {
+    return {{}, {Mat<Dim>::Zero(), Vec<Dim>::Zero()}, u, 1};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -153,9 +179,21 @@ struct Trajectory<Dim>::Path {
         MovingMap<Dim> map(double u, int piece) const;
     };
 
+    /// The way through poses.
+    struct Ridden {
+        std::vector<double> parameters;     // u of each pose
+        std::vector<AffineMap<Dim>> poses;  // relative to the first
+        std::vector<ScrewMotion<Dim>> between;
+        Vec<Dim> origin;  // of the body, at the first pose
+
+        explicit Ridden(const PoseMotion<Dim>& motion);
+        /// Screw motion `k` after pose k.
+        MovingMap<Dim> map(double u, size_t k) const;
+    };
+
     double start, end;
     Ease easing;
-    std::variant<Translate<Dim>, Rotate<Dim>, Carried> kind;
+    std::variant<Translate<Dim>, Rotate<Dim>, FieldMotion<Dim>, Carried, Ridden> kind;
     std::vector<double> breaks;
 
     explicit Path(const Motion<Dim>& motion)
@@ -170,11 +208,16 @@ struct Trajectory<Dim>::Path {
         if constexpr (std::is_same_v<Kind, CurveMotion<Dim>> || std::is_same_v<Kind, Recorded<Dim>>) {
             kind = Carried(given);
             setBreaks(std::get<Carried>(kind));
+        } else if constexpr (std::is_same_v<Kind, PoseMotion<Dim>>) {
+            kind = Ridden(given);
+            const std::vector<double>& all = std::get<Ridden>(kind).parameters;
+            for (size_t k = 1; k + 1 < all.size(); ++k) addBreak(all[k]);
         } else {
             kind = given;
         }
     }
     void setBreaks(const Carried& carried);
+    void addBreak(double u) { breaks.push_back(start + (end - start) * easeInverse(easing, u)); }
     double parameter(double t) const {
         return ease(easing, std::clamp((t - start) / (end - start), 0.0, 1.0));
     }
@@ -189,6 +232,8 @@ struct Trajectory<Dim>::Path {
         if (const Carried* carried = std::get_if<Carried>(&kind)) {
             return carried->map(u, carried->pieceAt(u, stretchAt(t, side)));
         }
+        if (const auto* ridden = std::get_if<Ridden>(&kind)) return ridden->map(u, stretchAt(t, side));
+        if (const auto* field = std::get_if<FieldMotion<Dim>>(&kind)) return mapOf(*field, u);
         if (const auto* translate = std::get_if<Translate<Dim>>(&kind)) return mapOf(*translate, u);
         return mapOf(std::get<Rotate<Dim>>(kind), u);
     }
@@ -197,9 +242,41 @@ struct Trajectory<Dim>::Path {
 template <int Dim>
 void Trajectory<Dim>::Path::setBreaks(const Carried& carried) {
     for (size_t i = 1; i < carried.stretches.size(); ++i) {
-        const double u = carried.curve.pieces[carried.stretches[i]].from;
-        breaks.push_back(start + (end - start) * easeInverse(easing, u));
+        addBreak(carried.curve.pieces[carried.stretches[i]].from);
     }
+}
+
+template <int Dim>
+Trajectory<Dim>::Path::Ridden::Ridden(const PoseMotion<Dim>& motion) : origin(motion.poses.front().position) {
+    const double begin = motion.times.front(), span = motion.times.back() - begin;
+    const Mat<Dim> first = rotationOf<Dim>(motion.poses.front().rotation);
+    for (size_t k = 0; k < motion.poses.size(); ++k) {
+        parameters.push_back((motion.times[k] - begin) / span);
+        const Mat<Dim> A = k == 0 ? Mat<Dim>(Mat<Dim>::Identity())
+                                  : Mat<Dim>(rotationOf<Dim>(motion.poses[k].rotation) * first.transpose());
+        poses.push_back({A, motion.poses[k].position - A * origin});
+        if (k == 0) continue;
+        try {
+            between.emplace_back(motion.poses[k - 1], motion.poses[k]);
+        } catch (const InputError& error) {
+            throw InputError("pose " + std::to_string(k) + ": " + error.reason());
+        }
+    }
+}
+
+template <int Dim>
+MovingMap<Dim> Trajectory<Dim>::Path::Ridden::map(double u, size_t k) const {
+    const double length = parameters[k + 1] - parameters[k];
+    const double s = std::clamp((u - parameters[k]) / length, 0.0, 1.0);
+    MovingMap<Dim> map = between[k].at(s);
+    const auto after = [&](const AffineMap<Dim>& screw) {
+        return AffineMap<Dim>{screw.A * poses[k].A, screw.A * poses[k].b + screw.b};
+    };
+    map.position = s == 1 ? poses[k + 1] : s == 0 ? poses[k] : after(map.position);
+    map.velocity = after(map.velocity);
+    map.velocity.A /= length;
+    map.velocity.b /= length;
+    return map;
 }
 
 /// Returns Q(u) and its ω with the twist: Q Rot(T(0), ψ), which rotates about Q T(0).
@@ -266,6 +343,7 @@ MovingMap<Dim> Trajectory<Dim>::at(double t, Side side) const {
         t < path.start || t > path.end ? 0 : easeRate(path.easing, (t - path.start) / span) / span;
     map.velocity.A *= rate;
     map.velocity.b *= rate;
+    map.shareRate *= rate;
     return map;
 }
 
@@ -274,6 +352,14 @@ Vec<Dim> Trajectory<Dim>::curvePoint(double t) const {
     const double u = m_path->parameter(t);
     if (const auto* translate = std::get_if<Translate<Dim>>(&m_path->kind)) return u * translate->by;
     if (const auto* rotate = std::get_if<Rotate<Dim>>(&m_path->kind)) return rotate->centre;
+    if (const auto* ridden = std::get_if<typename Path::Ridden>(&m_path->kind))
+        return at(t).position(ridden->origin);
+    if (const auto* field = std::get_if<FieldMotion<Dim>>(&m_path->kind)) {
+        Vec<Dim> mean = Vec<Dim>::Zero();
+        for (const auto& [vertex, displacement] : *field->values)
+            mean += displacement / static_cast<double>(field->values->size());
+        return u * mean;
+    }
     const auto& carried = std::get<typename Path::Carried>(m_path->kind);
     const CurvePiece<Dim>& piece =
         carried.curve.pieces[carried.pieceAt(u, m_path->stretchAt(t, Side::After))];

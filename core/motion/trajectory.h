@@ -19,6 +19,9 @@ template <int Dim>
 struct MovingMap {
     AffineMap<Dim> position;
     AffineMap<Dim> velocity;  // the analytic derivative of position: d/dt (A x + b) = velocity(x)
+    /// Of a FieldMotion: the part of its own displacement that each point has made in addition, and d/dt of
+    /// it.
+    double share = 0, shareRate = 0;
 };
 
 /// The side of a time at which the velocity jumps: the interval that ends there, or the one that begins.
@@ -26,9 +29,10 @@ enum class Side { Before, After };
 
 /// One motion, ready to evaluate: M(t) with M(start) = identity, for t in [start, end]; the end value
 /// afterwards. A curve moves x to γ + s Q (x − γ(0)), with the rotation Q of its frame including the twist,
-/// and the scale s, both linear in the curve's parameter. A stroke's times are mapped linearly to the
-/// interval. Throws InputError for an invalid motion (reversed interval, fewer points than the interpolation
-/// needs, a zero axis, times that do not increase, a scale ≤ 0, twist in 2D …), naming the key.
+/// and the scale s, both linear in the curve's parameter. The times of a stroke and of poses are mapped
+/// linearly to the interval. Throws InputError for an invalid motion (reversed interval, fewer points than
+/// the interpolation needs, a zero axis, times that do not increase, a scale ≤ 0, twist in 2D …), naming the
+/// key.
 template <int Dim>
 class Trajectory {
   public:
@@ -45,8 +49,8 @@ class Trajectory {
     /// joints): an integrator must not step across.
     const std::vector<double>& breakTimes() const;
     /// For drawing: return the curve's point γ and its frame F (columns: tangent, normal …, twisted; the axes
-    /// if no frame is used) at time t. For Translate and Rotate γ is the displacement or the centre, and F
-    /// the rotation.
+    /// if no frame is used) at time t. For Translate and Rotate γ is the displacement or the centre, for a
+    /// FieldMotion the mean displacement, for poses the origin of the body, and F the rotation.
     Vec<Dim> curvePoint(double t) const;
     Mat<Dim> frame(double t) const;
 

@@ -47,6 +47,14 @@ std::vector<Motion<Dim>> allMotions() {
     motions.push_back({Rotate<Dim>{point<Dim>(0.3, 0.2, 0.1), point<Dim>(1, 2, -1), 2.5}});
     motions.push_back({Recorded<Dim>{
         {0, 0.1, 0.5, 0.6}, {point<Dim>(0, 0), point<Dim>(1, 1, 1), point<Dim>(2, 0), point<Dim>(2, 3, 1)}}});
+    PoseMotion<Dim> poses;
+    poses.times = {3, 3.5, 5, 5.5};
+    for (const double k : {0.0, 1.0, 2.0, 3.0}) {
+        RotationVector<Dim> rotation = RotationVector<Dim>::Constant(0.3 * k * k - 0.4);
+        rotation[0] += std::sin(k);
+        poses.poses.push_back({point<Dim>(k, std::cos(k), k * k), rotation});
+    }
+    motions.push_back({std::move(poses)});
     for (const FrameKind frame : {FrameKind::None, FrameKind::Frenet, FrameKind::Minimal}) {
         const double twist = Dim == 3 && frame != FrameKind::None ? 1.7 : 0;
         motions.push_back({curve<Dim>(Interpolation::Bezier, frame, windingBezier<Dim>(), twist, 1.5)});

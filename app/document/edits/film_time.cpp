@@ -10,6 +10,7 @@
 #include "app/document/edits/handle_comparison.h"
 #include "app/document/project.h"
 #include "core/motion/easing.h"
+#include "core/motion/screw_motion.h"
 
 namespace wend {
 
@@ -42,6 +43,23 @@ double lengthOf(const CurveMotion<Dim>& motion, double arm) {
     for (const CurvePiece<Dim>& piece : curveOf<Dim>(motion).pieces)
         for (int i = 0; i <= kCurveSamples; ++i) line.push_back(piece.value(double(i) / kCurveSamples));
     return lengthOf<Dim>(line) + arm * (std::abs(motion.scale - 1) + std::abs(motion.twist));
+}
+
+template <int Dim>
+double lengthOf(const FieldMotion<Dim>& motion, double) {
+    double longest = 0;
+    for (const auto& [vertex, displacement] : *motion.values)
+        longest = std::max(longest, displacement.norm());
+    return longest;
+}
+template <int Dim>
+double lengthOf(const PoseMotion<Dim>& motion, double arm) {
+    double length = 0;
+    for (std::size_t i = 1; i < motion.poses.size(); ++i) {
+        const RigidPose<Dim>&from = motion.poses[i - 1], &to = motion.poses[i];
+        length += (to.position - from.position).norm() + arm * (to.rotation - from.rotation).norm();
+    }
+    return length;
 }
 
 /// Returns the mean distance of the points from their centroid.
@@ -100,6 +118,29 @@ Recorded<Dim> upTo(const Recorded<Dim>& motion, double u) {
     const double v = (end - motion.times[i - 1]) / (motion.times[i] - motion.times[i - 1]);
     result.times.push_back(end);
     result.points.push_back((1 - v) * motion.points[i - 1] + v * motion.points[i]);
+    return result;
+}
+
+/// What is cut off is no longer what the file says.
+template <int Dim>
+FieldMotion<Dim> upTo(const FieldMotion<Dim>& motion, double u) {
+    auto values = std::make_shared<Displacements<Dim>>(*motion.values);
+    for (auto& [vertex, displacement] : *values) displacement *= u;
+    return {"", "", std::move(values)};
+}
+template <int Dim>
+PoseMotion<Dim> upTo(const PoseMotion<Dim>& motion, double u) {
+    const double end = motion.times.front() + u * (motion.times.back() - motion.times.front());
+    PoseMotion<Dim> result;
+    std::size_t i = 0;
+    for (; i < motion.times.size() && motion.times[i] < end; ++i) {
+        result.times.push_back(motion.times[i]);
+        result.poses.push_back(motion.poses[i]);
+    }
+    if (i == 0 || i == motion.times.size()) return motion;
+    const double s = (end - motion.times[i - 1]) / (motion.times[i] - motion.times[i - 1]);
+    result.times.push_back(end);
+    result.poses.push_back(poseBetween<Dim>(motion.poses[i - 1], motion.poses[i], s));
     return result;
 }
 

@@ -59,6 +59,17 @@ template <int Dim>
 bool same(const Recorded<Dim>& a, const Recorded<Dim>& b) {
     return a.times == b.times && samePoints<Dim>(a.points, b.points);
 }
+template <int Dim>
+bool same(const FieldMotion<Dim>& a, const FieldMotion<Dim>& b) {
+    return a.file == b.file && a.array == b.array && (a.values == b.values || *a.values == *b.values);
+}
+template <int Dim>
+bool same(const PoseMotion<Dim>& a, const PoseMotion<Dim>& b) {
+    return a.file == b.file && a.times == b.times &&
+           sameList(a.poses, b.poses, [](const RigidPose<Dim>& p, const RigidPose<Dim>& q) {
+               return p.position == q.position && p.rotation == q.rotation;
+           });
+}
 bool same(const std::vector<int>& a, const std::vector<int>& b) {
     return a == b;
 }

@@ -32,6 +32,26 @@ void change(Recorded<Dim>& stroke, const Mirror<Dim>& mirror) {
     mirrorAll(stroke.points, mirror);
 }
 
+/// What is mirrored is no longer what the file says. The vertices stay those that are named.
+template <int Dim>
+void change(FieldMotion<Dim>& motion, const Mirror<Dim>& mirror) {
+    auto values = std::make_shared<Displacements<Dim>>(*motion.values);
+    for (auto& [vertex, displacement] : *values) displacement = mirror.along(displacement);
+    motion = {"", "", std::move(values)};
+}
+/// The rotation S R S of a reflection S has the vector −S w.
+template <int Dim>
+void change(PoseMotion<Dim>& motion, const Mirror<Dim>& mirror) {
+    motion.file.clear();
+    for (RigidPose<Dim>& pose : motion.poses) {
+        pose.position = mirror(pose.position);
+        if constexpr (Dim == 2)
+            pose.rotation = -pose.rotation;
+        else
+            pose.rotation = -mirror.along(pose.rotation);
+    }
+}
+
 void change(Polygon& polygon, const Mirror<2>& mirror) {
     mirrorAll(polygon.points, mirror);
 }

@@ -1,6 +1,7 @@
 #include "app/document/file/design_reader.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "app/document/design.h"
 #include "app/document/file/named_places.h"
@@ -204,6 +205,13 @@ Placement<Dim> readPlacement(const JsonValue& value, Extras& extras) {
     return region;
 }
 
+std::string readMotionFile(JsonObject& object) {
+    const JsonValue file = object.require("file");
+    const std::string name = file.text();
+    if (name.empty()) file.fail("names no file");
+    return name;
+}
+
 template <int Dim>
 Translate<Dim> readTranslate(JsonObject& object) {
     return {object.require("by").template point<Dim>()};
@@ -263,18 +271,72 @@ Recorded<Dim> readRecorded(JsonObject& object) {
     return stroke;
 }
 
+/// Without a file the displacements themselves: `vertices` and `by`.
+template <int Dim>
+FieldMotion<Dim> readField(JsonObject& object) {
+    FieldMotion<Dim> field;
+    if (object.oneOf({"file", "vertices"}) == "file") {
+        field.file = readMotionFile(object);
+        if (auto array = object.find("array")) field.array = array->text();
+        return field;
+    }
+    const JsonValue by = object.require("by");
+    const std::vector<int> vertices = readVertexIds<Dim>(object.require("vertices"));
+    const std::vector<Vec<Dim>> displacements = by.points<Dim>();
+    if (displacements.size() != vertices.size())
+        by.fail("has " + std::to_string(displacements.size()) + " displacements for " +
+                std::to_string(vertices.size()) + " vertices");
+    Displacements<Dim> values;
+    for (std::size_t i = 0; i < vertices.size(); ++i) values.emplace_back(vertices[i], displacements[i]);
+    std::ranges::sort(values, {}, &Displacements<Dim>::value_type::first);
+    field.values = std::make_shared<const Displacements<Dim>>(std::move(values));
+    return field;
+}
+
+/// Without a file the poses themselves: rows of time, position and rotation vector.
+template <int Dim>
+PoseMotion<Dim> readPoses(JsonObject& object) {
+    PoseMotion<Dim> motion;
+    motion.hasOwnTimes = !object.has("time");
+    if (object.oneOf({"file", "poses"}) == "file") {
+        motion.file = readMotionFile(object);
+        return motion;
+    }
+    const JsonValue rows = object.require("poses");
+    for (const JsonValue& row : rows.elements()) {
+        const std::vector<double> numbers = row.numbers();
+        constexpr std::size_t kColumns = Dim == 2 ? 4 : 7;
+        if (numbers.size() != kColumns)
+            row.fail("has " + std::to_string(numbers.size()) + " numbers where a pose needs " +
+                     std::to_string(kColumns) + ": time, position and " +
+                     (Dim == 2 ? "angle" : "rotation vector"));
+        if (!motion.times.empty() && numbers[0] <= motion.times.back())
+            row.fail("its time does not come after that of the pose before");
+        motion.times.push_back(numbers[0]);
+        motion.poses.push_back({Eigen::Map<const Vec<Dim>>(&numbers[1]),
+                                Eigen::Map<const RotationVector<Dim>>(&numbers[1 + Dim])});
+    }
+    if (motion.poses.size() < 2) rows.fail("at least 2 poses are needed");
+    return motion;
+}
+
 template <int Dim>
 Motion<Dim> readMotion(const JsonValue& value, double end) {
     Motion<Dim> motion;
     motion.end = end;
     JsonObject object(value.ownedBy(motion.extras));
+    if (auto time = object.find("time")) std::tie(motion.start, motion.end) = readWindow(*time);
+    if (auto ease = object.find("ease")) motion.ease = ease->choice<Ease>("handles[].motion[].ease");
     const std::string kind = object.require("kind").choice("handles[].motion[].kind");
     if (kind == "translate") motion.kind = readTranslate<Dim>(object);
     if (kind == "rotate") motion.kind = readRotate<Dim>(object);
     if (kind == "curve") motion.kind = readCurve<Dim>(object);
     if (kind == "recorded") motion.kind = readRecorded<Dim>(object);
-    if (auto time = object.find("time")) std::tie(motion.start, motion.end) = readWindow(*time);
-    if (auto ease = object.find("ease")) motion.ease = ease->choice<Ease>("handles[].motion[].ease");
+    if (kind == "field") motion.kind = readField<Dim>(object);
+    if (kind == "poses") motion.kind = readPoses<Dim>(object);
+    if (const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind))
+        if (poses->hasOwnTimes && !poses->times.empty())
+            std::tie(motion.start, motion.end) = std::pair(poses->times.front(), poses->times.back());
     object.finish();
     return motion;
 }
@@ -285,7 +347,12 @@ std::vector<Motion<Dim>> readMotions(const JsonValue& value, double end) {
     for (const JsonValue& element : value.elements()) {
         motions.push_back(readMotion<Dim>(element, end));
         const std::size_t i = motions.size() - 1;
-        if (i > 0 && motions[i].start < motions[i - 1].end)
+        const auto waitsForFile = [](const Motion<Dim>& motion) {
+            const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind);
+            return poses && poses->hasOwnTimes && poses->times.empty();
+        };
+        if (i > 0 && !waitsForFile(motions[i]) && !waitsForFile(motions[i - 1]) &&
+            motions[i].start < motions[i - 1].end)
             element.fail("begins at " + shortNumber(motions[i].start) +
                          ", before the one in front of it ends at " + shortNumber(motions[i - 1].end));
     }

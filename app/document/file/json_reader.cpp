@@ -1,7 +1,10 @@
 #include "app/document/file/json_reader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "app/document/file/nearest_word.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -19,6 +22,10 @@ std::string kindOf(const nlohmann::ordered_json& json) {
     if (json.is_array()) return "a list";
     if (json.is_string()) return "the text " + json.dump().substr(0, 60);
     return json.dump();
+}
+
+std::string isUnknown(const std::string& key, const std::string& near) {
+    return "`" + key + "` is not known; `" + near + "`?";
 }
 
 }  // namespace
@@ -60,8 +67,11 @@ JsonValue JsonValue::ownedBy(Extras& extras) const {
     return owned;
 }
 
-void JsonValue::keepUnknown(const std::string& key) const {
+void JsonValue::keepUnknown(const std::string& key, const std::string& near) const {
     m_extras->emplace_back(m_pointer + "/" + escaped(key), m_json->at(key).dump());
+    if (!near.empty())
+        return m_warnings->push_back((m_path.empty() ? "" : m_path + ": ") + isUnknown(key, near) +
+                                     " It is ignored and kept");
     m_warnings->push_back(member(key).path() + ": is not known to this version; it is ignored and kept");
 }
 
@@ -137,7 +147,7 @@ JsonObject::JsonObject(JsonValue value) : m_value(std::move(value)) {
 }
 
 JsonValue JsonObject::require(const std::string& key) {
-    if (!has(key)) m_value.fail("the key `" + key + "` is missing");
+    if (!has(key)) failWithout({key}, "the key `" + key + "` is missing");
     m_known.insert(key);
     return m_value.member(key);
 }
@@ -156,13 +166,34 @@ std::string JsonObject::oneOf(const std::vector<std::string>& keys) const {
         if (!found.empty()) m_value.fail("has both `" + found + "` and `" + key + "`");
         found = key;
     }
-    if (found.empty()) m_value.fail("has none of the known kinds: " + list);
+    if (found.empty()) failWithout(keys, "has none of the known kinds: " + list);
     return found;
+}
+
+bool JsonObject::has(const std::string& key) const {
+    m_wanted.insert(key);
+    return m_value.json().contains(key);
+}
+
+std::string JsonObject::suggestionFor(const std::string& unknown) const {
+    std::vector<std::string> absent;
+    std::ranges::copy_if(m_wanted, std::back_inserter(absent),
+                         [&](const std::string& key) { return !m_value.json().contains(key); });
+    return nearestWord(unknown, absent);
+}
+
+void JsonObject::failWithout(const std::vector<std::string>& keys, const std::string& what) const {
+    for (const auto& entry : m_value.json().items()) {
+        const bool isKnown = m_known.contains(entry.key());
+        if (const std::string near = isKnown ? "" : nearestWord(entry.key(), keys); !near.empty())
+            m_value.fail(isUnknown(entry.key(), near));
+    }
+    m_value.fail(what);
 }
 
 void JsonObject::finish() const {
     for (const auto& entry : m_value.json().items())
-        if (!m_known.contains(entry.key())) m_value.keepUnknown(entry.key());
+        if (!m_known.contains(entry.key())) m_value.keepUnknown(entry.key(), suggestionFor(entry.key()));
 }
 
 template Vec<2> JsonValue::point<2>() const;

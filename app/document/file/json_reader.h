@@ -31,7 +31,8 @@ class JsonValue {
     std::vector<JsonValue> elements() const;
     /// The same value, with the unknown keys in and below it kept in `extras`.
     JsonValue ownedBy(Extras& extras) const;
-    void keepUnknown(const std::string& key) const;
+    /// Keeps a key that is not known and warns about it. `near`: the known key that it resembles, if any.
+    void keepUnknown(const std::string& key, const std::string& near = {}) const;
 
     std::string text() const;
     bool boolean() const;
@@ -61,23 +62,30 @@ class JsonValue {
     std::vector<std::string>* m_warnings;
 };
 
-/// Reads an object; keys that were not requested by the end are unknown.
+/// Reads an object; keys that were not requested by the end are unknown. Messages about those name the known
+/// key that they resemble: "`center` is not known; `centre`?".
 class JsonObject {
   public:
     explicit JsonObject(JsonValue value);
 
     JsonValue require(const std::string& key);
     std::optional<JsonValue> find(const std::string& key);
-    bool has(const std::string& key) const { return m_value.json().contains(key); }
+    bool has(const std::string& key) const;
     /// The one of these keys that is there; fails if none or several are.
     std::string oneOf(const std::vector<std::string>& keys) const;
+    /// Fails because none of these keys is there: with the one that is misspelt, if there is such a one, else
+    /// as `what` says.
+    [[noreturn]] void failWithout(const std::vector<std::string>& keys, const std::string& what) const;
     /// Keeps all keys that were not asked for, and warns about them.
     void finish() const;
     const JsonValue& value() const { return m_value; }
 
   private:
+    std::string suggestionFor(const std::string& unknown) const;
+
     JsonValue m_value;
-    std::set<std::string> m_known;
+    std::set<std::string> m_known;           // that were read
+    mutable std::set<std::string> m_wanted;  // that were looked for
 };
 
 }  // namespace wend

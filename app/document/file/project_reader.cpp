@@ -3,6 +3,7 @@
 
 #include "app/document/file/design_reader.h"
 #include "app/document/file/json_text.h"
+#include "app/document/file/motion_files.h"
 #include "app/document/file/named_files.h"
 #include "app/document/file/named_places.h"
 #include "app/document/file/project_reader.h"
@@ -20,7 +21,8 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
 
 void checkFormat(JsonObject& root) {
-    if (!root.has("format")) root.value().fail("is not a Wend project: the key `format` is missing");
+    if (!root.has("format"))
+        root.failWithout({"format"}, "is not a Wend project: the key `format` is missing");
     const std::string format = root.require("format").text();
     if (format != "wend") root.value().fail("is not a Wend project: its format is \"" + format + "\"");
     const JsonValue version = root.require("version");
@@ -268,6 +270,9 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     dimensionOf(project.domain, folder, json) == 2 ? readDesign<2>(root, project)
                                                    : readDesign<3>(root, project);
     findNamedPlaces(project, folder);
+    readMotionFiles(project, folder);
+    project.endIsGiven = root.has("time") && root.value().json()["time"].contains("end");
+    if (!project.endIsGiven) project.end = endOfMotions(project);
     if (project.dimension() == 2)
         if (auto depth = root.find("depth")) project.depth = readDepth(*depth);
     if (project.dimension() == 3)

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "app/document/file/json_text.h"
+#include "app/document/file/motion_files.h"
 #include "app/document/file/named_places.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/file/setting_json.h"
@@ -234,15 +236,58 @@ Json recordedJson(const Recorded<Dim>& stroke) {
 }
 
 template <int Dim>
+Json fieldJson(const FieldMotion<Dim>& field) {
+    Json json{{"kind", "field"}};
+    if (!field.file.empty()) {
+        json["file"] = field.file;
+        if (!field.array.empty()) json["array"] = field.array;
+        return json;
+    }
+    for (const auto& [vertex, displacement] : *field.values) {
+        json["vertices"].push_back(vertex);
+        json["by"].push_back(point(displacement));
+    }
+    return json;
+}
+
+template <int Dim>
+Json posesJson(const PoseMotion<Dim>& motion) {
+    Json json{{"kind", "poses"}};
+    if (!motion.file.empty()) {
+        json["file"] = motion.file;
+        return json;
+    }
+    for (std::size_t i = 0; i < motion.poses.size(); ++i) {
+        Json row = Json::array({numberJson(motion.times[i])});
+        for (const Json& number : point(motion.poses[i].position)) row.push_back(number);
+        for (const Json& number : point(motion.poses[i].rotation)) row.push_back(number);
+        json["poses"].push_back(row);
+    }
+    return json;
+}
+
+/// The times of the motion are those of its poses, and need not be written.
+template <int Dim>
+bool hasTimesOfPoses(const Motion<Dim>& motion) {
+    const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind);
+    return poses && poses->hasOwnTimes &&
+           (poses->times.empty() ||
+            (motion.start == poses->times.front() && motion.end == poses->times.back()));
+}
+
+template <int Dim>
 Json motionJson(const Motion<Dim>& motion) {
     Json json = std::visit(Overloaded{[](const Translate<Dim>& move) {
                                           return Json{{"kind", "translate"}, {"by", point(move.by)}};
                                       },
                                       [](const Rotate<Dim>& rotate) { return rotateJson(rotate); },
                                       [](const CurveMotion<Dim>& curve) { return curveJson(curve); },
-                                      [](const Recorded<Dim>& stroke) { return recordedJson(stroke); }},
+                                      [](const Recorded<Dim>& stroke) { return recordedJson(stroke); },
+                                      [](const FieldMotion<Dim>& field) { return fieldJson(field); },
+                                      [](const PoseMotion<Dim>& poses) { return posesJson(poses); }},
                            motion.kind);
-    json["time"] = Json::array({numberJson(motion.start), numberJson(motion.end)});
+    if (!hasTimesOfPoses(motion))
+        json["time"] = Json::array({numberJson(motion.start), numberJson(motion.end)});
     if (motion.ease != Ease::Linear) json["ease"] = wordOf("handles[].motion[].ease", motion.ease);
     return withExtras(std::move(json), motion.extras);
 }
@@ -338,6 +383,14 @@ Project rebased(Project project, const std::string& path, const std::string& fol
     return project;
 }
 
+/// Takes the end of time out, and the object around it if nothing else is in it.
+void leaveEndOut(Json& json, const Extras& extras) {
+    json["time"].erase("end");
+    const bool hasMore =
+        std::ranges::any_of(extras, [](const auto& extra) { return extra.first.starts_with("/time/"); });
+    if (json["time"].empty() && !hasMore) json.erase("time");
+}
+
 }  // namespace
 
 std::vector<std::string*> filesOf(Project& project) {
@@ -346,6 +399,9 @@ std::vector<std::string*> filesOf(Project& project) {
     std::visit(
         [&](auto& design) {
             files.push_back(&design.material.cellsFile);
+            for (auto& handle : design.handles)
+                for (auto& motion : handle.motions)
+                    if (std::string* file = fileOf(motion.kind)) files.push_back(file);
             for (auto& region : design.material.regions)
                 for (std::string* file :
                      {&region.pictures.phi, &region.pictures.stiffness, &region.pictures.direction})
@@ -362,6 +418,7 @@ std::string toJson(const Project& project) {
     for (const SettleWindow& window : project.settle)
         json["settle"].push_back({{"time", Json::array({numberJson(window.start), numberJson(window.end)})}});
     for (const char* group : {"time", "integration"}) json[group] = groupJson(group, project);
+    if (!project.endIsGiven && project.end == endOfMotions(project)) leaveEndOut(json, project.extras);
     if (Json view = viewJson(project); !view.empty()) json["view"] = std::move(view);
     return prettyJson(withExtras(std::move(json), project.extras));
 }

@@ -9,7 +9,12 @@ namespace wend {
 
 std::string OptionValues::text(const std::string& flag) const {
     const auto it = m_values.find(flag);
-    return it != m_values.end() ? it->second : defaultText(option(flag));
+    return it != m_values.end() ? it->second.back() : defaultText(option(flag));
+}
+
+std::vector<std::string> OptionValues::texts(const std::string& flag) const {
+    const auto it = m_values.find(flag);
+    return it != m_values.end() ? it->second : std::vector<std::string>();
 }
 
 double OptionValues::number(const std::string& flag) const {
@@ -26,7 +31,7 @@ int OptionValues::integer(const std::string& flag) const {
 
 std::optional<double> OptionValues::given(const std::string& flag) const {
     const auto it = m_values.find(flag);
-    return it != m_values.end() ? finiteNumber(it->second) : std::nullopt;
+    return it != m_values.end() ? finiteNumber(it->second.back()) : std::nullopt;
 }
 
 std::optional<double> finiteNumber(const std::string& text) {

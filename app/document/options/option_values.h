@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wend {
 
@@ -10,10 +11,14 @@ namespace wend {
 /// window's dialogs. What is not set is as the table of options says.
 class OptionValues {
   public:
-    void set(const std::string& flag, std::string value) { m_values[flag] = std::move(value); }
+    void set(const std::string& flag, std::string value) { m_values[flag] = {std::move(value)}; }
+    /// Adds a value to those of an option that may be repeated.
+    void add(const std::string& flag, std::string value) { m_values[flag].push_back(std::move(value)); }
     bool has(const std::string& flag) const { return m_values.contains(flag); }
     /// Returns the text as written, or the table's default.
     std::string text(const std::string& flag) const;
+    /// Returns all values that were given, without defaults.
+    std::vector<std::string> texts(const std::string& flag) const;
     double number(const std::string& flag) const;
     int integer(const std::string& flag) const;
     /// The place of a choice in its list, as the number of an enumeration.
@@ -29,7 +34,7 @@ class OptionValues {
   private:
     int place(const std::string& flag) const;
 
-    std::map<std::string, std::string> m_values;
+    std::map<std::string, std::vector<std::string>> m_values;
 };
 
 /// Parses a number of the command line: the whole text, in the C locale.

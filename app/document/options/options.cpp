@@ -27,6 +27,7 @@ using enum OptionKind;
 
 std::string allowed(const Option& option) {
     if (option.kind == Flag || option.kind == File || option.kind == Text) return "";
+    if (option.kind == Output) return "one or more files";
     std::string text;
     for (char c : option.choices) text += c == '|' ? std::string(", ") : std::string(1, c);
     if (option.kind == Phi) text += ", or a number";

@@ -127,7 +127,7 @@ int FrameExport::vertexCount(const std::string& extension) const {
 void FrameExport::writeFrames(const std::string& path, const RunOptions& options,
                               const RunWatch& watch) const {
     RunOptions all = options;
-    all.outputs.frames = path;
+    all.outputs.frames = {path};
     const AdvanceResult result = runProject(*m_project, m_name, all, watch);
     if (result.outcome != Outcome::Done) throw InputError(result.message);
 }

@@ -4,6 +4,7 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/file/motion_files.h"
 #include "app/document/file/named_files.h"
 #include "app/session/run/output_set.h"
 #include "core/mesh/same_file.h"
@@ -26,12 +27,8 @@ struct Place {
 };
 
 std::vector<Place> singlePlaces(const RunOutputs& outputs) {
-    const bool animation = isAnimation(outputs.frames);
     std::vector<Place> places;
-    for (const std::string& path :
-         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.states,
-          outputs.material.phi, outputs.material.stiffness, outputs.material.direction,
-          animation ? outputs.frames : collectionName(outputs.frames)})
+    for (const std::string& path : outputs.singleFiles())
         if (replacesAFile(path))
             for (const std::string& file : writtenAlong(path)) places.push_back({file, path});
     return places;
@@ -46,18 +43,28 @@ std::string replaced(const Place& place, const std::vector<OwnInput>& inputs) {
 
 /// Frames that are there already, maybe as links, and those that other outputs will be.
 std::string clashOfFrames(const std::vector<OwnInput>& inputs, const std::vector<Place>& places,
-                          const RunOutputs& outputs) {
+                          const std::string& frames, int count) {
     for (const Place& place : places) {
-        const auto number = frameNumber(canonicalName(outputs.frames), canonicalName(place.file));
-        if (number && *number < outputs.count)
-            return place.output + ": would be replaced by frame " + std::to_string(*number) + " of " +
-                   outputs.frames;
+        const auto number = frameNumber(canonicalName(frames), canonicalName(place.file));
+        if (number && *number < count)
+            return place.output + ": would be replaced by frame " + std::to_string(*number) + " of " + frames;
     }
     std::error_code error;
-    for (int k = 0; k < outputs.count; ++k)
-        for (const std::string& file : writtenAlong(frameName(outputs.frames, k)))
+    for (int k = 0; k < count; ++k)
+        for (const std::string& file : writtenAlong(frameName(frames, k)))
             if (fs::exists(file, error))
                 if (const std::string clash = replaced({file, file}, inputs); !clash.empty()) return clash;
+    return {};
+}
+
+std::string clashOfSequences(const FileNames& sequences, int count) {
+    for (std::size_t k = 0; k < sequences.size(); ++k)
+        for (std::size_t i = 0; i < k; ++i) {
+            const std::string one = canonicalName(sequences[i]), other = canonicalName(sequences[k]);
+            for (int frame = 0; frame < count; ++frame)
+                if (const auto number = frameNumber(other, frameName(one, frame)); number && *number < count)
+                    return sequences[k] + ": would replace frames of another output, " + sequences[i];
+        }
     return {};
 }
 
@@ -83,6 +90,9 @@ std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, co
     std::visit(
         [&](const auto& own) {
             add(OwnFile::Material, own.material.cellsFile);
+            for (const auto& handle : own.handles)
+                for (const auto& motion : handle.motions)
+                    if (const std::string* file = fileOf(motion.kind)) add(OwnFile::Motion, *file);
             for (const auto& region : own.material.regions)
                 for (const std::string& file :
                      {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
@@ -100,8 +110,10 @@ std::string overwriting(const std::vector<OwnInput>& inputs, const RunOutputs& o
             if (sameFile(places[i].file, places[k].file))
                 return places[k].output + ": would replace another output, " + places[i].output;
     }
-    const bool numbered = outputs.frames.find('#') != std::string::npos;
-    return numbered ? clashOfFrames(inputs, places, outputs) : std::string();
+    for (const std::string& frames : outputs.numberedFrames())
+        if (const std::string clash = clashOfFrames(inputs, places, frames, outputs.count); !clash.empty())
+            return clash;
+    return clashOfSequences(outputs.numberedFrames(), outputs.count);
 }
 
 }  // namespace wend

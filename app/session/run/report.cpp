@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -8,10 +9,36 @@
 #include "app/session/run/report.h"
 #include "app/session/run/run.h"
 #include "core/energy/distortion.h"
+#include "core/motion/reach.h"
 
 namespace wend {
 
 using Json = nlohmann::ordered_json;
+
+std::vector<HandleReach> reachedAt(const AnyDesign& design, double time) {
+    std::vector<HandleReach> all;
+    std::visit(
+        [&](const auto& one) {
+            for (const auto& handle : one.handles) all.push_back({handle.name, reachOf(handle, time)});
+        },
+        design);
+    return all;
+}
+
+std::string fallsShort(const Project& project) {
+    constexpr double kRounding = 1e-9;
+    const double end = endOf(project);
+    const auto reached = reachedAt(designOf(project), end);
+    const auto least = std::ranges::min_element(reached, {}, &HandleReach::share);
+    if (least == reached.end() || least->share >= 1 - kRounding) return {};
+    const auto others = std::ranges::count_if(
+        reached, [](const HandleReach& handle) { return handle.share < 1 - kRounding; });
+    const std::string name =
+        least->name.empty() ? std::to_string(least - reached.begin()) : '"' + least->name + '"';
+    const std::string more = others == 1 ? "" : ", and " + std::to_string(others - 1) + " more fall short";
+    return "handle " + name + " reaches only " + shortNumber(std::floor(1000 * least->share) / 10) +
+           " % of its motion, because the project ends at " + shortNumber(end) + " (time.end)" + more;
+}
 
 std::string reportJson(const RunFigures& figures) {
     const Distortion& distortion = figures.distortion;
@@ -38,6 +65,10 @@ std::string reportJson(const RunFigures& figures) {
                        {"integrate", counts.integrate}, {"total", figures.total}};
     json["energy"] = counts.energy;
     json["errorEstimate"] = counts.errorEstimate > 0 ? Json(counts.errorEstimate) : Json();
+    json["reached"] = Json::array();
+    for (const HandleReach& handle : figures.reached)
+        json["reached"].push_back({{"name", handle.name}, {"reached", handle.share}});
+    json["notices"] = figures.notices;
     json.update(Json::parse(figures.faults));
     if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
     if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));

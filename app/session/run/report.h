@@ -10,6 +10,16 @@
 
 namespace wend {
 
+/// The share of its motions that a handle has done, see reachOf().
+struct HandleReach {
+    std::string name;
+    double share = 1;
+};
+std::vector<HandleReach> reachedAt(const AnyDesign& design, double time);
+/// "handle "hand" reaches only 60 % of its motion …" for a project that ends before its motions do; else
+/// empty.
+std::string fallsShort(const Project& project);
+
 /// What a report tells (contract of the command line).
 struct RunFigures {
     int vertices = 0, cells = 0, dimension = 0;
@@ -22,6 +32,8 @@ struct RunFigures {
     std::optional<MeshVerdict> verdict = {};  // on cells that were made
     std::optional<CageFacts> cage = {};       // if one carries the surface
     std::optional<View> canvas = {};          // of pictures that were written
+    std::vector<HandleReach> reached = {};
+    std::vector<std::string> notices = {};
 };
 std::string reportJson(const RunFigures& figures);
 /// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.

@@ -1,7 +1,11 @@
 #include "app/session/run/run.h"
 
+#include <algorithm>
 #include <chrono>
+#include <deque>
 #include <filesystem>
+#include <map>
+#include <mutex>
 
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
@@ -57,11 +61,12 @@ class Run {
         : m_project(project),
           m_shape(std::move(shape)),
           m_options(options),
-          m_watch(watch),
+          m_notices(options.notices),
+          m_watch(listening(watch)),
           m_start(start),
           m_deformer(m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape),
                      integrationOf(project),
-                     backEndFactory<Dim>(options.backEnd, {}, watch.notice, m_device)) {}
+                     backEndFactory<Dim>(options.backEnd, {}, m_watch.notice, m_device)) {}
 
     AdvanceResult run() {
         openStates();
@@ -74,13 +79,15 @@ class Run {
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
         if (result.outcome == Outcome::Done || m_options.partial) {
+            endIfStrict(false);
             warnOfFaults();
-            warnOfColours();
-            writeShapes();
+            const bool isFaulty = m_options.strict && !m_notices.empty();
+            if (!isFaulty) writeAll();
+            endIfStrict(isFaulty);
         } else {
             m_files.discard();
         }
-        writeReport();
+        writeReports();
         m_files.commit();
         if (m_watch.summary && result.outcome == Outcome::Done)
             m_watch.summary(summaryText(m_deformer.statistics(), integrationOf(m_project)));
@@ -90,6 +97,16 @@ class Run {
     }
 
   private:
+    /// The same, and notices are kept for the report. Threads that paint may call it.
+    RunWatch listening(RunWatch watch) {
+        watch.notice = [this, tell = std::move(watch.notice)](const std::string& text) {
+            const std::scoped_lock lock(m_noticing);
+            m_notices.push_back(text);
+            if (tell) tell(text);
+        };
+        return watch;
+    }
+
     double end() const { return m_options.at.value_or(endOf(m_project)); }
     /// Where the integration ends: that of other states, whose last step is cut there.
     double flowEnd() const { return m_known ? m_known->header().end : end(); }
@@ -104,8 +121,9 @@ class Run {
     }
 
     void openStates() {
-        const std::string &from = m_options.from, &to = m_options.outputs.states;
-        if (from.empty() && to.empty()) return;
+        const std::string& from = m_options.from;
+        const FileNames& files = m_options.outputs.states;
+        if (from.empty() && files.empty()) return;
         const StatesHeader header = statesHeader<Dim>(m_project, m_shape, end());
         if (!from.empty()) {
             m_known.emplace(from, header);
@@ -113,11 +131,11 @@ class Run {
                 throw InputError(from, "holds the states of a run to time " +
                                            shortNumber(m_known->header().end) + " only (see --at)");
         }
-        if (to.empty()) return;
-        if (m_known)
-            m_states.emplace(to, *m_known);
-        else
-            m_states.emplace(to, header);
+        for (const std::string& to : files)
+            if (m_known)
+                m_states.emplace_back(to, *m_known);
+            else
+                m_states.emplace_back(to, header);
     }
 
     /// Frames with these numbers, and the shape at the end where the integration goes on beyond it.
@@ -144,20 +162,21 @@ class Run {
 
     AdvanceResult integrate() {
         auto watch = watchFor(0, m_options.outputs.frames.empty() ? 0 : m_options.outputs.count);
-        if (m_states)
+        if (!m_states.empty())
             watch.onStep = [this](const StepRecord<Dim>& step) {
-                m_states->add(step);
-                if (m_states->isDue()) keepState();
+                for (StatesWriter<Dim>& states : m_states) states.add(step);
+                if (m_states.front().isDue()) keepState();
             };
         const AdvanceResult result = m_deformer.advance(flowEnd(), watch);
         const double time = m_deformer.state().time;
-        if (m_states && time > 0 && m_states->reached() != time) keepState();
+        if (!m_states.empty() && time > 0 && m_states.front().reached() != time) keepState();
         return result;
     }
 
     void keepState() {
-        m_states->checkpoint(m_deformer.state(), m_deformer.statistics());
-        if (m_watch.kept) m_watch.kept(*m_states->reached());
+        for (StatesWriter<Dim>& states : m_states)
+            states.checkpoint(m_deformer.state(), m_deformer.statistics());
+        if (m_watch.kept) m_watch.kept(*m_states.front().reached());
     }
 
     /// All from states that are there. A canvas that fits needs all frames.
@@ -175,25 +194,39 @@ class Run {
         AdvanceResult result = m_deformer.advance(until, watchFor(first, last));
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         if constexpr (Dim == 2) writeWaitingFrames();
-        if (begin == 0) writeCollection();
+        if (begin == 0) writeCollections();
         m_files.commit();
         return result;
+    }
+
+    /// With --strict, the first notice ends the run. The report is left if the deformed shape is the reason.
+    void endIfStrict(bool ofShape) {
+        if (!m_options.strict || m_notices.empty()) return;
+        m_files.discard();
+        if (ofShape) writeReports();
+        m_files.commit();
+        throw NoticeError(m_notices, ofShape);
+    }
+
+    void writeAll() {
+        warnOfColours();
+        writeShapes();
     }
 
     void writeShapes() {
         const RunOutputs& outputs = m_options.outputs;
         const Points<Dim> pose = m_deformer.state().points;
-        if (!outputs.velocity.empty()) writeVelocity(pose);
-        if (!outputs.mesh.empty()) writeMesh(pose);
+        for (const std::string& path : outputs.velocity) writeVelocity(path, pose);
+        for (const std::string& path : outputs.mesh) writeMesh(path, pose);
         if constexpr (Dim == 2) {
             writePictures(pose);
             writeMaterial();
             writeWaitingFrames();
-            writeFilm();
+            writeFilms();
         } else {
-            writeAnimation();
+            writeAnimations();
         }
-        writeCollection();
+        writeCollections();
     }
 
     bool wantsVelocity() const {
@@ -207,7 +240,6 @@ class Run {
 
     /// No cell folds over, but one may be next to nothing, and a body may pass through another.
     void warnOfFaults() const {
-        if (!m_watch.notice) return;
         const double minimum = distortion<Dim>(*m_shape.rest, m_deformer.state().points).minDet;
         if (minimum < kCrushed)
             m_watch.notice("a cell has shrunk to " + shortNumber(minimum) + " of its size");
@@ -223,11 +255,13 @@ class Run {
 
     /// No format drops a colour profile without a word.
     void warnOfColours() const {
-        if (!m_watch.notice || !m_shape.picture) return;
-        for (const std::string& path : {m_options.outputs.image, m_options.outputs.frames})
-            if (canWriteImage(path) && losesProfile(path, *m_shape.picture))
-                m_watch.notice(
-                    path + ": the format holds no colour profile: the colours' numbers are kept as they are");
+        if (!m_shape.picture) return;
+        for (const FileNames* names : {&m_options.outputs.image, &m_options.outputs.frames})
+            for (const std::string& path : *names)
+                if (canWriteImage(path) && losesProfile(path, *m_shape.picture))
+                    m_watch.notice(
+                        path +
+                        ": the format holds no colour profile: the colours' numbers are kept as they are");
     }
 
     /// What may be so: parts of a picture lie over each other, in the order of their depth.
@@ -241,7 +275,7 @@ class Run {
     void warnOfRounding(const std::string& path, const Points<Dim>& pose) const {
         const bool rounds = Dim == 2 && lowerExtension(path) == ".stl" &&
                             m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
-        if (!rounds || !m_watch.notice) return;
+        if (!rounds) return;
         const Points<Dim> rounded = pose.template cast<float>().template cast<double>();
         if (const int flips = distortion<Dim>(*m_shape.rest, rounded).flips; flips > 0)
             m_watch.notice(
@@ -252,22 +286,21 @@ class Run {
 
     void tellOfLosses(const std::string& path) const {
         const std::string lost = lostInShape<Dim>(path, m_shape, m_options.meshes);
-        if (!lost.empty() && m_watch.notice) m_watch.notice(path + ": " + lost);
+        if (!lost.empty()) m_watch.notice(path + ": " + lost);
     }
 
-    void writeMesh(const Points<Dim>& pose) {
-        warnOfRounding(m_options.outputs.mesh, pose);
-        tellOfLosses(m_options.outputs.mesh);
+    void writeMesh(const std::string& path, const Points<Dim>& pose) {
+        warnOfRounding(path, pose);
+        tellOfLosses(path);
         std::vector<MeshField> fields;
         if (m_options.fields) fields = shapeFields(m_shape, pose, m_velocity);
-        m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
+        m_files.add(path, ".vtu", [&](const std::string& file) {
             writeShape(file, m_shape, pose, fields, m_options.meshes);
         });
     }
 
-    void writeVelocity(const Points<Dim>& pose) {
+    void writeVelocity(const std::string& path, const Points<Dim>& pose) {
         if (m_velocity.cols() == 0) return;
-        const std::string& path = m_options.outputs.velocity;
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
             if (table)
@@ -313,12 +346,15 @@ class Run {
         const Points<2> pixels = inPixels(m_shape, pose);
         const View view = canvasView(*m_shape.picture, extent(pixels), m_options.canvas);
         m_canvas = view;
-        if (!outputs.image.empty())
-            m_files.add(outputs.image, ".png", [&](const std::string& file) {
-                writePicture(file, warped(pixels, view, warping(0, 1)));
+        const double count = static_cast<double>(outputs.image.size());
+        for (std::size_t k = 0; k < outputs.image.size(); ++k) {
+            const double done = static_cast<double>(k);
+            m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
+                writePicture(file, warped(pixels, view, warping(done / count, (done + 1) / count)));
             });
-        if (!outputs.stMap.empty())
-            m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
+        }
+        for (const std::string& path : outputs.stMap)
+            m_files.add(path, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(restInPixels(m_shape), pixels, view, m_shape.picture->width,
                                        m_shape.picture->height, depths()));
             });
@@ -329,7 +365,7 @@ class Run {
         const bool isPicture = domainOf(m_project).kind == DomainKind::Image;
         const Image& picture = isPicture ? *m_shape.picture : none;
         for (const MaterialPart part : kMaterialParts)
-            if (const std::string& path = m_options.outputs.material.*fileOf(part); !path.empty())
+            for (const std::string& path : m_options.outputs.material[static_cast<std::size_t>(part)])
                 m_files.add(path, ".png", [&](const std::string& file) {
                     const PictureFrame frame = pictureFrame(picture.width, picture.height, *m_shape.rest);
                     writeImage(file, materialPicture(part, frame, *m_shape.rest, *m_shape.material));
@@ -341,19 +377,25 @@ class Run {
     }
 
     void takeFrame(const State<Dim>& state) {
-        const std::string& pattern = m_options.outputs.frames;
         const int number = m_frame++;
+        bool hasPictures = false, hasAnimations = false;
+        for (const std::string& pattern : m_options.outputs.frames) {
+            if (Dim == 2 && canWriteImage(pattern))
+                hasPictures = true;
+            else if (Dim == 3 && isAnimation(pattern))
+                hasAnimations = true;
+            else
+                takeMeshFrame(pattern, number, state);
+        }
         if constexpr (Dim == 2)
-            if (canWriteImage(pattern)) return takePictureFrame(number, inPixels(m_shape, state.points));
-        if constexpr (Dim == 3)
-            if (isAnimation(pattern)) return m_animation.push_back(state.points);
-        takeMeshFrame(number, state);
+            if (hasPictures) takePictureFrame(number, inPixels(m_shape, state.points));
+        if (hasAnimations) m_animation.push_back(state.points);
     }
 
-    void takeMeshFrame(int number, const State<Dim>& state) {
+    void takeMeshFrame(const std::string& pattern, int number, const State<Dim>& state) {
         std::vector<MeshField> fields;
         if (m_options.fields) fields = shapeFields(m_shape, state.points);
-        const std::string name = frameName(m_options.outputs.frames, number);
+        const std::string name = frameName(pattern, number);
         warnOfRounding(name, state.points);
         if (number == 0) tellOfLosses(name);
         m_files.add(name, "", [&](const std::string& file) {
@@ -361,37 +403,40 @@ class Run {
         });
     }
 
-    void writeCollection() {
-        const std::string collection = collectionName(m_options.outputs.frames);
-        if (collection.empty()) return;
+    void writeCollections() {
+        for (const std::string& pattern : m_options.outputs.numberedFrames())
+            if (!collectionName(pattern).empty()) writeCollection(pattern);
+    }
+
+    void writeCollection(const std::string& pattern) {
         std::vector<std::string> names;
         std::vector<double> times;
         for (int k = 0; k < m_options.outputs.count && (m_options.shard || k < m_frame); ++k) {
-            const std::string name = frameName(m_options.outputs.frames, k);
+            const std::string name = frameName(pattern, k);
             names.push_back(std::filesystem::path(name).filename().string());
             times.push_back(frameTime(k));
         }
-        m_files.add(collection, "",
+        m_files.add(collectionName(pattern), "",
                     [&](const std::string& file) { writeTextFile(file, collectionText(names, times)); });
     }
 
     /// One file holds all its poses.
-    void writeAnimation() {
-        const std::string& path = m_options.outputs.frames;
-        if (!isAnimation(path)) return;
-        m_files.add(path, ".glb", [&](const std::string& file) {
-            wend::writeAnimation(file, m_shape, m_animation, m_options.outputs.framesPerSecond);
-        });
+    void writeAnimations() {
+        for (const std::string& path : m_options.outputs.frames)
+            if (isAnimation(path))
+                m_files.add(path, ".glb", [&](const std::string& file) {
+                    writeAnimation(file, m_shape, m_animation, m_options.outputs.framesPerSecond);
+                });
     }
 
     /// A canvas that fits is known only when all frames are.
     void takePictureFrame(int number, const Points<2>& pixels) {
         const Extent<2> shape = extent(pixels);
         if (m_options.canvas.kind != Canvas::Fit)
-            return writePictureFrame(number, pixels, canvasView(*m_shape.picture, shape, m_options.canvas),
-                                     {});
+            return writePictureFrames(number, pixels, canvasView(*m_shape.picture, shape, m_options.canvas),
+                                      {});
         if (!m_waiting) {
-            m_waiting.emplace(m_options.outputs.frames);
+            m_waiting.emplace(*std::ranges::find_if(m_options.outputs.frames, canWriteImage));
             m_allFrames = shape;
         }
         m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
@@ -406,31 +451,36 @@ class Run {
         for (int k = 0; k < m_waiting->count(); ++k) {
             if (!isPainted(k)) continue;
             tell("warping", k / count);
-            writePictureFrame(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
+            writePictureFrames(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
         }
     }
 
-    void writePictureFrame(int number, const Points<2>& pixels, const View& view,
-                           const std::function<void(double)>& progress) {
-        const std::string& pattern = m_options.outputs.frames;
+    void writePictureFrames(int number, const Points<2>& pixels, const View& view,
+                            const std::function<void(double)>& progress) {
         const WarpedPicture picture = warped(pixels, view, progress);
         m_canvas = view;
-        if (!isAnimation(pattern))
-            return m_files.add(frameName(pattern, number), "",
-                               [&](const std::string& file) { writePicture(file, picture); });
-        if (!m_film) m_film.emplace(pattern, m_options.outputs.framesPerSecond, m_options.lossy);
-        m_film->add(picture);
+        for (const std::string& pattern : m_options.outputs.frames) {
+            if (!canWriteImage(pattern)) continue;
+            if (isAnimation(pattern))
+                filmOf(pattern).add(picture);
+            else
+                m_files.add(frameName(pattern, number), "",
+                            [&](const std::string& file) { writePicture(file, picture); });
+        }
     }
 
-    void writeFilm() {
-        if (m_film)
-            m_files.add(m_options.outputs.frames, ".webp",
-                        [&](const std::string& file) { m_film->write(file); });
+    Film& filmOf(const std::string& path) {
+        return m_films.try_emplace(path, path, m_options.outputs.framesPerSecond, m_options.lossy)
+            .first->second;
     }
 
-    void writeReport() {
-        const std::string& path = m_options.outputs.report;
-        if (path.empty()) return;
+    void writeFilms() {
+        for (auto& [path, film] : m_films)
+            m_files.add(path, ".webp", [&](const std::string& file) { film.write(file); });
+    }
+
+    void writeReports() {
+        if (m_options.outputs.report.empty()) return;
         const Points<Dim>& pose = m_deformer.state().points;
         const std::chrono::duration<double> total = Clock::now() - m_start;
         const RunFigures figures{
@@ -449,28 +499,33 @@ class Run {
             faultsJson(m_faults),
             m_shape.verdict,
             m_shape.cage,
-            m_canvas};
-        m_files.add(path, ".json",
-                    [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
+            m_canvas,
+            reachedAt(designOf(m_project), m_deformer.state().time),
+            m_notices};
+        const std::string text = reportJson(figures);
+        for (const std::string& path : m_options.outputs.report)
+            m_files.add(path, ".json", [&](const std::string& file) { writeTextFile(file, text); });
     }
 
     const Project& m_project;
     const Shape<Dim> m_shape;
     const RunOptions& m_options;
-    const RunWatch& m_watch;
+    std::mutex m_noticing;
+    std::vector<std::string> m_notices;  // for the report
+    const RunWatch m_watch;
     Clock::time_point m_start;
     SharedDevice m_device;
     Deformer<Dim> m_deformer;
-    CellDepths m_depths;                // of pictures
-    std::optional<View> m_canvas;       // of the last picture
-    MakeCellPainter m_painters;         // made with the first picture
-    int m_frame = 0;                    // number of the next
-    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
-    Extent<2> m_allFrames;              // around those that wait
-    std::optional<Film> m_film;         // of pictures
+    CellDepths m_depths;                  // of pictures
+    std::optional<View> m_canvas;         // of the last picture
+    MakeCellPainter m_painters;           // made with the first picture
+    int m_frame = 0;                      // number of the next
+    std::optional<PoseFile> m_waiting;    // frames, in pixels of the picture
+    Extent<2> m_allFrames;                // around those that wait
+    std::map<std::string, Film> m_films;  // of pictures, by their files
     std::vector<Points<Dim>> m_animation;
     std::optional<StatesReader<Dim>> m_known;
-    std::optional<StatesWriter<Dim>> m_states;
+    std::deque<StatesWriter<Dim>> m_states;        // with the same states
     std::optional<State<Dim>> m_atTime;            // the shape that is wanted, within the states
     std::optional<std::pair<int, int>> m_painted;  // of the frames; none: all
     Points<Dim> m_velocity;
@@ -484,15 +539,20 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
                          const RunWatch& watch) try {
     const Clock::time_point start = Clock::now();
     requirePossible(project, options.outputs);
-    for (const std::string& picture : {options.outputs.image, options.outputs.frames})
-        requireDepth(picture, options);
+    for (const FileNames* pictures : {&options.outputs.image, &options.outputs.frames})
+        for (const std::string& path : *pictures) requireDepth(path, options);
     if (watch.progress) watch.progress("reading", 0);
     AnyShape shape = loadShape(project, folderOf(path), watch.stop);
+    std::vector<std::string> notices = std::visit([](const auto& one) { return one.notices; }, shape);
+    if (const std::string note = fallsShort(project); !note.empty() && !options.at) notices.push_back(note);
+    for (const std::string& notice : notices)
+        if (watch.notice) watch.notice(notice);
+    RunOptions heard = options;
+    heard.notices.insert(heard.notices.end(), notices.begin(), notices.end());
+    if (options.strict && !heard.notices.empty()) throw NoticeError(heard.notices, false);
     return std::visit(
         [&]<int Dim>(Shape<Dim>& one) {
-            for (const std::string& notice : one.notices)
-                if (watch.notice) watch.notice(notice);
-            return Run<Dim>(project, std::move(one), options, watch, start).run();
+            return Run<Dim>(project, std::move(one), heard, watch, start).run();
         },
         shape);
 } catch (const InputError& error) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "app/document/design.h"
 #include "app/document/pixel_rect.h"
@@ -18,14 +21,22 @@ namespace wend {
 
 struct AdvanceResult;
 
-/// What a run writes; an empty name is not asked for, "-" is standard output.
+using FileNames = std::vector<std::string>;
+
+/// What a run writes, each into any number of files; "-" is standard output.
 struct RunOutputs {
-    std::string image, mesh, velocity, stMap, report;
-    MaterialPictures material;    // at rest, of what there is in the plane
-    std::string frames;           // with #### for the number, counted from 0; or one film, see isAnimation()
+    FileNames image, mesh, velocity, stMap, report;
+    std::array<FileNames, 3> material;  // by MaterialPart: at rest, of what there is in the plane
+    FileNames frames;             // with #### for the number, counted from 0; or one film, see isAnimation()
     int count = 25;               // of frames, at equal times from 0 to the end, both included
     double framesPerSecond = 24;  // of a film
-    std::string states;           // see StatesWriter
+    FileNames states;             // see StatesWriter
+
+    /// Returns the names of all that is one file or a collection beside numbered frames.
+    FileNames singleFiles() const;
+    /// Returns the names of sequences whose frames are files of their own.
+    FileNames numberedFrames() const;
+    bool any() const;
 };
 
 /// The I-th of N parts of the frames: consecutive ones, as many in each as possible.
@@ -63,6 +74,23 @@ struct RunOptions {
     bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
     MeshWriteOptions meshes;
     bool partial = false;  // if the deformation stops early, write the last good shape anyway
+    bool strict = false;   // a notice ends the run, see NoticeError
+    std::vector<std::string> notices = {};  // that the report lists before those of the run
+};
+
+/// With RunOptions::strict: a notice that ended the run.
+class NoticeError : public std::runtime_error {
+  public:
+    NoticeError(const std::vector<std::string>& notices, bool ofShape)
+        : std::runtime_error(
+              notices.front() +
+              (notices.size() == 1 ? "" : " (and " + std::to_string(notices.size() - 1) + " more)")),
+          m_ofShape(ofShape) {}
+    /// Returns true if the deformed shape is the reason, false if the input or what was asked of it is.
+    bool isOfShape() const { return m_ofShape; }
+
+  private:
+    bool m_ofShape;
 };
 
 struct RunWatch {
@@ -83,7 +111,8 @@ void requirePossible(const Project& project, const RunOutputs& outputs);
 
 /// Integrates the project in file `path` and writes the outputs: all of them, whole, or none. If the
 /// deformation stops early, only the report is written, with the last good time (see RunOptions::partial).
-/// Throws InputError and Cancelled.
+/// Throws InputError, Cancelled, and NoticeError: for a notice about the deformed shape the report is written
+/// nevertheless, else nothing is.
 AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
                          const RunWatch& watch = {});
 

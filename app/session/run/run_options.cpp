@@ -56,6 +56,7 @@ RunOptions runOptionsFrom(const OptionValues& values) {
     options.lossy = values.text("--webp") == "lossy";
     takeOutside(values.text("--outside"), options);
     options.partial = values.has("--partial");
+    options.strict = values.has("--strict");
     options.fields = values.text("--fields") == "all";
     options.meshes = meshOptionsFrom(values);
     return options;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "app/document/domain.h"
 #include "app/document/options/options.h"
@@ -26,7 +27,6 @@ void requirePicture(const Project& project, const std::string& path) {
 }
 
 void requireMaterialPicture(const Project& project, const std::string& path) {
-    if (path.empty()) return;
     if (dimensionOf(project) == 3)
         throw InputError(path, "a solid's material goes with its mesh, as values of cells: --mesh FILE.vtu");
     if (path != "-" && !canWriteImage(path))
@@ -64,33 +64,52 @@ std::string collectionName(const std::string& pattern) {
     return (std::filesystem::path(pattern).parent_path() / name).string();
 }
 
+FileNames RunOutputs::singleFiles() const {
+    FileNames all;
+    for (const FileNames* names :
+         {&image, &mesh, &velocity, &stMap, &report, &states, &material[0], &material[1], &material[2]})
+        all.insert(all.end(), names->begin(), names->end());
+    for (const std::string& path : frames)
+        if (const std::string file = isAnimation(path) ? path : collectionName(path); !file.empty())
+            all.push_back(file);
+    return all;
+}
+
+FileNames RunOutputs::numberedFrames() const {
+    FileNames all;
+    std::ranges::copy_if(frames, std::back_inserter(all),
+                         [](const std::string& path) { return !isAnimation(path); });
+    return all;
+}
+
+bool RunOutputs::any() const {
+    return !singleFiles().empty() || !frames.empty();
+}
+
 void requirePossible(const Project& project, const RunOutputs& outputs) {
     const auto extensionOf = [](const std::string& path, const char* standard) {
         return path == "-" ? std::string(standard) : lowerExtension(path);
     };
-    if (!outputs.image.empty()) {
-        requirePicture(project, outputs.image);
-        if (outputs.image != "-" && !canWriteImage(outputs.image))
-            throw InputError(outputs.image, "is in no picture format that can be written");
+    for (const std::string& path : outputs.image) {
+        requirePicture(project, path);
+        if (path != "-" && !canWriteImage(path))
+            throw InputError(path, "is in no picture format that can be written");
     }
-    if (!outputs.mesh.empty())
-        requireShapeFormat(outputs.mesh, extensionOf(outputs.mesh, ".vtu"), dimensionOf(project));
-    if (!outputs.velocity.empty() && !isOneOf(extensionOf(outputs.velocity, ".csv"), {".csv", ".vtu"}))
-        throw InputError(outputs.velocity, "a velocity field is written as .csv or .vtu");
-    if (!outputs.stMap.empty()) {
-        requirePicture(project, outputs.stMap);
-        if (!isOneOf(extensionOf(outputs.stMap, ".exr"), {".exr", ".tif", ".tiff"}))
-            throw InputError(outputs.stMap,
-                             "an ST map needs a format with floating-point pixels: .exr or .tif");
+    for (const std::string& path : outputs.mesh)
+        requireShapeFormat(path, extensionOf(path, ".vtu"), dimensionOf(project));
+    for (const std::string& path : outputs.velocity)
+        if (!isOneOf(extensionOf(path, ".csv"), {".csv", ".vtu"}))
+            throw InputError(path, "a velocity field is written as .csv or .vtu");
+    for (const std::string& path : outputs.stMap) {
+        requirePicture(project, path);
+        if (!isOneOf(extensionOf(path, ".exr"), {".exr", ".tif", ".tiff"}))
+            throw InputError(path, "an ST map needs a format with floating-point pixels: .exr or .tif");
     }
-    for (const MaterialPart part : kMaterialParts)
-        requireMaterialPicture(project, outputs.material.*fileOf(part));
-    if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
-    const bool animation = isAnimation(outputs.frames);
-    requirePlaces({outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
-                   outputs.states, outputs.material.phi, outputs.material.stiffness,
-                   outputs.material.direction, animation ? outputs.frames : collectionName(outputs.frames)});
-    if (!outputs.frames.empty() && !animation) requirePlaces({outputs.frames});
+    for (const FileNames& pictures : outputs.material)
+        for (const std::string& path : pictures) requireMaterialPicture(project, path);
+    for (const std::string& path : outputs.frames) requireFrames(project, path);
+    requirePlaces(outputs.singleFiles());
+    requirePlaces(outputs.numberedFrames());
 }
 
 View canvasView(const Image& picture, const Extent<2>& shape, const CanvasChoice& canvas) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/project_fwd.h"
@@ -51,12 +52,34 @@ std::string materialDigest(const Material<Dim>& material) {
     return digest.text();
 }
 
+/// Of motions that are in other files, what these say.
+template <int Dim>
+void addMotionFiles(const Design<Dim>& design, Digest& digest) {
+    for (const Handle<Dim>& handle : design.handles)
+        for (const Motion<Dim>& motion : handle.motions) {
+            if (const auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind))
+                for (const auto& [vertex, displacement] : *field->values) {
+                    digest.add(std::span<const int>(&vertex, 1));
+                    digest.add(std::span<const double>(displacement.data(), Dim));
+                }
+            if (const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind)) {
+                digest.add(std::span<const double>(poses->times));
+                for (const RigidPose<Dim>& pose : poses->poses) {
+                    digest.add(std::span<const double>(pose.position.data(), Dim));
+                    digest.add(std::span<const double>(pose.rotation.data(),
+                                                       static_cast<std::size_t>(pose.rotation.size())));
+                }
+            }
+        }
+}
+
 std::string handlesDigest(const Project& project, const Json& json) {
     Json handles = json.value("handles", Json::array());
     for (Json& handle : handles)
         for (const char* seen : {"name", "locked", "hidden", "group", "link", "colour"}) handle.erase(seen);
     Digest digest;
     digest.add(handles.dump() + std::to_string(static_cast<int>(domainOf(project).border)));
+    std::visit([&](const auto& design) { addMotionFiles(design, digest); }, designOf(project));
     return digest.text();
 }
 

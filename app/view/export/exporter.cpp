@@ -79,6 +79,7 @@ QString questionOf(OwnFile own, const QString& name) {
         case OwnFile::Material:
         case OwnFile::Look:
         case OwnFile::States:
+        case OwnFile::Motion:
             break;
     }
     return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);

@@ -26,6 +26,8 @@ class TestCli : public QObject {
     void reportKeys();
     void remembersAndSettles();
     void standardOutput();
+    void repeatedOutputs();
+    void repeatedSequences();
     void stopsEarlier();
     void frames();
     void framesFit();
@@ -41,6 +43,9 @@ class TestCli : public QObject {
     void germanLocale();
     void sameBits();
     void warnsOfUnknownKeys();
+    void endOfTheLastMotion();
+    void endBeforeTheMotions();
+    void strict();
     void meshCommand();
     void surfaceCommand();
     void infoOfPicture();
@@ -155,7 +160,8 @@ void TestCli::reportKeys() {
                          "device",        "errors",   "flips",       "minDet",         "constraintError",
                          "steps",         "rejected", "evaluations", "factorizations", "solverIterations",
                          "seconds",       "energy",   "restEnergy",  "restForce",      "errorEstimate",
-                         "selfCrossings", "blownUp",  "needs",       "solver"};
+                         "selfCrossings", "blownUp",  "needs",       "solver",         "reached",
+                         "notices"};
     QStringList keys = report.keys();
     expected.sort();
     keys.sort();
@@ -208,6 +214,51 @@ void TestCli::standardOutput() {
     process.start(WEND_BINARY, {"run", "disc.wend", "--image", "-"});
     QVERIFY(process.waitForFinished(60000));
     QVERIFY(process.readAllStandardOutput().startsWith("\x89PNG"));
+}
+
+/// Every output may be named several times, and each file is as if it were the only one.
+void TestCli::repeatedOutputs() {
+    const auto bytes = [&](const char* name) { return readTextFile(file(name)); };
+    succeed({"run", "bend.wend", "--mesh", "a.vtu", "--mesh", "a.msh", "--mesh=a.obj", "--velocity", "a.csv",
+             "--velocity", "a-velocity.vtu", "--report", "a.json", "--report", "b.json", "--states",
+             "a.states", "--states", "b.states"});
+    for (const char* name : {"vtu", "msh", "obj"}) {
+        const std::string alone = "alone." + std::string(name), together = "a." + std::string(name);
+        succeed({"run", "bend.wend", "--mesh", QString::fromStdString(alone)});
+        QVERIFY2(bytes(alone.c_str()) == bytes(together.c_str()), name);
+    }
+    QVERIFY(bytes("a.csv").starts_with("x,y,vx,vy\n"));
+    QCOMPARE(fieldsOf(*sharedMeshFile(file("a-velocity.vtu"))).size(), std::size_t(1));
+    QCOMPARE(bytes("a.json"), bytes("b.json"));
+    QCOMPARE(bytes("a.states"), bytes("b.states"));
+    succeed({"run", "bend.wend", "--from", "b.states", "--mesh", "again.obj"});
+    QCOMPARE(bytes("again.obj"), bytes("a.obj"));
+
+    succeed({"run", "disc.wend", "--image", "a.png", "--image", "a.tif", "--stmap", "a.exr", "--stmap",
+             "b.tif", "--phi-picture", "phi.png", "--phi-picture", "phi.tif"});
+    QCOMPARE(readImage(file("a.png")).data, readImage(file("a.tif")).data);
+    QCOMPARE(readImage(file("a.exr")).data, readImage(file("b.tif")).data);
+    QCOMPARE(readImage(file("phi.png")).data, readImage(file("phi.tif")).data);
+    const CliResult report = run({"run", "bend.wend", "--report", "-", "--report", "c.json"});
+    QCOMPARE(report.out.toStdString().substr(0, 20), bytes("c.json").substr(0, 20));
+}
+
+void TestCli::repeatedSequences() {
+    succeed({"run", "disc.wend", "--frames", "p_##.png", "--frames", "film.webp", "--frames", "t_#.tif",
+             "--frames", "m_#.vtu", "--frames", "m_#.obj", "--count", "3", "--fps", "10"});
+    for (const char* k : {"0", "1", "2"}) {
+        const std::string number(k);
+        QCOMPARE(readImage(file(("p_0" + number + ".png").c_str())).data,
+                 readImage(file(("t_" + number + ".tif").c_str())).data);
+        QCOMPARE(trianglesOf(*sharedMeshFile(file(("m_" + number + ".vtu").c_str()))).size(),
+                 trianglesOf(*sharedMeshFile(file(("m_" + number + ".obj").c_str()))).size());
+    }
+    QVERIFY(QFile::exists(path() + "/m.pvd"));
+    QVERIFY(readTextFile(file("film.webp")).substr(0, 4) == "RIFF");
+    succeed({"run", "bar.wend", "--frames", "s.glb", "--frames", "s_#.vtk", "--frames", "s_#.stl", "--count",
+             "2", "--fps", "10"});
+    for (const char* name : {"s.glb", "s_0.vtk", "s_1.vtk", "s_0.stl", "s_1.stl"})
+        QVERIFY2(QFile::exists(path() + "/" + name), name);
 }
 
 void TestCli::stopsEarlier() {
@@ -420,6 +471,14 @@ void TestCli::warnsOfUnknownKeys() {
     QCOMPARE(result.code, 0);
     QVERIFY2(result.error.contains("strange.wend: mood: is not known"), qPrintable(result.error));
     QVERIFY(run({"run", "strange.wend", "--mesh", "s.obj", "--quiet"}).error.isEmpty());
+    putProject(
+        path(), "centre.wend",
+        "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'points': [[0, 0]]}, 'motion': [{'kind': "
+        "'rotate', 'center': [0, 0], 'angle': 1}]}]");
+    const CliResult centre = run({"run", "centre.wend", "--mesh", "s.obj"});
+    QCOMPARE(centre.code, 3);
+    QCOMPARE(centre.error,
+             QString("wend: centre.wend: handles[0].motion[0]: `center` is not known; `centre`?\n"));
     // What is told of the mesh names the file, too.
     Surface spare = test::surfaceOf(stripMesh(10, 2));
     spare.points.conservativeResize(Eigen::NoChange, spare.points.cols() + 2);
@@ -428,6 +487,84 @@ void TestCli::warnsOfUnknownKeys() {
     putProject(path(), "spare.wend", "'domain': {'mesh': 'spare.obj'}");
     const CliResult told = run({"run", "spare.wend", "--mesh", "s.obj"});
     QVERIFY2(told.error.contains("spare.wend: 2 vertices belong to no cell"), qPrintable(told.error));
+}
+
+/// Without time.end the run ends with the last motion.
+void TestCli::endOfTheLastMotion() {
+    const char* handles =
+        "'domain': {'mesh': 'strip.obj'}, 'handles': [{'name': 'all', 'at': {'region': {'box': {'min': [-1, "
+        "-1], "
+        "'max': [11, 3]}}}, 'motion': [{'kind': 'translate', 'by': [3, 0.5], 'time': [0.5, 2.5], 'ease': "
+        "'inOut'}]}]";
+    putProject(path(), "late.wend", handles);
+    succeed({"run", "late.wend", "--mesh", "late.obj", "--report", "late.json"});
+    QCOMPARE(jsonFile("late.json")["time"].toDouble(), 2.5);
+    QVERIFY((pointsOf(*sharedMeshFile(file("late.obj"))).col(0) - Vec<3>(3, 0.5, 0)).norm() < 1e-13);
+    QCOMPARE(run({"info", "late.wend", "--json"}).out.count("\"end\": 2.5"), 1);
+    putProject(path(), "still.wend", "'domain': {'mesh': 'strip.obj'}");
+    succeed({"run", "still.wend", "--report", "still.json"});
+    QCOMPARE(jsonFile("still.json")["time"].toDouble(), 1.0);
+    succeed({"run", "late.wend", "--at", "1.5", "--report", "late.json"});
+    const QJsonArray half = jsonFile("late.json")["reached"].toArray();
+    QCOMPARE(half.size(), 1);
+    QCOMPARE(half.at(0)["name"].toString(), QString("all"));
+    QVERIFY(std::abs(half.at(0)["reached"].toDouble() - 0.5) < 1e-12);
+}
+
+void TestCli::endBeforeTheMotions() {
+    putProject(path(), "early.wend",
+               "'domain': {'mesh': 'strip.obj'}, 'time': {'end': 0.6}, 'mood': 1, 'handles': ["
+               "{'name': 'left', 'at': {'points': [[0, 1]]}},"
+               "{'name': 'right', 'at': {'points': [[10, 1]]}, 'motion': [{'kind': 'translate', 'by': [1, "
+               "0], 'time': [0, 1]}]},"
+               "{'at': {'points': [[5, 1]]}, 'active': [0.1, 0.5], 'motion': [{'kind': 'translate', 'by': "
+               "[0.1, 0], 'time': [0, 1]}]},"
+               "{'at': {'points': [[3, 1]]}, 'motion': [{'kind': 'translate', 'by': [0, 1], 'time': [0, 1], "
+               "'ease': 'in'}]}]");
+    const CliResult result = run({"run", "early.wend", "--report", "early.json"});
+    QCOMPARE(result.code, 0);
+    QCOMPARE(result.error.count('\n'), 2);
+    QVERIFY2(result.error.contains("early.wend: handle 3 reaches only 36 % of its motion"),
+             qPrintable(result.error));
+    QVERIFY2(result.error.contains("and 1 more"), qPrintable(result.error));
+    const QJsonObject report = jsonFile("early.json").object();
+    const double shares[] = {1, 0.6, 1, 0.36};
+    for (int h = 0; h < 4; ++h)
+        QVERIFY(std::abs(report["reached"].toArray().at(h)["reached"].toDouble() - shares[h]) < 1e-12);
+    const QJsonArray notices = report["notices"].toArray();
+    QCOMPARE(notices.size(), 2);
+    QVERIFY(notices.at(0).toString().startsWith("mood: is not known"));
+    QVERIFY(notices.at(1).toString().startsWith("handle 3 reaches only 36 %"));
+    // Somebody who asks for an earlier time knows that it is not the end.
+    QCOMPARE(run({"run", "early.wend", "--at", "0.3", "--mesh", "early.obj"}).error.count('\n'), 1);
+}
+
+/// A notice about the input ends a strict run before anything is computed, one about the shape after it.
+void TestCli::strict() {
+    putProject(path(), "odd.wend", "'domain': {'mesh': 'strip.obj', 'vertexes': 3}, 'mood': 1");
+    const CliResult odd = run({"run", "odd.wend", "--strict", "--mesh", "odd.obj"});
+    QCOMPARE(odd.code, 3);
+    QCOMPARE(odd.error.count('\n'), 1);
+    QVERIFY2(odd.error.startsWith("wend: odd.wend: ") && odd.error.contains("(and 1 more) (--strict)"),
+             qPrintable(odd.error));
+    QVERIFY(!QFile::exists(path() + "/odd.obj"));
+    QCOMPARE(run({"run", "bend.wend", "--strict", "--mesh", "good.obj"}).code, 0);
+    // A format that cannot hold what the mesh has.
+    writeMesh<3>(file("plain.vtu"), barMesh(6));
+    QCOMPARE(run({"run", "bar.wend", "--strict", "--mesh", "good.vtu"}).code, 0);
+    // A twist by seven turns squeezes cells to next to nothing.
+    std::string wild = readTextFile(file("bar.wend"));
+    wild.replace(wild.find("1.5707963267948966"), 18, "44");
+    put(path(), "wild.wend", wild);
+    const CliResult loose = run({"run", "wild.wend", "--report", "loose.json"});
+    const QJsonArray told = jsonFile("loose.json")["notices"].toArray();
+    if (loose.code != 0 || told.isEmpty()) return;
+    QFile::remove(path() + "/wild.obj");
+    const CliResult shape =
+        run({"run", "wild.wend", "--strict", "--mesh", "wild.obj", "--report", "wild.json"});
+    QCOMPARE(shape.code, 4);
+    QVERIFY(!QFile::exists(path() + "/wild.obj"));
+    QCOMPARE(jsonFile("wild.json")["notices"].toArray(), told);
 }
 
 void TestCli::meshCommand() {

@@ -172,6 +172,10 @@ void TestCliErrors::overwriting_data() {
         "out.vtu: would replace another output, out.vtu");
     row("one place by two names", "run strip.wend --mesh out.vtu --velocity ./x.d/../out.vtu",
         "would replace another output");
+    row("one place by one option", "run strip.wend --mesh out.vtu --mesh ./out.vtu",
+        "out.vtu: would replace another output, out.vtu");
+    row("one sequence twice", "run strip.wend --frames out_##.obj --frames x.d/../out_0#.obj --count 5",
+        "would replace frames of another output, out_##.obj");
     row("the other of TetGen's files", "run strip.wend --mesh out.node --report out.ele",
         "would replace another output");
     row("a frame's place", "run strip.wend --frames out.##.obj --mesh out.07.obj",

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/document/file/named_files.h"
+#include "app/document/file/nearest_word.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/file/text_file.h"
@@ -78,6 +79,40 @@ QString reasonFor(const std::string& text) {
         return QString::fromUtf8(error.what());
     }
     return {};
+}
+
+struct Misspelt {
+    QJsonValue json;
+    std::string wrong, right;
+};
+
+/// The same with one key misspelt, for every key of three letters or more in it.
+std::vector<Misspelt> misspellings(const QJsonValue& value) {
+    std::vector<Misspelt> all;
+    if (value.isArray()) {
+        const QJsonArray list = value.toArray();
+        for (qsizetype i = 0; i < list.size(); ++i)
+            for (const Misspelt& inside : misspellings(list[i])) {
+                QJsonArray changed = list;
+                changed[i] = inside.json;
+                all.push_back({changed, inside.wrong, inside.right});
+            }
+    }
+    const QJsonObject object = value.toObject();
+    for (const QString& key : object.keys()) {
+        for (const Misspelt& inside : misspellings(object[key])) {
+            QJsonObject changed = object;
+            changed[key] = inside.json;
+            all.push_back({changed, inside.wrong, inside.right});
+        }
+        // A motion without its time overlaps the others, which is the message then.
+        if (key.size() < 3 || (key == "time" && object.contains("kind"))) continue;
+        const QString wrong = key.chopped(2) + key.back() + key[key.size() - 2];
+        QJsonObject changed = object;
+        changed[wrong] = changed.take(key);
+        if (wrong != key) all.push_back({changed, wrong.toStdString(), key.toStdString()});
+    }
+    return all;
 }
 
 /// The keys of `expected` whose values `found` does not have.
@@ -344,6 +379,79 @@ class TestProject : public QObject {
         const LoadedProject again = parseProject(once, "p.wend");
         QCOMPARE(again.warnings.size(), std::size_t(9));
         QCOMPARE(toJson(*again.project), once);
+    }
+
+    /// Whichever key is misspelt, the message names it and the one that was meant.
+    void misspeltKeys() {
+        const QJsonObject full = QJsonDocument::fromJson(QByteArray::fromStdString(kFull)).object();
+        const std::vector<Misspelt> all = misspellings(full);
+        QVERIFY(all.size() > 60);
+        for (const Misspelt& one : all) {
+            const std::string text = QJsonDocument(one.json.toObject()).toJson().toStdString();
+            std::string said;
+            try {
+                for (const std::string& warning : parseProject(text, "p.wend").warnings)
+                    said += warning + "\n";
+            } catch (const InputError& error) {
+                said = error.what();
+            }
+            const std::string wanted = "`" + one.wrong + "` is not known; `" + one.right + "`?";
+            QVERIFY2(said.find(wanted) != std::string::npos, (wanted + "\n" + said).c_str());
+        }
+    }
+
+    void nearestWords_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("American") << "center"
+                                  << "centre";
+        QTest::newRow("capitals") << "maxvolume"
+                                  << "maxVolume";
+        QTest::newRow("underscore") << "max_volume"
+                                    << "maxVolume";
+        QTest::newRow("short") << "vert"
+                               << "vertices";
+        QTest::newRow("plural") << "motions"
+                                << "motion";
+        QTest::newRow("another word") << "mood"
+                                      << "";
+        QTest::newRow("one letter") << "a"
+                                    << "";
+        QTest::newRow("nothing") << ""
+                                 << "";
+    }
+
+    void nearestWords() {
+        QFETCH(QString, text);
+        QFETCH(QString, expected);
+        const std::vector<std::string> words{"centre", "maxVolume", "vertices", "motion", "at", "by"};
+        QCOMPARE(QString::fromStdString(nearestWord(text.toStdString(), words)), expected);
+        QCOMPARE(editDistance("center", "centre"), 1);
+        QCOMPARE(editDistance("kitten", "sitting"), 3);
+        QCOMPARE(editDistance("", "abc"), 3);
+    }
+
+    /// A file that gives no end stays so, whatever the end comes to; one that gives it keeps it.
+    void endIsLeftToTheMotions() {
+        const std::string motion =
+            "{'kind': 'translate', 'by': [1, 0], 'time': [0.5, 3]}, {'kind': 'translate', 'by': [1, 0], "
+            "'time': "
+            "[3, 4.5]}";
+        const std::string open = toJson(*parseProject(withMotion(motion), "p.wend").project);
+        QVERIFY2(open.find("\"time\": {") == std::string::npos, open.c_str());
+        const LoadedProject again = parseProject(open, "p.wend");
+        QCOMPARE(again.project->end, 4.5);
+        QCOMPARE(toJson(*again.project), open);
+        Project longer = *again.project;
+        longer.end = 6;
+        QCOMPARE(parseProject(toJson(longer), "p.wend").project->end, 6.0);
+        const auto endOf = [](const std::string& rest) {
+            return parseProject(projectText(kImage + rest), "p.wend").project->end;
+        };
+        QCOMPARE(endOf(""), 1.0);
+        QCOMPARE(endOf(", 'settle': [{'time': [1, 2.5]}]"), 2.5);
+        QCOMPARE(endOf(", 'time': {'end': 0.25}"), 0.25);
+        QCOMPARE(endOf(", 'time': {'rate': 24}"), 1.0);
     }
 
     /// A shape that has become another one leaves its unknown keys behind instead of failing.

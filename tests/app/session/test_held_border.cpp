@@ -182,7 +182,7 @@ void TestHeldBorder::borderIsHeld() {
                   run = m_folder.filePath(QStringLiteral("run.png"));
     m_session->document().save(saved);
     RunOptions options;
-    options.outputs.image = run.toStdString();
+    options.outputs.image = {run.toStdString()};
     QVERIFY(runProject(*readProject(saved.toStdString()).project, saved.toStdString(), options).outcome ==
             Outcome::Done);
     pixelsAreThere(run, border);

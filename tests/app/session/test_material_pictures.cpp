@@ -233,7 +233,7 @@ void TestMaterialPictures::projectsNameTheirPictures() {
     QVERIFY(back.hidden && back.pictures.up && back.pictures.phi == "ramp.png" && !back.phi);
     QCOMPARE(toJson(read), toJson(*readProject(path).project));
     RunOutputs outputs;
-    outputs.image = folder.filePath("ramp.png").toStdString();
+    outputs.image = {folder.filePath("ramp.png").toStdString()};
     QVERIFY(!overwriting(inputsOf(read.domain, read.design, path, folderOf(path)), outputs).empty());
     const auto refused = [&](const std::string& from, const std::string& to) {
         std::string text = readTextFile(path);

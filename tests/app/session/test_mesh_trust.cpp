@@ -110,7 +110,7 @@ void TestMeshTrust::partsThatHangAreTold() {
     QCOMPARE(inspection.problems[0].where, std::vector<int>{8});
     QVERIFY(!inspection.problems[0].fatal);
     RunOutputs outputs;
-    outputs.mesh = file("out.obj");
+    outputs.mesh = {file("out.obj")};
     run(project("'domain': {'mesh': 'hang.obj'}, 'handles': [{'at': {'vertices': [0, 1]}}, "
                 "{'at': {'vertices': [2]}, 'motion': [{'kind': 'translate', 'by': [0.1, 0]}]}]"),
         outputs);
@@ -226,7 +226,7 @@ void TestMeshTrust::tornSurfaceMovesAsOne() {
         "{'at': {'region': {'halfspace': {'point': [2.9, 0, 0], 'normal': [1, 0, 0]}}}, "
         " 'motion': [{'kind': 'translate', 'by': [0, 0.8, 0.4]}]}]");
     RunOutputs outputs;
-    outputs.mesh = file("bent.obj");
+    outputs.mesh = {file("bent.obj")};
     run(bend, outputs);
     QVERIFY(anyContains(m_notices, "vertices of the surface belong to no tetrahedron"));
     const auto bent = sharedMeshFile(file("bent.obj"));
@@ -237,9 +237,9 @@ void TestMeshTrust::tornSurfaceMovesAsOne() {
     for (Eigen::Index v = 0; v < torn.points.cols(); ++v)
         if (torn.points(0, v) > 2.9)
             QVERIFY((pointsOf(*bent).col(v) - torn.points.col(v) - Vec<3>(0, 0.8, 0.4)).norm() < 1e-9);
-    outputs.mesh = file("bent.msh");
-    outputs.velocity = file("bent.csv");
-    outputs.report = file("bent.json");
+    outputs.mesh = {file("bent.msh")};
+    outputs.velocity = {file("bent.csv")};
+    outputs.report = {file("bent.json")};
     run(bend, outputs);
     const auto cells = sharedMeshFile(file("bent.msh"));
     const auto used = usedVertices<3>(pointsOf(*cells).cols(), tetrahedraOf(*cells));
@@ -260,7 +260,7 @@ void TestMeshTrust::tornMeshMovesAsOne() {
     test::writeSurface(file("torn2.obj"), torn);
     RunOutputs outputs;
     for (const char* name : {"whole", "torn2"}) {
-        outputs.mesh = file(std::string(name) + "-bent.obj");
+        outputs.mesh = {file(std::string(name) + "-bent.obj")};
         run(project("'domain': {'mesh': '" + std::string(name) +
                     ".obj'}, 'handles': [{'at': {'region': {'circle': {'centre': [0, 1], 'radius': 1.1}}}}, "
                     "{'at': {'region': {'circle': {'centre': [6, 1], 'radius': 1.1}}}, "
@@ -285,7 +285,7 @@ void TestMeshTrust::spareVerticesOfMeshesAreTold() {
     spare.points.rightCols(2) << 2, 9, 1, 9, 0, 0;
     test::writeSurface(file("spare.obj"), spare);
     RunOutputs outputs;
-    outputs.mesh = file("spare.vtu");
+    outputs.mesh = {file("spare.vtu")};
     run(project(
             "'domain': {'mesh': 'spare.obj'}, 'handles': [{'at': {'vertices': [0, 3]}}, {'at': {'vertices': "
             "[5]}, 'motion': [{'kind': 'translate', 'by': [0.2, 0.1]}]}]"),
@@ -301,28 +301,30 @@ void TestMeshTrust::spareVerticesOfMeshesAreTold() {
 void TestMeshTrust::errorAtTheEndIsTold() {
     writeMesh<2>(file("strip.obj"), stripMesh(6, 2));
     RunOutputs outputs;
-    outputs.report = file("report.json");
+    outputs.report = {file("report.json")};
     const std::string rest =
         "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'vertices': [0, 7, 14]}}, {'at': {'vertices': "
         "[6, 13, 20]}, 'motion': [{'kind': 'rotate', 'centre': [3, 1], 'angle': 1.5}]}], 'integration': ";
-    outputs.mesh = file("bent.obj");
+    outputs.mesh = {file("bent.obj")};
     run(project(rest + "{'method': 'rk4', 'steps': 400}"), outputs);
-    const auto exact = sharedMeshFile(outputs.mesh);
+    const auto exact = sharedMeshFile(outputs.mesh.front());
     const double size = std::hypot(6, 2);
     for (const char* method : {"dopri5", "adams"}) {
         double last = 1;
         for (const char* tolerance : {"1e-3", "1e-5", "1e-7"}) {
             run(project(rest + "{'method': '" + method + "', 'tolerance': " + tolerance + "}"), outputs);
-            const auto report = nlohmann::json::parse(readTextFile(outputs.report));
+            const auto report = nlohmann::json::parse(readTextFile(outputs.report.front()));
             const double estimate = report["errorEstimate"];
             QVERIFY(estimate > 0 && estimate < last / 5);
             QVERIFY2(m_summary.find("add up to about") != std::string::npos, m_summary.c_str());
             last = estimate;
             // The order of magnitude: what the steps told of themselves is the error of the lower of two
             // orders.
-            const double error =
-                (pointsOf(*sharedMeshFile(outputs.mesh)) - pointsOf(*exact)).colwise().norm().maxCoeff() /
-                size;
+            const double error = (pointsOf(*sharedMeshFile(outputs.mesh.front())) - pointsOf(*exact))
+                                     .colwise()
+                                     .norm()
+                                     .maxCoeff() /
+                                 size;
             QVERIFY2(
                 error < 10 * estimate && error > estimate / 1000,
                 qPrintable(
@@ -330,7 +332,7 @@ void TestMeshTrust::errorAtTheEndIsTold() {
         }
     }
     run(project(rest + "{'method': 'rk4', 'steps': 12}"), outputs);
-    QVERIFY(nlohmann::json::parse(readTextFile(outputs.report))["errorEstimate"].is_null());
+    QVERIFY(nlohmann::json::parse(readTextFile(outputs.report.front()))["errorEstimate"].is_null());
     QCOMPARE(m_summary, std::string("12 steps"));
 }
 

@@ -212,7 +212,7 @@ class TestShape : public QObject {
             base);
         RunOptions options;
         options.canvas = static_cast<Canvas>(canvas);
-        options.outputs.frames = base + "/f_#.png";
+        options.outputs.frames = {base + "/f_#.png"};
         options.outputs.count = 9;
         RunWatch watch;
         qsizetype atOnce = 0;

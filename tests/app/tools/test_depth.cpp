@@ -243,7 +243,7 @@ QString TestDepth::run(BackEndKind backEnd) {
     m_session.document().save(file);
     RunOptions options;
     options.backEnd = backEnd;
-    options.outputs.image = picture.toStdString();
+    options.outputs.image = {picture.toStdString()};
     const Project project = *readProject(file.toStdString()).project;
     if (runProject(project, file.toStdString(), options).outcome != Outcome::Done) return {};
     return picture;

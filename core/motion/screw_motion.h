@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "core/motion/trajectory.h"
+
+namespace wend {
+
+/// The rotation of a rotation vector.
+template <int Dim>
+Mat<Dim> rotationOf(const RotationVector<Dim>& vector);
+
+/// The motion of constant twist between two poses of a body: for s in [0, 1]
+///   S(s): y ↦ A(s) (y − p) + p + V(s) v,  A(s) = exp(s [ω]×),  V(s) = ∫₀ˢ exp(τ [ω]×) dτ,
+/// with p the first position. ω and v follow from S(1) taking the first pose to the second, which is so to
+/// rounding. In space ω is the shortest turn; where both rotation vectors have one direction and one of them
+/// is longer than π, their difference, so that whole turns can be given. In the plane it is always the
+/// difference of the angles.
+template <int Dim>
+class ScrewMotion {
+  public:
+    /// Throws InputError where a whole turn and a shift across its axis have no constant twist.
+    ScrewMotion(const RigidPose<Dim>& from, const RigidPose<Dim>& to);
+
+    /// S(s) with its derivative in s.
+    MovingMap<Dim> at(double s) const;
+
+  private:
+    Vec<Dim> travelled(double s) const;
+
+    Vec<Dim> m_pivot, m_rate;  // p, v
+    RotationVector<Dim> m_turn;
+};
+
+/// S(s) of the first pose, with the rotation vector in the turn that continues that of the first.
+template <int Dim>
+RigidPose<Dim> poseBetween(const RigidPose<Dim>& from, const RigidPose<Dim>& to, double s);
+
+/// The rotation vector of a quaternion, in the turn that is nearest to the rotation `before`.
+RotationVector<3> rotationVectorOf(const Eigen::Quaterniond& rotation, const RotationVector<3>& before);
+
+}  // namespace wend
