@@ -1,6 +1,5 @@
 #include "app/panels/measure_panel.h"
 
-#include <Eigen/Eigenvalues>
 #include <QLabel>
 #include <QLocale>
 #include <cmath>

@@ -1,12 +1,12 @@
 #include "core/energy/distortion.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 
 #include "core/energy/cell_energy.h"
 #include "core/energy/stretches.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 namespace {
@@ -32,12 +32,6 @@ CellDistortion measure(const Vec<Dim>& sigma) {
     const double product = sigma.prod();
     d.volume = (product - 1) * (product - 1) / product;
     return d;
-}
-
-/// Computes singular values by Jacobi rotations, which are backward stable.
-template <int Dim>
-Vec<Dim> singularValues(const Mat<Dim>& F) {
-    return Eigen::JacobiSVD<Mat<Dim>>(F).singularValues();
 }
 
 /// Computes maps cell by cell, in batches.

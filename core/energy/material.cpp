@@ -1,8 +1,8 @@
 #include "core/energy/material.h"
 
-#include <Eigen/Eigenvalues>
 #include <sstream>
 
+#include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -39,11 +39,10 @@ void requirePositiveDefinite(const Mat<Dim>& B, std::size_t cell) {
     if (!B.allFinite()) throw InputError(cellName(cell) + ": B has an entry that is not a finite number");
     if ((B - B.transpose()).norm() > 1e-9 * B.norm())
         throw InputError(cellName(cell) + ": B is not symmetric");
-    const Mat<Dim> symmetric = 0.5 * (B + B.transpose());
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(symmetric, Eigen::EigenvaluesOnly);
-    if (!(eigen.eigenvalues()[0] > 1e-12 * eigen.eigenvalues()[Dim - 1]))
+    const Vec<Dim> eigenvalues = symmetricEigenvalues<Dim>(0.5 * (B + B.transpose()));
+    if (!(eigenvalues[0] > 1e-12 * eigenvalues[Dim - 1]))
         throw InputError(cellName(cell) + ": B is not positive definite (least eigenvalue " +
-                         number(eigen.eigenvalues()[0]) + ")");
+                         number(eigenvalues[0]) + ")");
 }
 
 void requireSmoothing(const Smoothing& smoothing) {

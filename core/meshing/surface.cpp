@@ -1,6 +1,5 @@
 #include "core/meshing/surface.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <queue>
 

@@ -1,8 +1,9 @@
 #include "core/motion/tangent_piece.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
+
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 
@@ -28,15 +29,14 @@ TangentPiece::TangentPiece(const CurvePiece<3>& piece, double size) {
     m_g = {c.col(1), 2 * c.col(2), 3 * c.col(3)};
     Mat<3> columns;
     columns << m_g[0], m_g[1], m_g[2];
-    const Eigen::JacobiSVD<Mat<3>> svd(columns, Eigen::ComputeFullU);
-    const Vec<3>& sigma = svd.singularValues();
+    const auto [U, V, sigma] = singularValueDecomposition<3>(columns);
     if (!(sigma[0] > 1e-13 * size)) return;
     if (sigma[1] <= kFlat * sigma[0]) {
-        makeStraight(svd.matrixU().col(0));
+        makeStraight(U.col(0));
         return;
     }
     m_shape = sigma[2] <= kFlat * sigma[0] ? Shape::Planar : Shape::Spatial;
-    m_normal = svd.matrixU().col(2);
+    m_normal = U.col(2);
     if (m_normal.cwiseAbs()[2] > 1 - 1e-12) m_normal = Vec<3>::UnitZ();  // exact in the plane z = 0
     if (m_shape == Shape::Planar) dividePlanarCusp();
 }

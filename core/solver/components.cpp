@@ -1,10 +1,10 @@
 #include "core/solver/components.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
 
+#include "core/mesh/decompositions.h"
 #include "core/mesh/shape_size.h"
 
 namespace wend {
@@ -28,7 +28,7 @@ bool spanEnough(const std::vector<Vec<Dim>>& points, double size) {
     Vec<Dim> mean = Vec<Dim>::Zero();
     for (const auto& p : points) mean += p / static_cast<double>(points.size());
     for (const auto& p : points) scatter += (p - mean) * (p - mean).transpose();
-    const Vec<Dim> squares = Eigen::JacobiSVD<Mat<Dim>>(scatter).singularValues();
+    const Vec<Dim> squares = singularValues<Dim>(scatter);
     return squares[Dim - 2] > kDistinct * kDistinct * size * size;
 }
 
@@ -52,14 +52,14 @@ class HeldSimilarities {
         for (int k = 0; k < Dim; ++k)
             if (held >> k & 1U) m_square += velocities.row(k).transpose() * velocities.row(k);
     }
+    /// Returns whether every eigenvalue of MᵀM exceeds the square of kDistinct.
     bool all() const {
-        const Eigen::SelfAdjointEigenSolver<Square> solver(m_square, Eigen::EigenvaluesOnly);
-        return solver.eigenvalues().minCoeff() > kDistinct * kDistinct;
+        const Mat<kModes> shifted = m_square - kDistinct * kDistinct * Mat<kModes>::Identity();
+        return Eigen::LLT<Mat<kModes>>(shifted).info() == Eigen::Success;
     }
 
   private:
-    using Square = Eigen::Matrix<double, kModes, kModes>;
-    Square m_square = Square::Zero();
+    Mat<kModes> m_square = Mat<kModes>::Zero();
 };
 
 /// The components of every vertex, ascending, each once.

@@ -1,9 +1,10 @@
 #include "app/document/edits/curve_edits.h"
 #include "app/document/design.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
+
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 
@@ -24,7 +25,7 @@ std::vector<Vec<Dim>> fitted(const Recorded<Dim>& stroke) {
         weights.row(i) << 3 * s * s * t, 3 * s * t * t;
         rest.row(i) = (stroke.points[i] - s * s * s * a - t * t * t * d).transpose();
     }
-    const Eigen::Matrix<double, 2, Dim> inner = weights.colPivHouseholderQr().solve(rest);
+    const Eigen::Matrix<double, 2, Dim> inner = leastSquares<2, Dim>(weights, rest).X;
     return {a, inner.row(0).transpose(), inner.row(1).transpose(), d};
 }
 

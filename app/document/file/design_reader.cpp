@@ -1,6 +1,5 @@
 #include "app/document/file/design_reader.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "app/document/design.h"
@@ -8,6 +7,7 @@
 #include "app/document/file/rgb_text.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/project_fwd.h"
+#include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -166,10 +166,8 @@ Mat<Dim> readAnisotropy(const JsonValue& value) {
     const Mat<Dim> B = Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(numbers.data());
     if ((B - B.transpose()).cwiseAbs().maxCoeff() > 1e-12 * B.cwiseAbs().maxCoeff())
         value.fail("B is not symmetric");
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver(B, Eigen::EigenvaluesOnly);
-    if (!(solver.eigenvalues().minCoeff() > 0))
-        value.fail("B is not positive definite: its least eigenvalue is " +
-                   shortNumber(solver.eigenvalues().minCoeff()));
+    const double least = symmetricEigenvalues<Dim>(B).minCoeff();
+    if (!(least > 0)) value.fail("B is not positive definite: its least eigenvalue is " + shortNumber(least));
     return B;
 }
 

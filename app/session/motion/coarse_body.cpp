@@ -1,13 +1,13 @@
 #include "app/session/motion/coarse_body.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "core/mesh/cell_geometry.h"
+#include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 #include "core/mesh/shape_size.h"
 #include "core/meshing/coarse_mesh.h"
@@ -160,7 +160,7 @@ class CoarseBody<Dim>::Holding {
         for (std::size_t i = 0; i < vertices.size(); ++i)
             points.col(static_cast<Eigen::Index>(i)) = m_body.m_rest->points.col(vertices[i]);
         points.colwise() -= points.rowwise().mean().eval();
-        const auto values = Eigen::JacobiSVD<Mat<Dim>>(points * points.transpose()).singularValues();
+        const Vec<Dim> values = singularValues<Dim>(points * points.transpose());
         return static_cast<int>(vertices.size()) > Dim && values[Dim - 1] > kFlat * values[0];
     }
 

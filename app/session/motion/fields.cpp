@@ -1,13 +1,12 @@
 #include "app/session/motion/fields.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/energy/cell_energy.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 
@@ -19,9 +18,7 @@ double phiAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
 template <int Dim>
 double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     if (!frame.material || frame.material->anisotropy.empty()) return 1;
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver(frame.material->anisotropy[cell],
-                                                         Eigen::EigenvaluesOnly);
-    return solver.eigenvalues().maxCoeff();
+    return symmetricEigenvalues<Dim>(frame.material->anisotropy[cell]).maxCoeff();
 }
 
 /// Directions at 45° between the longest and the shortest axis of the deformation enclose 2
@@ -31,7 +28,7 @@ double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     const Cell<Dim>& corners = frame.rest->cells[cell];
     const Mat<Dim> F =
         edgeMatrix<Dim>(frame.pose, corners) * edgeMatrix<Dim>(frame.rest->points, corners).inverse();
-    const Vec<Dim> sigma = Eigen::JacobiSVD<Mat<Dim>>(F).singularValues();
+    const Vec<Dim> sigma = singularValues<Dim>(F);
     return 90 - 360 / std::numbers::pi * std::atan2(sigma.minCoeff(), sigma.maxCoeff());
 }
 

@@ -1,25 +1,19 @@
 #include "app/session/motion/pose_places.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "app/session/shape/shape.h"
+#include "core/energy/cell_energy.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 
 namespace {
 
 constexpr double kFlat = 1e-6;  // fraction of the extent below which points count as coplanar
-
-template <int Dim>
-Mat<Dim> edgesOf(const Points<Dim>& points, const Cell<Dim>& cell) {
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
-    return edges;
-}
 
 SolidSize sizeWhere(const PosedFrame<3>& frame, const Points<3>& points, const std::vector<bool>& in) {
     const auto all = [&in](const auto& vertices) {
@@ -44,7 +38,8 @@ Location<Dim> locationIn(const PosedFrame<Dim>& frame, int cell, const Vec<Dim>&
     Location<Dim> location;
     location.cell = cell;
     const Cell<Dim>& corners = frame.rest->cells[cell];
-    const Vec<Dim> w = edgesOf<Dim>(frame.pose, corners).partialPivLu().solve(p - frame.pose.col(corners[0]));
+    const Vec<Dim> w =
+        edgeMatrix<Dim>(frame.pose, corners).partialPivLu().solve(p - frame.pose.col(corners[0]));
     location.weights << 1 - w.sum(), w;
     return location;
 }
@@ -53,9 +48,9 @@ template <int Dim>
 Mat<Dim> cellRotation(const PosedFrame<Dim>& frame, int cell) {
     const Cell<Dim>& corners = frame.rest->cells[cell];
     const Mat<Dim> F =
-        edgesOf<Dim>(frame.pose, corners) * edgesOf<Dim>(frame.rest->points, corners).inverse();
-    const Eigen::JacobiSVD<Mat<Dim>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return svd.matrixU() * svd.matrixV().transpose();
+        edgeMatrix<Dim>(frame.pose, corners) * edgeMatrix<Dim>(frame.rest->points, corners).inverse();
+    const auto [U, V, sigma] = singularValueDecomposition<Dim>(F);
+    return U * V.transpose();
 }
 
 template <int Dim>
@@ -82,9 +77,9 @@ CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::ve
         X.row(i) = (rest[i] - from).transpose();
         Y.row(i) = (posed[i] - to).transpose();
     }
-    Eigen::ColPivHouseholderQR<Rows> solver;
-    solver.setThreshold(kFlat);
-    if (count > Dim && solver.compute(X).rank() == Dim) carrying.A = solver.solve(Y).transpose();
+    if (count > Dim)
+        if (const auto [map, rank] = leastSquares<Dim, Dim>(X, Y, kFlat); rank == Dim)
+            carrying.A = map.transpose();
     carrying.b = to - carrying.A * from;
     return carrying;
 }

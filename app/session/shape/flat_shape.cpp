@@ -1,13 +1,13 @@
 #include "app/session/shape/flat_shape.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
 #include "app/session/shape/mesh_rest.h"
+#include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_cells.h"
 #include "core/mesh/mesh_of_file.h"
@@ -122,7 +122,7 @@ Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>>
         if (used[v]) rows.push_back(v);
     const Eigen::MatrixX3d ones = rest->points(Eigen::all, rows).transpose().rowwise().homogeneous();
     const Eigen::MatrixX2d targets = pixels.points(Eigen::all, rows).transpose();
-    const Eigen::Matrix<double, 3, 2> fit = ones.colPivHouseholderQr().solve(targets);
+    const Eigen::Matrix<double, 3, 2> fit = leastSquares<3, 2>(ones, targets).X;
     texture.toPixels = {fit.topRows<2>().transpose(), fit.row(2).transpose()};
     texture.rest = std::make_shared<const SimplicialMesh<2>>(std::move(pixels));
     return texture;

@@ -1,12 +1,12 @@
 #include "app/session/shape/material_raster.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <ranges>
 
 #include "app/document/edits/material_edits.h"
 #include "app/document/file/named_files.h"
 #include "app/session/shape/material_picture.h"
+#include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -158,8 +158,8 @@ Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
 
 template <int Dim>
 Stiffness<Dim> stiffnessOf(const Mat<Dim>& B) {
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> axes(B);
-    return {axes.eigenvectors().col(Dim - 1), axes.eigenvalues()[Dim - 1] / axes.eigenvalues()[0]};
+    const auto [axes, values] = principalAxes<Dim>(B);
+    return {axes.col(Dim - 1), values[Dim - 1] / values[0]};
 }
 
 template <int Dim>

@@ -1,8 +1,7 @@
 #include "app/view/volume/glyphs.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,6 +9,8 @@
 #include <set>
 
 #include "app/session/mark_size.h"
+#include "app/session/motion/pose_places.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 
@@ -78,20 +79,6 @@ class Builder {
     std::vector<DrawVertex> m_vertices;
 };
 
-Mat<3> edgesOf(const Points<3>& points, const Cell<3>& cell) {
-    Mat<3> edges;
-    for (int k = 0; k < 3; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
-    return edges;
-}
-
-/// Returns the rotation of a cell from rest to the pose.
-Mat<3> turnOf(const PosedFrame<3>& frame, int c) {
-    const Cell<3>& cell = frame.rest->cells[c];
-    const Mat<3> F = edgesOf(frame.pose, cell) * edgesOf(frame.rest->points, cell).inverse();
-    const Eigen::JacobiSVD<Mat<3>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return svd.matrixU() * svd.matrixV().transpose();
-}
-
 /// Returns every k-th item, so that at most `most` are left; fewer for larger marks.
 std::vector<int> thinned(const std::set<int>& all, double most) {
     const double room = most / (markSize() * markSize());
@@ -137,9 +124,9 @@ std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const Cu
                        corner.weight * frame.pose.col(corner.to)) /
                       3;
         const double size = marked(std::cbrt(std::abs(cellMeasure<3>(frame.pose, frame.rest->cells[c]))));
-        const Eigen::SelfAdjointEigenSolver<Mat<3>> axes(frame.material->anisotropy[c]);
-        const Vec<3> lengths = size * (axes.eigenvalues() / axes.eigenvalues().maxCoeff()).cwiseSqrt();
-        Mat<3> A = turnOf(frame, c) * axes.eigenvectors() * lengths.asDiagonal();
+        const auto [axes, values] = principalAxes<3>(frame.material->anisotropy[c]);
+        const Vec<3> lengths = size * (values / values.maxCoeff()).cwiseSqrt();
+        Mat<3> A = cellRotation<3>(frame, c) * axes * lengths.asDiagonal();
         if (A.determinant() < 0) A.col(0) = -A.col(0);  // its outside stays outside
         builder.ellipsoid(centre, A);
     }
