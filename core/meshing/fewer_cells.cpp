@@ -11,11 +11,11 @@ namespace wend {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Structure =
+using CellStructure =
     CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>,
                                          CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+using CellTriangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CellStructure,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 constexpr double kSameArea = 1e-9;
@@ -28,11 +28,11 @@ double areaOf(const SimplicialMesh<2>& mesh, const std::vector<Cell<2>>& cells) 
 
 class Places {
   public:
-    Places(const SimplicialMesh<2>& mesh, Triangulation& to)
+    Places(const SimplicialMesh<2>& mesh, CellTriangulation& to)
         : m_mesh(mesh), m_to(to), m_placed(static_cast<std::size_t>(mesh.vertexCount())) {}
 
-    Triangulation::Vertex_handle place(int vertex) {
-        Triangulation::Vertex_handle& placed = m_placed[static_cast<std::size_t>(vertex)];
+    CellTriangulation::Vertex_handle place(int vertex) {
+        CellTriangulation::Vertex_handle& placed = m_placed[static_cast<std::size_t>(vertex)];
         if (placed != nullptr) return placed;
         placed = m_to.insert({m_mesh.points(0, vertex), m_mesh.points(1, vertex)}, m_near);
         placed->info() = vertex;
@@ -42,9 +42,9 @@ class Places {
 
   private:
     const SimplicialMesh<2>& m_mesh;
-    Triangulation& m_to;
-    std::vector<Triangulation::Vertex_handle> m_placed;
-    Triangulation::Face_handle m_near;
+    CellTriangulation& m_to;
+    std::vector<CellTriangulation::Vertex_handle> m_placed;
+    CellTriangulation::Face_handle m_near;
 };
 
 }  // namespace
@@ -52,7 +52,7 @@ class Places {
 std::optional<FewerCells> fewerCells(const SimplicialMesh<2>& mesh, const PointLocator<2>& located,
                                      const std::vector<int>& vertices,
                                      const std::vector<std::array<int, 2>>& edges) try {
-    Triangulation triangulation;
+    CellTriangulation triangulation;
     Places places(mesh, triangulation);
     for (const int vertex : vertices) places.place(vertex);
     for (const auto& [a, b] : edges) triangulation.insert_constraint(places.place(a), places.place(b));
@@ -69,7 +69,7 @@ std::optional<FewerCells> fewerCells(const SimplicialMesh<2>& mesh, const PointL
     const double area = areaOf(mesh, mesh.cells);
     if (std::abs(areaOf(mesh, result.cells) - area) > kSameArea * area) return std::nullopt;
     return result;
-} catch (const Triangulation::Intersection_of_constraints_exception&) {
+} catch (const CellTriangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;
 }
 

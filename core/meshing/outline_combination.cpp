@@ -27,15 +27,16 @@ struct FaceMark {
     unsigned walked = 0;  // edges, bit by bit
 };
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Point = Kernel::Point_2;
+using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using ExactPoint = ExactKernel::Point_2;
 using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<FaceMark, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, FaceBase>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_intersections_tag>>;
-using Face = Triangulation::Face_handle;
+    CGAL::Triangulation_face_base_with_info_2<FaceMark, ExactKernel,
+                                              CGAL::Constrained_triangulation_face_base_2<ExactKernel>>;
+using PieceStructure =
+    CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<ExactKernel>, FaceBase>;
+using PieceTriangulation = CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<ExactKernel, PieceStructure, CGAL::Exact_intersections_tag>>;
+using PieceFace = PieceTriangulation::Face_handle;
 using Loop = std::vector<Vec<2>>;
 
 /// The plane partitioned by both outlines, with the membership of each piece.
@@ -51,8 +52,8 @@ class Pieces {
     Outline around(const std::function<bool(unsigned)>& isWanted) {
         Outline outline;
         if (m_triangulation.dimension() < 2) return outline;
-        const auto wanted = [&](const Face& face) { return isWanted(face->info().inside); };
-        for (const Face face : m_triangulation.finite_face_handles())
+        const auto wanted = [&](const PieceFace& face) { return isWanted(face->info().inside); };
+        for (const PieceFace face : m_triangulation.finite_face_handles())
             for (int i = 0; i < 3; ++i)
                 if (wanted(face) && !wanted(face->neighbor(i)) && (face->info().walked >> i & 1U) == 0)
                     outline.loops.push_back(walk(face, i, wanted));
@@ -62,7 +63,7 @@ class Pieces {
   private:
     void insert(const Outline& outline, Inside which) {
         for (const Loop& loop : outline.loops) {
-            std::vector<Point> line;
+            std::vector<ExactPoint> line;
             for (const Vec<2>& p : loop) line.emplace_back(p.x(), p.y());
             if (line.size() < 2) continue;
             line.push_back(line.front());
@@ -74,9 +75,9 @@ class Pieces {
     }
 
     /// Returns which insides an edge changes.
-    unsigned change(const Face& face, int i) const {
+    unsigned change(const PieceFace& face, int i) const {
         if (!face->is_constrained(i)) return 0;
-        const auto a = face->vertex(Triangulation::cw(i)), b = face->vertex(Triangulation::ccw(i));
+        const auto a = face->vertex(PieceTriangulation::cw(i)), b = face->vertex(PieceTriangulation::ccw(i));
         unsigned parity = 0;
         for (auto context = m_triangulation.contexts_begin(a, b);
              context != m_triangulation.contexts_end(a, b); ++context)
@@ -85,13 +86,13 @@ class Pieces {
     }
 
     void flood() {
-        std::vector<Face> front{m_triangulation.infinite_face()};
+        std::vector<PieceFace> front{m_triangulation.infinite_face()};
         front[0]->info().reached = true;
         while (!front.empty()) {
-            const Face face = front.back();
+            const PieceFace face = front.back();
             front.pop_back();
             for (int i = 0; i < 3; ++i) {
-                const Face next = face->neighbor(i);
+                const PieceFace next = face->neighbor(i);
                 if (std::exchange(next->info().reached, true)) continue;
                 next->info().inside = face->info().inside ^ change(face, i);
                 front.push_back(next);
@@ -102,13 +103,14 @@ class Pieces {
     /// Walks from the edge opposite of corner i around wanted faces only: pieces that touch at a point get
     /// separate loops. Collinear corners are left out.
     template <typename IsWanted>
-    static Loop walk(Face face, int i, const IsWanted& isWanted) {
-        std::vector<Point> corners;
+    static Loop walk(PieceFace face, int i, const IsWanted& isWanted) {
+        std::vector<ExactPoint> corners;
         while ((face->info().walked >> i & 1U) == 0) {
             face->info().walked |= 1U << i;
-            corners.push_back(face->vertex(Triangulation::cw(i))->point());
-            for (i = Triangulation::ccw(i); isWanted(face->neighbor(i)); i = Triangulation::ccw(i)) {
-                const Face next = face->neighbor(i);
+            corners.push_back(face->vertex(PieceTriangulation::cw(i))->point());
+            for (i = PieceTriangulation::ccw(i); isWanted(face->neighbor(i));
+                 i = PieceTriangulation::ccw(i)) {
+                const PieceFace next = face->neighbor(i);
                 i = next->index(face);
                 face = next;
             }
@@ -116,27 +118,27 @@ class Pieces {
         return rounded(corners);
     }
 
-    static Loop rounded(const std::vector<Point>& corners) {
+    static Loop rounded(const std::vector<ExactPoint>& corners) {
         Loop loop;
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Point &before = corners[(k + corners.size() - 1) % corners.size()], &p = corners[k],
-                        &after = corners[(k + 1) % corners.size()];
+            const ExactPoint &before = corners[(k + corners.size() - 1) % corners.size()], &p = corners[k],
+                             &after = corners[(k + 1) % corners.size()];
             if (CGAL::are_strictly_ordered_along_line(before, p, after)) continue;
-            const auto onGrid = [](const Kernel::FT& x) {
+            const auto onGrid = [](const ExactKernel::FT& x) {
                 return std::round(CGAL::to_double(x) * kGrid) / kGrid;
             };
             const Vec<2> rough(onGrid(p.x()), onGrid(p.y()));
-            const bool exact = Point(CGAL::to_double(p.x()), CGAL::to_double(p.y())) == p;
+            const bool exact = ExactPoint(CGAL::to_double(p.x()), CGAL::to_double(p.y())) == p;
             loop.push_back(exact ? Vec<2>(CGAL::to_double(p.x()), CGAL::to_double(p.y())) : rough);
         }
         return loop;
     }
 
-    Triangulation m_triangulation;
-    std::map<Triangulation::Constraint_id, unsigned> m_owner;
+    PieceTriangulation m_triangulation;
+    std::map<PieceTriangulation::Constraint_id, unsigned> m_owner;
 };
 
-double areaOf(const Loop& loop) {
+double signedArea(const Loop& loop) {
     double twice = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
@@ -145,7 +147,7 @@ double areaOf(const Loop& loop) {
     return twice / 2;
 }
 
-void requireFinite(const Outline& outline) {
+void requireFinitePoints(const Outline& outline) {
     for (const Loop& loop : outline.loops)
         for (const Vec<2>& p : loop)
             if (!p.allFinite()) throw InputError("the outline has a point that is not finite");
@@ -154,7 +156,7 @@ void requireFinite(const Outline& outline) {
 /// Removes loops that are too small or empty after rounding.
 Outline withoutSpecks(Outline outline, double smallest) {
     std::erase_if(outline.loops, [&](const Loop& loop) {
-        return loop.size() < 3 || !(std::abs(areaOf(loop)) > std::max(smallest, 2 / (kGrid * kGrid)));
+        return loop.size() < 3 || !(std::abs(signedArea(loop)) > std::max(smallest, 2 / (kGrid * kGrid)));
     });
     return outline;
 }
@@ -171,8 +173,8 @@ bool crosses(const Outline& outline) {
 }  // namespace
 
 Outline combined(const Outline& base, const Outline& piece, OutlineOperation operation, double smallest) {
-    requireFinite(base);
-    requireFinite(piece);
+    requireFinitePoints(base);
+    requireFinitePoints(piece);
     const auto isWanted = [operation](unsigned inside) {
         if (operation == OutlineOperation::Add) return inside != 0;
         return inside == (operation == OutlineOperation::TakeAway ? InBase : InBase | InPiece);
@@ -188,7 +190,7 @@ Outline combined(const Outline& base, const Outline& piece, OutlineOperation ope
 double areaOf(const Outline& outline) {
     double area = 0;
     for (const Loop& loop : Pieces(outline, {}).around([](unsigned inside) { return inside != 0; }).loops)
-        area += areaOf(loop);
+        area += signedArea(loop);
     return area;
 }
 

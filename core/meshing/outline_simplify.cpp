@@ -11,10 +11,11 @@ namespace {
 
 namespace simplification = CGAL::Polyline_simplification_2;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Structure = CGAL::Triangulation_data_structure_2<simplification::Vertex_base_2<Kernel>,
-                                                       CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
+using LineStructure =
+    CGAL::Triangulation_data_structure_2<simplification::Vertex_base_2<Kernel>,
+                                         CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using LineTriangulation = CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, LineStructure, CGAL::Exact_predicates_tag>>;
 
 std::vector<Kernel::Point_2> closedLine(const std::vector<Vec<2>>& loop) {
     std::vector<Kernel::Point_2> points;
@@ -28,8 +29,8 @@ std::vector<Kernel::Point_2> closedLine(const std::vector<Vec<2>>& loop) {
 
 Outline simplified(const Outline& outline, double tolerance) {
     if (!(tolerance > 0)) return outline;
-    Triangulation triangulation;
-    std::vector<Triangulation::Constraint_id> ids;
+    LineTriangulation triangulation;
+    std::vector<LineTriangulation::Constraint_id> ids;
     for (const auto& loop : outline.loops) {
         const auto line = closedLine(loop);
         ids.push_back(triangulation.insert_constraint(line.begin(), line.end()));

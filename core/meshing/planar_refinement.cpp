@@ -88,8 +88,8 @@ std::vector<double> splits(const Point& a, const Point& b, double length,
 }
 
 /// ∫ f⁻² over a triangle, by its middle, or by its four parts where it is large.
-double areaOf(const Point& a, const Point& b, const Point& c, const PlanarDomain::Factor& factor,
-              double large) {
+double weightedArea(const Point& a, const Point& b, const Point& c, const PlanarDomain::Factor& factor,
+                    double large) {
     const double longest =
         std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)});
     if (!factor || longest <= large * large) {
@@ -99,8 +99,8 @@ double areaOf(const Point& a, const Point& b, const Point& c, const PlanarDomain
         return area / (f * f);
     }
     const Point ab = CGAL::midpoint(a, b), bc = CGAL::midpoint(b, c), ca = CGAL::midpoint(c, a);
-    return areaOf(a, ab, ca, factor, large) + areaOf(ab, b, bc, factor, large) +
-           areaOf(ca, bc, c, factor, large) + areaOf(ab, bc, ca, factor, large);
+    return weightedArea(a, ab, ca, factor, large) + weightedArea(ab, b, bc, factor, large) +
+           weightedArea(ca, bc, c, factor, large) + weightedArea(ab, bc, ca, factor, large);
 }
 
 /// Splits the outline's edges evenly into pieces of at most `length` times the factor. The refinement would
@@ -262,8 +262,8 @@ double PlanarDomain::area() const {
     double sum = 0;
     for (auto face : m_triangulation->finite_face_handles())
         if (face->inside)
-            sum += areaOf(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-                          m_factor, large);
+            sum += weightedArea(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                                m_factor, large);
     return sum;
 }
 
