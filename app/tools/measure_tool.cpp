@@ -18,10 +18,6 @@ namespace {
 constexpr double kSnap = 5;  // pixels: distance within which a vertex is chosen
 const QColor kLine(0xd4, 0x4a, 0x7a);
 
-QString said(const char* text) {
-    return QCoreApplication::translate("MeasureTool", text);
-}
-
 template <int Dim>
 double length(const std::vector<Vec<Dim>>& p) {
     return (p[1] - p[0]).norm();
@@ -49,9 +45,9 @@ template <int Dim>
 QString MeasureTool<Dim>::hint() const {
     const QString measured = text();
     if (!measured.isEmpty()) return measured;
-    return said(QT_TRANSLATE_NOOP(
+    return QCoreApplication::translate(
         "MeasureTool",
-        "Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears"));
+        "Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears");
 }
 
 template <int Dim>
@@ -100,8 +96,9 @@ QString MeasureTool<Dim>::text() const {
     const double rest = angle ? degrees<Dim>(start) : length<Dim>(start);
     const bool pixels = session().document().domain().kind == DomainKind::Image;
     const QString unit = angle ? QStringLiteral("°") : pixels ? QStringLiteral(" px") : QString();
-    return said(angle ? QT_TRANSLATE_NOOP("MeasureTool", "angle %1, at rest %2")
-                      : QT_TRANSLATE_NOOP("MeasureTool", "length %1, at rest %2"))
+    return QCoreApplication::translate("MeasureTool",
+                                       angle ? QT_TRANSLATE_NOOP("MeasureTool", "angle %1, at rest %2")
+                                             : QT_TRANSLATE_NOOP("MeasureTool", "length %1, at rest %2"))
         .arg(locale.toString(now, 'g', 5) + unit, locale.toString(rest, 'g', 5) + unit);
 }
 

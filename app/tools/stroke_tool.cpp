@@ -21,10 +21,6 @@ constexpr double kFace = 3;           // pixels between samples of the surface n
 constexpr double kSteepest = 5;       // times as long as on the screen; more is an edge
 constexpr int kRingParts = 72;
 
-QString said(const char* text) {
-    return QCoreApplication::translate("StrokeTool", text);
-}
-
 QChar textOf(const QKeyEvent& key) {
     return key.text().isEmpty() ? QChar() : key.text().front();
 }
@@ -83,8 +79,8 @@ void StrokeTool<Dim>::dabsTo(const QPointF& at) {
 
 template <int Dim>
 QString StrokeTool<Dim>::hint() const {
-    return m_tuning ? said(QT_TRANSLATE_NOOP("StrokeTool",
-                                             "To the right: larger; up: harder. Esc leaves it as it was"))
+    return m_tuning ? QCoreApplication::translate("StrokeTool",
+                                                  "To the right: larger; up: harder. Esc leaves it as it was")
                     : strokeHint();
 }
 
@@ -255,7 +251,7 @@ void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
     if (!m_tuning) return;
     const QLocale locale;
     paintLabel(painter, m_at + QPointF(14, 14),
-               said(QT_TRANSLATE_NOOP("StrokeTool", "%1 px · %2 % hard"))
+               QCoreApplication::translate("StrokeTool", "%1 px · %2 % hard")
                    .arg(locale.toString(2 * m_brush.now().radius, 'f', 0),
                         locale.toString(100 * m_brush.now().hardness, 'f', 0)));
 }

@@ -22,10 +22,6 @@ constexpr double kSharp = 2;  // pixels of the drawing to one of these
 constexpr std::array<const char*, EnergyScale::kStops> kEnergies = {"energy-area", "energy-length",
                                                                     "energy-rigid", "energy-angle"};
 
-QString said(const char* text) {
-    return QCoreApplication::translate("PictureTip", text);
-}
-
 /// The drawings have three tones: ink, muted and accent.
 QByteArray inColours(QByteArray svg, const QPalette& palette) {
     const Theme theme = Theme::of(palette);
@@ -103,24 +99,24 @@ QList<TipPicture> energyPictures(int dimension) {
 }
 
 QList<TipPicture> reachPictures() {
-    return {{QStringLiteral("reach-near"), said(QT_TRANSLATE_NOOP("PictureTip", "near"))},
-            {QStringLiteral("reach-far"), said(QT_TRANSLATE_NOOP("PictureTip", "far"))}};
+    return {{QStringLiteral("reach-near"), QCoreApplication::translate("PictureTip", "near")},
+            {QStringLiteral("reach-far"), QCoreApplication::translate("PictureTip", "far")}};
 }
 
 QList<TipPicture> stiffnessPictures() {
-    return {
-        {QStringLiteral("stiffness-even"), said(QT_TRANSLATE_NOOP("PictureTip", "×1 everywhere"))},
-        {QStringLiteral("stiffness-part"), said(QT_TRANSLATE_NOOP("PictureTip", "×50 along the left half"))}};
+    return {{QStringLiteral("stiffness-even"), QCoreApplication::translate("PictureTip", "×1 everywhere")},
+            {QStringLiteral("stiffness-part"),
+             QCoreApplication::translate("PictureTip", "×50 along the left half")}};
 }
 
 QList<TipPicture> memoryPictures() {
-    return {{QStringLiteral("memory-none"), said(QT_TRANSLATE_NOOP("PictureTip", "not at all"))},
-            {QStringLiteral("memory-full"), said(QT_TRANSLATE_NOOP("PictureTip", "fully"))}};
+    return {{QStringLiteral("memory-none"), QCoreApplication::translate("PictureTip", "not at all")},
+            {QStringLiteral("memory-full"), QCoreApplication::translate("PictureTip", "fully")}};
 }
 
 QList<TipPicture> relaxPictures() {
-    return {{QStringLiteral("relax-before"), said(QT_TRANSLATE_NOOP("PictureTip", "as it was pulled"))},
-            {QStringLiteral("relax-after"), said(QT_TRANSLATE_NOOP("PictureTip", "relaxed"))}};
+    return {{QStringLiteral("relax-before"), QCoreApplication::translate("PictureTip", "as it was pulled")},
+            {QStringLiteral("relax-after"), QCoreApplication::translate("PictureTip", "relaxed")}};
 }
 
 }  // namespace wend

@@ -7,25 +7,18 @@
 
 namespace wend {
 
-namespace {
-
-QString said(const char* text) {
-    return QCoreApplication::translate("EnergyScale", text);
-}
-
-}  // namespace
-
 EnergyScale::EnergyScale(int dimension) : m_dimension(dimension) {
-    m_stops[0] = {phi::kEquia, said(QT_TRANSLATE_NOOP("EnergyScale", "Area")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Nothing grows or shrinks. Parts may get thin."))};
-    m_stops[1] = {phi::kMetr, said(QT_TRANSLATE_NOOP("EnergyScale", "Length")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Stretches least. Start here."))};
-    m_stops[2] = {phi::kAkvf, said(QT_TRANSLATE_NOOP("EnergyScale", "Rigid")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Parts turn like card."))};
-    m_stops[3] = {phi::conformal(dimension), said(QT_TRANSLATE_NOOP("EnergyScale", "Angle")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Details keep their look. Parts may swell."))};
+    m_stops[0] = {
+        phi::kEquia, QCoreApplication::translate("EnergyScale", "Area"),
+        QCoreApplication::translate("EnergyScale", "Nothing grows or shrinks. Parts may get thin.")};
+    m_stops[1] = {phi::kMetr, QCoreApplication::translate("EnergyScale", "Length"),
+                  QCoreApplication::translate("EnergyScale", "Stretches least. Start here.")};
+    m_stops[2] = {phi::kAkvf, QCoreApplication::translate("EnergyScale", "Rigid"),
+                  QCoreApplication::translate("EnergyScale", "Parts turn like card.")};
+    m_stops[3] = {phi::conformal(dimension), QCoreApplication::translate("EnergyScale", "Angle"),
+                  QCoreApplication::translate("EnergyScale", "Details keep their look. Parts may swell.")};
     if (dimension == 2) return;
-    m_stops[0].name = said(QT_TRANSLATE_NOOP("EnergyScale", "Volume"));
+    m_stops[0].name = QCoreApplication::translate("EnergyScale", "Volume");
 }
 
 double EnergyScale::phiAt(double position) const {

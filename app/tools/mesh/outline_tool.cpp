@@ -31,10 +31,6 @@ constexpr QRgb kAway = 0xB3261E;
 constexpr double kThin = 3;               // pixels of the screen below which a shape counts as a line
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
-QString said(const char* text) {
-    return QCoreApplication::translate("OutlineTool", text);
-}
-
 }  // namespace
 
 OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
@@ -50,41 +46,43 @@ bool OutlineTool::isFirst() const {
 
 QString OutlineTool::hint() const {
     if (isLive())
-        return said(QT_TRANSLATE_NOOP("OutlineTool",
-                                      "The tolerance, or [ and ], changes what was taken; click another "
-                                      "colour to take it too, with Ctrl to take it away"));
+        return QCoreApplication::translate("OutlineTool",
+                                           "The tolerance, or [ and ], changes what was taken; click another "
+                                           "colour to take it too, with Ctrl to take it away");
     switch (m_shape) {
         case Shape::Lasso:
             return isFirst()
-                       ? said(QT_TRANSLATE_NOOP(
-                             "OutlineTool", "Draw around what should bend; Ctrl takes it away, Esc cancels"))
-                       : said(QT_TRANSLATE_NOOP(
+                       ? QCoreApplication::translate(
+                             "OutlineTool", "Draw around what should bend; Ctrl takes it away, Esc cancels")
+                       : QCoreApplication::translate(
                              "OutlineTool",
-                             "Draw around what should bend, too; Ctrl takes it away, Esc cancels"));
+                             "Draw around what should bend, too; Ctrl takes it away, Esc cancels");
         case Shape::Polygon:
-            return said(
-                QT_TRANSLATE_NOOP("OutlineTool",
-                                  "Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl "
-                                  "takes away, Backspace removes the last corner, Esc cancels"));
+            return QCoreApplication::translate(
+                "OutlineTool",
+                "Click corner by corner, Shift snaps to 45°, a double-click closes; Ctrl "
+                "takes away, Backspace removes the last corner, Esc cancels");
         case Shape::Brush:
-            return isFirst()
-                       ? said(QT_TRANSLATE_NOOP(
-                             "OutlineTool",
-                             "Brush over what should bend; Ctrl takes it away, [ and ] change the size"))
-                       : said(QT_TRANSLATE_NOOP("OutlineTool",
-                                                "Brush over what should bend, too; Ctrl takes it away, [ and "
-                                                "] change the size"));
+            return isFirst() ? QCoreApplication::translate(
+                                   "OutlineTool",
+                                   "Brush over what should bend; Ctrl takes it away, [ and ] change the size")
+                             : QCoreApplication::translate(
+                                   "OutlineTool",
+                                   "Brush over what should bend, too; Ctrl takes it away, [ and "
+                                   "] change the size");
         case Shape::Wand:
-            return isFirst() ? said(QT_TRANSLATE_NOOP("OutlineTool",
-                                                      "Click a colour that should bend; Ctrl takes it away, "
-                                                      "[ and ] take fewer or more colours"))
-                             : said(QT_TRANSLATE_NOOP("OutlineTool",
-                                                      "Click a colour that should bend, too; Ctrl takes it "
-                                                      "away, [ and ] take fewer or more colours"));
+            return isFirst()
+                       ? QCoreApplication::translate("OutlineTool",
+                                                     "Click a colour that should bend; Ctrl takes it away, "
+                                                     "[ and ] take fewer or more colours")
+                       : QCoreApplication::translate("OutlineTool",
+                                                     "Click a colour that should bend, too; Ctrl takes it "
+                                                     "away, [ and ] take fewer or more colours");
         case Shape::Cut:
             break;
     }
-    return said(QT_TRANSLATE_NOOP("OutlineTool", "Draw a line along which to part the shape; Esc cancels"));
+    return QCoreApplication::translate("OutlineTool",
+                                       "Draw a line along which to part the shape; Esc cancels");
 }
 
 /// Moves to the rest shape, on which outlines are drawn.
@@ -278,8 +276,8 @@ void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
     const bool isLine = isThin(drawn);
     cancel();
     if (isLine)
-        return emit session().notice(
-            said(QT_TRANSLATE_NOOP("OutlineTool", "That was a line. Draw around a part of the picture.")));
+        return emit session().notice(QCoreApplication::translate(
+            "OutlineTool", "That was a line. Draw around a part of the picture."));
     if (!drawn.loops.empty()) apply(*session().document().project(), drawn, takesAway(modifiers));
 }
 
@@ -318,7 +316,8 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, smallest)
                             : combined(before, inside, operation, smallest);
     if (next.loops.empty()) {
-        emit session().notice(said(QT_TRANSLATE_NOOP("OutlineTool", "Nothing would be left of the shape.")));
+        emit session().notice(
+            QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
         return;
     }
     Project changed = project;
@@ -332,11 +331,11 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
     if (pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
-        emit session().notice(
-            said(QT_TRANSLATE_NOOP("OutlineTool",
-                                   "From now on the outline is as you draw it, and has no margin to change. "
-                                   "Choose “Cut-out” as the outline to go back to the one that was found.")));
-    document.change(said(name), std::move(changed), key);
+        emit session().notice(QCoreApplication::translate(
+            "OutlineTool",
+            "From now on the outline is as you draw it, and has no margin to change. "
+            "Choose “Cut-out” as the outline to go back to the one that was found."));
+    document.change(QCoreApplication::translate("OutlineTool", name), std::move(changed), key);
 }
 
 void OutlineTool::paintOutline(QPainter& painter) const {

@@ -11,10 +11,6 @@ namespace wend {
 
 namespace {
 
-QString said(const char* text) {
-    return QCoreApplication::translate("SizeTool", text);
-}
-
 void paintMesh(QPainter& painter, ToolSurface& surface) {
     const auto frame = surface.session().frame<2>();
     if (!frame) return;
@@ -30,9 +26,9 @@ void paintMesh(QPainter& painter, ToolSurface& surface) {
 
 template <int Dim>
 QString SizeTool<Dim>::strokeHint() const {
-    return said(QT_TRANSLATE_NOOP("SizeTool",
-                                  "Brush over what should be meshed finer; Shift makes it coarser, Ctrl "
-                                  "evens it out again, [ and ] change the size"));
+    return QCoreApplication::translate("SizeTool",
+                                       "Brush over what should be meshed finer; Shift makes it coarser, Ctrl "
+                                       "evens it out again, [ and ] change the size");
 }
 
 template <int Dim>
@@ -47,14 +43,14 @@ void SizeTool<Dim>::take(const std::vector<Dab>& dabs) {
     Document& document = session().document();
     if (Dim == 2 && document.domain().kind != DomainKind::Image) {
         emit session().notice(
-            said(QT_TRANSLATE_NOOP("SizeTool", "The mesh comes from a file and is used as it is.")));
+            QCoreApplication::translate("SizeTool", "The mesh comes from a file and is used as it is."));
         return;
     }
     std::vector<Ball<Dim>> balls;
     for (const Dab& one : dabs) balls.push_back(this->ballOf(one));
-    const QString name = factor() < 1   ? said(QT_TRANSLATE_NOOP("SizeTool", "Paint finer mesh"))
-                         : factor() > 1 ? said(QT_TRANSLATE_NOOP("SizeTool", "Paint coarser mesh"))
-                                        : said(QT_TRANSLATE_NOOP("SizeTool", "Paint even mesh"));
+    const QString name = factor() < 1   ? QCoreApplication::translate("SizeTool", "Paint finer mesh")
+                         : factor() > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser mesh")
+                                        : QCoreApplication::translate("SizeTool", "Paint even mesh");
     if constexpr (Dim == 2)
         document.changeDomain(
             name, withFlatSizeStroke(document.domain(), balls, this->featherOf(dabs.front()), factor()));

@@ -16,19 +16,15 @@ namespace {
 constexpr double kSame = 1e-9;
 constexpr double kNear = 0.25;  // of the shape's extent
 
-QString said(const char* text) {
-    return QCoreApplication::translate("PaintTool", text);
-}
-
 QString stopName(double phi, int dimension) {
     constexpr std::array<const char*, kEnergyStops> kNames = {
         QT_TRANSLATE_NOOP("PaintTool", "Area"), QT_TRANSLATE_NOOP("PaintTool", "Length"),
         QT_TRANSLATE_NOOP("PaintTool", "Rigid"), QT_TRANSLATE_NOOP("PaintTool", "Angle")};
     const double stop = stopOfPhi(phi, dimension);
     const int nearest = static_cast<int>(std::lround(stop));
-    if (std::abs(stop - nearest) > 0.02) return said(QT_TRANSLATE_NOOP("PaintTool", "Keep"));
-    return nearest == 0 && dimension == 3 ? said(QT_TRANSLATE_NOOP("PaintTool", "Volume"))
-                                          : said(kNames[nearest]);
+    if (std::abs(stop - nearest) > 0.02) return QCoreApplication::translate("PaintTool", "Keep");
+    return nearest == 0 && dimension == 3 ? QCoreApplication::translate("PaintTool", "Volume")
+                                          : QCoreApplication::translate("PaintTool", kNames[nearest]);
 }
 
 }  // namespace
@@ -63,8 +59,8 @@ void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush) {
 
 QString brushKind(const BrushSettings& brush, int dimension) {
     if (brush.target == BrushTarget::Keep) return stopName(brush.phi, dimension);
-    return brush.target == BrushTarget::Stiffness ? said(QT_TRANSLATE_NOOP("PaintTool", "Stiff"))
-                                                  : said(QT_TRANSLATE_NOOP("PaintTool", "Combed"));
+    return brush.target == BrushTarget::Stiffness ? QCoreApplication::translate("PaintTool", "Stiff")
+                                                  : QCoreApplication::translate("PaintTool", "Combed");
 }
 
 QRgb brushColour(const BrushSettings& brush, int dimension) {
@@ -139,9 +135,10 @@ bool paintsNothing(const BrushSettings& brush) {
 }
 
 QString nothingToPaint() {
-    return said(QT_TRANSLATE_NOOP("PaintTool",
-                                  "Stiffness ×1 is the same as everywhere and changes nothing: choose on the "
-                                  "right how many times stiffer it should be"));
+    return QCoreApplication::translate(
+        "PaintTool",
+        "Stiffness ×1 is the same as everywhere and changes nothing: choose on the "
+        "right how many times stiffer it should be");
 }
 
 template MaterialPaint<2> paintOf<2>(const BrushSettings&, const Vec<2>&);

@@ -9,18 +9,10 @@
 
 namespace wend {
 
-namespace {
-
-QString said(const char* text) {
-    return QCoreApplication::translate("DepthTool", text);
-}
-
-}  // namespace
-
 QString DepthTool::strokeHint() const {
-    return said(QT_TRANSLATE_NOOP("DepthTool",
-                                  "Brush over what lies in front or behind; Ctrl clears it, Shift swaps "
-                                  "front and back, [ and ] change the size"));
+    return QCoreApplication::translate("DepthTool",
+                                       "Brush over what lies in front or behind; Ctrl clears it, Shift swaps "
+                                       "front and back, [ and ] change the size");
 }
 
 double DepthTool::order() const {
@@ -37,9 +29,9 @@ void DepthTool::take(const std::vector<Dab>& dabs) {
     std::vector<Ball<2>> balls;
     for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
     Document& document = session().document();
-    document.changeDepth(order() > 0   ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint in front"))
-                         : order() < 0 ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint behind"))
-                                       : said(QT_TRANSLATE_NOOP("DepthTool", "Clear depth")),
+    document.changeDepth(order() > 0   ? QCoreApplication::translate("DepthTool", "Paint in front")
+                         : order() < 0 ? QCoreApplication::translate("DepthTool", "Paint behind")
+                                       : QCoreApplication::translate("DepthTool", "Clear depth"),
                          withDepthStroke(document.depth(), balls, order()));
 }
 

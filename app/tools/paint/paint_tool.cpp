@@ -22,10 +22,6 @@ constexpr double kStiff = 1.01;  // less is as everywhere
 constexpr double kSame = 1e-9;   // relative to the material
 constexpr QRgb kEraser = 0xff5c5f69;
 
-QString said(const char* text) {
-    return QCoreApplication::translate("PaintTool", text);
-}
-
 template <int Dim>
 Vec<Dim> centroidOf(const SimplicialMesh<Dim>& mesh, int cell) {
     Vec<Dim> sum = Vec<Dim>::Zero();
@@ -54,19 +50,20 @@ bool isSame(const Material<Dim>& a, const Material<Dim>& b) {
 template <int Dim>
 QString PaintTool<Dim>::strokeHint() const {
     if (m_deed == Deed::Erase)
-        return said(QT_TRANSLATE_NOOP("PaintTool",
-                                      "Erases paint from all visible layers: brush over what should be like "
-                                      "the rest again; Shift-click draws a line, Esc cancels the stroke"));
+        return QCoreApplication::translate(
+            "PaintTool",
+            "Erases paint from all visible layers: brush over what should be like "
+            "the rest again; Shift-click draws a line, Esc cancels the stroke");
     if (paintsNothing(brush().now())) return nothingToPaint();
     return brush().now().target == BrushTarget::Direction
-               ? said(QT_TRANSLATE_NOOP(
+               ? QCoreApplication::translate(
                      "PaintTool",
                      "Comb along the direction in which it should be stiff; Ctrl erases, Shift smooths, "
-                     "Shift-click draws a line, Alt-click picks up, Esc cancels the stroke"))
-               : said(QT_TRANSLATE_NOOP(
+                     "Shift-click draws a line, Alt-click picks up, Esc cancels the stroke")
+               : QCoreApplication::translate(
                      "PaintTool",
                      "Paint what is chosen on the right; Ctrl erases, Shift smooths, Shift-click draws a "
-                     "line, Alt-click picks up, Esc cancels the stroke"));
+                     "line, Alt-click picks up, Esc cancels the stroke");
 }
 
 template <int Dim>
@@ -261,7 +258,7 @@ std::string PaintTool<Dim>::aim() const {
 
 template <int Dim>
 std::string PaintTool<Dim>::layer() const {
-    const QString kind = deed() == Deed::Smooth ? said(QT_TRANSLATE_NOOP("PaintTool", "Smoothed"))
+    const QString kind = deed() == Deed::Smooth ? QCoreApplication::translate("PaintTool", "Smoothed")
                                                 : brushKind(brush().now(), Dim);
     return layerFor<Dim>(session().document().template design<Dim>(), brush().now(), brush().layer().now(),
                          aim(), kind.toStdString());
@@ -274,7 +271,8 @@ QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
     const QString where =
         placeName<Dim>(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer);
     const auto with = [&](const char* somewhere, const char* bare) {
-        return where.isEmpty() ? said(bare) : said(somewhere).arg(where);
+        return where.isEmpty() ? QCoreApplication::translate("PaintTool", bare)
+                               : QCoreApplication::translate("PaintTool", somewhere).arg(where);
     };
     if (erases)
         return with(QT_TRANSLATE_NOOP("PaintTool", "Erase paint from %1"),
@@ -284,8 +282,8 @@ QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
     if (brush().now().target == BrushTarget::Direction)
         return with(QT_TRANSLATE_NOOP("PaintTool", "Comb %1"), QT_TRANSLATE_NOOP("PaintTool", "Comb"));
     const QString what = brushKind(brush().now(), Dim);
-    return where.isEmpty() ? said(QT_TRANSLATE_NOOP("PaintTool", "Paint %1")).arg(what)
-                           : said(QT_TRANSLATE_NOOP("PaintTool", "Paint %1 on %2")).arg(what, where);
+    return where.isEmpty() ? QCoreApplication::translate("PaintTool", "Paint %1").arg(what)
+                           : QCoreApplication::translate("PaintTool", "Paint %1 on %2").arg(what, where);
 }
 
 /// Emits a notice instead of adding a step without effect.
@@ -297,7 +295,7 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     const auto material = laid(next);
     const bool same = material && isSame(*material, *m_frame->material);
     if (same && erases)
-        emit session().notice(said(QT_TRANSLATE_NOOP("PaintTool", "Nothing is painted there")));
+        emit session().notice(QCoreApplication::translate("PaintTool", "Nothing is painted there"));
     const bool isBare = same && paints && paintsNothing(brush().now());
     if (isBare) emit session().notice(nothingToPaint());
     const bool changes = material && !isBare && !(same && erases);
@@ -307,8 +305,8 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     const bool lost = paints && brush().now().target != BrushTarget::Keep &&
                       brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
     if (lost)
-        emit session().notice(said(QT_TRANSLATE_NOOP(
-            "PaintTool", "There is no direction to follow: the numbers on the right were used.")));
+        emit session().notice(QCoreApplication::translate(
+            "PaintTool", "There is no direction to follow: the numbers on the right were used."));
     session().document().changeDesign(title(dabs), std::move(next));
     if (!erases) brush().layer().set({m_layer, aim()});
 }

@@ -18,10 +18,6 @@ constexpr double kLineReach = 6;  // pixels, of the curve
 constexpr int kSamples = 48;      // of a piece, to look for the place nearest to the pointer
 const QColor kLine(0xd4, 0x7a, 0x1e);
 
-QString said(const char* text) {
-    return QCoreApplication::translate("CurveEditor", text);
-}
-
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
@@ -29,10 +25,12 @@ double distance(const QPointF& a, const QPointF& b) {
 }  // namespace
 
 QString curveHint(bool onPoint) {
-    return onPoint ? said(QT_TRANSLATE_NOOP("CurveEditor",
-                                            "Drag the curve's point, Shift keeps it straight, Ctrl moves one "
-                                            "direction only; Delete removes it, a right-click shows more"))
-                   : said(QT_TRANSLATE_NOOP("CurveEditor", "Double-click to insert a point into the curve"));
+    return onPoint
+               ? QCoreApplication::translate(
+                     "CurveEditor",
+                     "Drag the curve's point, Shift keeps it straight, Ctrl moves one "
+                     "direction only; Delete removes it, a right-click shows more")
+               : QCoreApplication::translate("CurveEditor", "Double-click to insert a point into the curve");
 }
 
 template <int Dim>
@@ -190,7 +188,7 @@ void CurveEditor<Dim>::finish() {
     if (own && isDragging() && !m_by.isZero()) {
         own->points = moved(*own);
         m_dragged = -1;
-        change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
+        change(QCoreApplication::translate("CurveEditor", "Change curve"), *own);
     }
     cancel();
 }
@@ -208,7 +206,7 @@ void CurveEditor<Dim>::insertOn(const Place& place) {
     const auto own = curve();
     if (!own || place.piece < 0 || place.piece >= static_cast<int>(curveOf<Dim>(*own).pieces.size())) return;
     const bool bezier = own->interpolation == Interpolation::Bezier;
-    change(said(QT_TRANSLATE_NOOP("CurveEditor", "Insert curve point")),
+    change(QCoreApplication::translate("CurveEditor", "Insert curve point"),
            withPointOn<Dim>(*own, place.piece, place.v));
     forgetOthers();
     m_chosen = bezier ? 3 * place.piece + 3 : place.piece + 1;
@@ -265,9 +263,9 @@ void CurveEditor<Dim>::removePoint() {
     const auto own = curve();
     const auto next = own && chosen() > 0 ? withoutPoint<Dim>(*own, chosen()) : std::nullopt;
     if (next)
-        change(said(QT_TRANSLATE_NOOP("CurveEditor", "Delete curve point")), *next);
+        change(QCoreApplication::translate("CurveEditor", "Delete curve point"), *next);
     else if (own && chosen() > 0)
-        emit m_session.notice(said(QT_TRANSLATE_NOOP("CurveEditor", "The ends of a curve must stay.")));
+        emit m_session.notice(QCoreApplication::translate("CurveEditor", "The ends of a curve must stay."));
 }
 
 template <int Dim>
@@ -284,7 +282,7 @@ void CurveEditor<Dim>::setKind(JointKind kind) {
     auto points = withJointKind<Dim>(own->points, joint, kind);
     if (points == own->points) return;
     own->points = std::move(points);
-    change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
+    change(QCoreApplication::translate("CurveEditor", "Change curve"), *own);
 }
 
 /// Draws the resulting curve while a point is dragged.

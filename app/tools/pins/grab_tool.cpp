@@ -9,23 +9,19 @@ namespace {
 
 constexpr std::size_t kMostLooked = 4000;
 
-QString said(const char* text) {
-    return QCoreApplication::translate("GrabTool", text);
-}
-
 }  // namespace
 
 template <int Dim>
 QString GrabTool<Dim>::hint() const {
     if (m_outline.kind() == DrawnOutline::Kind::Lasso)
-        return said(QT_TRANSLATE_NOOP(
-            "GrabTool", "Draw around the part to hold; Shift adds to the selected part, Ctrl takes away"));
+        return QCoreApplication::translate(
+            "GrabTool", "Draw around the part to hold; Shift adds to the selected part, Ctrl takes away");
     if (m_outline.kind() == DrawnOutline::Kind::Brush)
-        return said(QT_TRANSLATE_NOOP(
-            "GrabTool", "Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away"));
-    return said(QT_TRANSLATE_NOOP(
+        return QCoreApplication::translate(
+            "GrabTool", "Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away");
+    return QCoreApplication::translate(
         "GrabTool",
-        "Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away"));
+        "Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away");
 }
 
 template <int Dim>

@@ -21,10 +21,6 @@ constexpr double kDetail = 0.75;     // pixels of the screen that an outline may
 constexpr double kLongestEdge = 12;  // pixels of the screen: the shape may be bent under it
 constexpr std::size_t kMinHeld = 3;  // vertices
 
-QString said(const char* text) {
-    return QCoreApplication::translate("GrabTool", text);
-}
-
 double sizeOf(const QPolygonF& polygon) {
     double twice = 0;
     for (qsizetype i = 0; i < polygon.size(); ++i) {
@@ -161,8 +157,10 @@ template <int Dim>
 bool holdPart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part) {
     ShapeSession& session = surface.session();
     if (const auto place = placementOf(surface, part))
-        return session.addHandle<Dim>(*place, said(QT_TRANSLATE_NOOP("GrabTool", "Part")).toStdString()) >= 0;
-    emit session.notice(said(QT_TRANSLATE_NOOP("GrabTool", "No part of the shape lies in this outline.")));
+        return session.addHandle<Dim>(*place,
+                                      QCoreApplication::translate("GrabTool", "Part").toStdString()) >= 0;
+    emit session.notice(
+        QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
     return false;
 }
 
@@ -172,7 +170,7 @@ bool changePart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part, Qt::Keyboard
     ShapeSession& session = surface.session();
     const auto own = adds || takes ? selectedPart(surface) : std::nullopt;
     if (!own && takes && !adds)
-        emit session.notice(said(QT_TRANSLATE_NOOP("GrabTool", "Select one part to take away from.")));
+        emit session.notice(QCoreApplication::translate("GrabTool", "Select one part to take away from."));
     if (!own) return takes && !adds;
     const auto changed = adds ? joined(*own, part) : without(*own, part);
     if (changed == *own) return true;
@@ -180,7 +178,7 @@ bool changePart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part, Qt::Keyboard
         session.changeHandle<Dim>(session.singleHandle(), *place);
     else
         emit session.notice(
-            said(QT_TRANSLATE_NOOP("GrabTool", "A handle must hold something; Delete removes it.")));
+            QCoreApplication::translate("GrabTool", "A handle must hold something; Delete removes it."));
     return true;
 }
 

@@ -18,10 +18,6 @@ constexpr double kDrag = 3;
 constexpr int kSamples = 32;  // of a piece that is painted
 const QColor kLine(0xd4, 0x7a, 0x1e);
 
-QString said(const char* text) {
-    return QCoreApplication::translate("PenTool", text);
-}
-
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
@@ -40,16 +36,16 @@ bool ends(const QKeyEvent& event) {
 template <int Dim>
 QString PenTool<Dim>::hint() const {
     if (isDrawing() && m_pressed)
-        return said(QT_TRANSLATE_NOOP(
-            "PenTool", "Drag for a smooth point: Shift snaps to 45°, Alt moves this side only"));
+        return QCoreApplication::translate(
+            "PenTool", "Drag for a smooth point: Shift snaps to 45°, Alt moves this side only");
     if (isDrawing())
-        return said(QT_TRANSLATE_NOOP("PenTool",
-                                      "Click for a corner, drag for a smooth point, Shift snaps to 45°; "
-                                      "Enter ends, Backspace removes the last point, Esc cancels"));
+        return QCoreApplication::translate("PenTool",
+                                           "Click for a corner, drag for a smooth point, Shift snaps to 45°; "
+                                           "Enter ends, Backspace removes the last point, Esc cancels");
     if (session().selection().isEmpty())
-        return said(QT_TRANSLATE_NOOP("PenTool", "Click the pin whose path you want to draw"));
-    return said(QT_TRANSLATE_NOOP(
-        "PenTool", "Click where the selected pin should go, point by point; drag for a smooth point"));
+        return QCoreApplication::translate("PenTool", "Click the pin whose path you want to draw");
+    return QCoreApplication::translate(
+        "PenTool", "Click where the selected pin should go, point by point; drag for a smooth point");
 }
 
 template <int Dim>

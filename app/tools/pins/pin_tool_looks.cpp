@@ -8,37 +8,30 @@
 
 namespace wend {
 
-namespace {
-
-QString said(const char* text) {
-    return QCoreApplication::translate("PinTool", text);
-}
-
-}  // namespace
-
 template <int Dim>
 QString PinTool<Dim>::hint() const {
     const bool waits = m_gesture == Gesture::None, isOver = waits && m_over;
     if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
     if (isRecording(session())) return recordingHint();
     if (m_gesture == Gesture::Widen)
-        return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin should hold; Esc cancels"));
+        return QCoreApplication::translate("PinTool", "Drag as far as the pin should hold; Esc cancels");
     const bool moves = m_gesture == Gesture::Drag && m_gizmo.part().kind == Grip::Kind::Move;
     if (Dim == 3 && m_gesture == Gesture::Drag)
-        return said(QT_TRANSLATE_NOOP("PinTool",
-                                      "Shift keeps it straight; X, Y, Z lock an axis, numbers set the "
-                                      "amount, Esc puts the shape back"));
+        return QCoreApplication::translate("PinTool",
+                                           "Shift keeps it straight; X, Y, Z lock an axis, numbers set the "
+                                           "amount, Esc puts the shape back");
     if (moves)
-        return said(QT_TRANSLATE_NOOP(
+        return QCoreApplication::translate(
             "PinTool",
-            "Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back"));
+            "Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back");
     if (m_part) return m_gizmo.hint();
     const bool isPlaced = waits && placeGizmo();
     if (isPlaced && m_gizmo.anywhere()) return gripHint();
     if (m_hovered >= 0)
-        return said(QT_TRANSLATE_NOOP("PinTool",
-                                      "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
-                                      "Shift-click to select more"));
+        return QCoreApplication::translate(
+            "PinTool",
+            "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
+            "Shift-click to select more");
     if (isOver && m_curve.isOnCurve(m_at)) return curveHint(false);
     return isPlaced && m_over && m_gizmo.isRefusedAt(surface(), m_at) ? refusal(Grip::Kind::Turn)
                                                                       : besideHint();
@@ -50,44 +43,48 @@ QString PinTool<Dim>::gripHint() const {
     const Grip::Kind kind = m_gizmo.anywhere()->kind;
     if (!m_gizmo.canTurn()) return refusal(kind);
     return kind == Grip::Kind::Turn
-               ? said(QT_TRANSLATE_NOOP("PinTool",
-                                        "Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl "
-                                        "records it; digits set the number"))
-               : said(
-                     QT_TRANSLATE_NOOP("PinTool",
-                                       "Drag anywhere to scale what is selected, Ctrl records it; digits set "
-                                       "the number"));
+               ? QCoreApplication::translate(
+                     "PinTool",
+                     "Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl "
+                     "records it; digits set the number")
+               : QCoreApplication::translate(
+                     "PinTool",
+                     "Drag anywhere to scale what is selected, Ctrl records it; digits set "
+                     "the number");
 }
 
 /// Explains what a single point cannot do.
 template <int Dim>
 QString PinTool<Dim>::refusal(Grip::Kind kind) {
     return kind == Grip::Kind::Grow
-               ? said(QT_TRANSLATE_NOOP("PinTool", "A point cannot scale – Alt-drag to widen it"))
-               : said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
+               ? QCoreApplication::translate("PinTool", "A point cannot scale – Alt-drag to widen it")
+               : QCoreApplication::translate("PinTool", "A point cannot rotate – Alt-drag to widen it");
 }
 
 /// Returns the hint for a press outside all pins.
 template <int Dim>
 QString PinTool<Dim>::besideHint() const {
     if (m_outline.kind() == Outline::Lasso)
-        return m_adds ? said(QT_TRANSLATE_NOOP("PinTool",
-                                               "Click on the shape to set a pin, drag to bend it at once; "
-                                               "beside it, draw around pins to select them"))
-                      : said(QT_TRANSLATE_NOOP(
-                            "PinTool", "Draw around pins to select them; Shift adds, Ctrl takes away"));
+        return m_adds
+                   ? QCoreApplication::translate("PinTool",
+                                                 "Click on the shape to set a pin, drag to bend it at once; "
+                                                 "beside it, draw around pins to select them")
+                   : QCoreApplication::translate(
+                         "PinTool", "Draw around pins to select them; Shift adds, Ctrl takes away");
     if (m_outline.kind() == Outline::Brush)
-        return m_adds ? said(QT_TRANSLATE_NOOP("PinTool",
-                                               "Click on the shape to set a pin, drag to bend it at once; "
-                                               "beside it, brush over pins, [ and ] change the size"))
-                      : said(QT_TRANSLATE_NOOP("PinTool",
-                                               "Brush over pins to select them, [ and ] change the size; "
-                                               "Shift adds, Ctrl takes away"));
-    return m_adds ? said(QT_TRANSLATE_NOOP(
-                        "PinTool", "Click on the shape to set a pin, or press and drag to bend it at once"))
-                  : said(QT_TRANSLATE_NOOP("PinTool",
-                                           "Click, or draw beside pins, to select; Shift adds, Ctrl takes "
-                                           "away; drag or arrow keys move"));
+        return m_adds
+                   ? QCoreApplication::translate("PinTool",
+                                                 "Click on the shape to set a pin, drag to bend it at once; "
+                                                 "beside it, brush over pins, [ and ] change the size")
+                   : QCoreApplication::translate("PinTool",
+                                                 "Brush over pins to select them, [ and ] change the size; "
+                                                 "Shift adds, Ctrl takes away");
+    return m_adds
+               ? QCoreApplication::translate(
+                     "PinTool", "Click on the shape to set a pin, or press and drag to bend it at once")
+               : QCoreApplication::translate("PinTool",
+                                             "Click, or draw beside pins, to select; Shift adds, Ctrl takes "
+                                             "away; drag or arrow keys move");
 }
 
 template <int Dim>

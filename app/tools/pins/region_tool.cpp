@@ -10,26 +10,20 @@
 
 namespace wend {
 
-namespace {
-
-QString said(const char* text) {
-    return QCoreApplication::translate("RegionTool", text);
-}
-
-}  // namespace
-
 QString RegionTool::hint() const {
     if (m_shape == Shape::Ball)
-        return said(QT_TRANSLATE_NOOP("RegionTool",
-                                      "Drag from a point on the surface to hold a ball; Shift adds what is "
-                                      "in it to the selected handle, Ctrl takes it away"));
-    if (m_shape == Shape::Side)
-        return said(QT_TRANSLATE_NOOP(
+        return QCoreApplication::translate(
             "RegionTool",
-            "Drag from a point on the surface towards the side to hold: all that lies beyond the point"));
-    return said(QT_TRANSLATE_NOOP("RegionTool",
-                                  "Drag from a point on the surface to hold a box; Shift adds what is in it "
-                                  "to the selected handle, Ctrl takes it away"));
+            "Drag from a point on the surface to hold a ball; Shift adds what is "
+            "in it to the selected handle, Ctrl takes it away");
+    if (m_shape == Shape::Side)
+        return QCoreApplication::translate(
+            "RegionTool",
+            "Drag from a point on the surface towards the side to hold: all that lies beyond the point");
+    return QCoreApplication::translate(
+        "RegionTool",
+        "Drag from a point on the surface to hold a box; Shift adds what is in it "
+        "to the selected handle, Ctrl takes it away");
 }
 
 void RegionTool::press(const QMouseEvent& event) {
@@ -69,9 +63,9 @@ void RegionTool::take(Qt::KeyboardModifiers with) {
     const auto vertices = verticesInside<3>(region(), *session().frame<3>()->rest);
     if (vertices.empty())
         return emit session().notice(
-            said(QT_TRANSLATE_NOOP("RegionTool", "There is no vertex in this region.")));
+            QCoreApplication::translate("RegionTool", "There is no vertex in this region."));
     if (changePart<3>(surface(), vertices, with)) return;
-    session().addHandle<3>(region(), said(QT_TRANSLATE_NOOP("RegionTool", "Region")).toStdString());
+    session().addHandle<3>(region(), QCoreApplication::translate("RegionTool", "Region").toStdString());
     m_done();
 }
 

@@ -5,14 +5,6 @@
 
 namespace wend {
 
-namespace {
-
-QString said(const char* text) {
-    return QCoreApplication::translate("Tools", text);
-}
-
-}  // namespace
-
 Toolbox::Toolbox(QObject* parent) : ActionMaker(parent), m_group(new QActionGroup(this)) {
     makeModes();
     for (const ToolKind& kind : toolTable()) makeTool(kind);
@@ -39,7 +31,9 @@ void Toolbox::makeModes() {
 }
 
 void Toolbox::makeTool(const ToolKind& kind) {
-    QAction* tool = addToggle({said(kind.name), said(kind.help)}, {}, QString::fromLatin1(kind.icon));
+    QAction* tool = addToggle(
+        {QCoreApplication::translate("Tools", kind.name), QCoreApplication::translate("Tools", kind.help)},
+        {}, QString::fromLatin1(kind.icon));
     tool->setObjectName(QString::fromLatin1(kind.id));
     setKeysOf(tool, QKeySequence::listFromString(QString::fromLatin1(kind.keys)));
     m_group->addAction(tool);
