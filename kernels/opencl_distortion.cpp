@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-constexpr int kChunk = 1024;  // cells per work item of the sums
+constexpr int kChunkCells = 1024;  // cells per work item of the sums
 
 /// d! times the rest measures: what the totals are weighted with.
 template <int Dim>
@@ -47,7 +47,7 @@ struct OpenClDistortion<Dim>::Device {
     double restMeasure = 0;
 
     Device(const OpenClPlace& info, const SimplicialMesh<Dim>& rest)
-        : cl(info), cells(rest.cellCount()), chunks((cells + kChunk - 1) / kChunk) {
+        : cl(info), cells(rest.cellCount()), chunks((cells + kChunkCells - 1) / kChunkCells) {
         const cl::Program program = cl.build({"distortion.cl"}, "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
         perCell = cl::Kernel(program, "cellDistortion");
         sum = cl::Kernel(program, "sumDistortion");
@@ -64,7 +64,7 @@ struct OpenClDistortion<Dim>::Device {
     }
 
     void addTotals(Distortion& result) {
-        launch(cl.queue(), sum, chunks, cells, kChunk, values, weights, sums);
+        launch(cl.queue(), sum, chunks, cells, kChunkCells, values, weights, sums);
         std::vector<double> parts(3 * static_cast<std::size_t>(chunks));
         cl.read(sums, parts.data(), parts.size());
         for (std::size_t k = 0; k < parts.size(); k += 3) {

@@ -152,7 +152,7 @@ std::vector<Tag> tagsOf(const ColourSpace& space, const std::string& curve, bool
     return tags;
 }
 
-std::string headerOf(std::size_t size, bool grey) {
+std::string profileHeader(std::size_t size, bool grey) {
     Bytes header;
     header.number(size, 4), header.number(0, 4), header.number(0x04300000, 4);
     header.text("mntr"), header.text(grey ? "GRAY" : "RGB "), header.text("XYZ ");
@@ -178,7 +178,7 @@ std::string profileOf(std::vector<Tag> tags, bool grey) {
         if (at == std::string::npos) at = data.size(), data += tag.data;
         table.text(tag.name), table.number(begin + at, 4), table.number(length, 4);
     }
-    return headerOf(begin + data.size(), grey) + table.bytes() + data;
+    return profileHeader(begin + data.size(), grey) + table.bytes() + data;
 }
 
 /// ACES' blue has a negative y; a white must have light.

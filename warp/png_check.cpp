@@ -37,7 +37,7 @@ struct Header {
     }
 };
 
-Header headerOf(std::string_view data) {
+Header parsedHeader(std::string_view data) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(data[at]); };
     const Header header{bigEndian(data), bigEndian(data, 4), byte(8), byte(9), byte(12)};
     if (header.width < 1 || header.height < 1) throw Problem("has no pixels");
@@ -179,7 +179,7 @@ class Walk {
     }
     void takeHeader(std::uint64_t position, std::uint64_t length) {
         if (m_header || length != 13) throw Problem("has a header that makes no sense");
-        m_header = headerOf(m_file.bytes(position + 8, 13));
+        m_header = parsedHeader(m_file.bytes(position + 8, 13));
         if (const auto rows = rowsOf(*m_header); bytesIn(rows) <= kExpanded) m_trial.emplace(rows);
     }
     void takePalette(std::uint64_t length) {

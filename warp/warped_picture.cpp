@@ -65,7 +65,7 @@ std::shared_ptr<const Image> colouredAsNeeded(const Image& source, const WarpOpt
     return std::make_shared<const Image>(converted(source, layout));
 }
 
-Image headerOf(const Image& source, const View& view, bool addsAlpha) {
+Image warpedHeader(const Image& source, const View& view, bool addsAlpha) {
     return {view.width,
             view.height,
             source.channels + (addsAlpha ? 1 : 0),
@@ -141,7 +141,7 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     auto job = std::make_unique<WarpJob>();
     job->view = view;
     job->options = options;
-    job->header = headerOf(source, view, false);
+    job->header = warpedHeader(source, view, false);
     job->atRest = options.restMargin > 0 && source.alpha && options.outside == Outside::Transparent &&
                   isAtRest(source, rest, pose, view);
     job->outsideFilter = CellFilter(view.scale * Mat<2>::Identity(), options.filter, levels);
@@ -190,7 +190,7 @@ void setSource(WarpJob& job, const Pyramid& source) {
     const bool needsAlpha = !image.alpha && image.channels < 4 && job.options.outside == Outside::Transparent;
     job.source = &source;
     job.addsAlpha = needsAlpha && !coversView(job);
-    job.header = headerOf(image, job.view, job.addsAlpha);
+    job.header = warpedHeader(image, job.view, job.addsAlpha);
 }
 
 int deepestLevel(const WarpJob& job) {

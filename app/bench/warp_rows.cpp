@@ -39,8 +39,8 @@ const char* nameOf(Filter filter) {
     return kNames[static_cast<int>(filter)];
 }
 
-void addRow(BenchRecorder& recorder, const std::string& name, int threads,
-            const std::function<void()>& work) {
+void addTimedRow(BenchRecorder& recorder, const std::string& name, int threads,
+                 const std::function<void()>& work) {
     const Timing timing = measure(recorder.repeats(0.5), work);
     const double megapixels = 1e-6 * kWidth * kHeight;
     recorder.add(
@@ -73,14 +73,14 @@ void addWarpRows(BenchRecorder& recorder) {
         {", float", PixelType::Float, {Filter::Bilinear, Filter::Ewa}}};
     for (const Depth& depth : depths) {
         const Pyramid pyramid(std::make_shared<const Image>(testPicture(kWidth, kHeight, depth.type)));
-        addRow(recorder, std::string("copy") + depth.name, 1, [&] { copyOf(pyramid.base()); });
+        addTimedRow(recorder, std::string("copy") + depth.name, 1, [&] { copyOf(pyramid.base()); });
         for (const Filter filter : depth.filters)
             for (int threads : {1, 0}) {
                 WarpOptions warp;
                 warp.filter = filter;
                 warp.threads = threads;
-                addRow(recorder, std::string("warp, ") + nameOf(filter) + depth.name, threads,
-                       [&] { warpImage(pyramid, rest, pose, view, warp); });
+                addTimedRow(recorder, std::string("warp, ") + nameOf(filter) + depth.name, threads,
+                            [&] { warpImage(pyramid, rest, pose, view, warp); });
             }
     }
 }

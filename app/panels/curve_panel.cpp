@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <algorithm>
-#include <numbers>
 
 #include "app/document/design.h"
 #include "app/document/edits/curve_edits.h"
@@ -15,12 +14,6 @@
 #include "app/session/pins/curve_making.h"
 
 namespace wend {
-
-namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
-
-}  // namespace
 
 CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),

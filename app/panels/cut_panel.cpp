@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kSteps = 1000;
+constexpr int kHeightSteps = 1000;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ CutPanel::CutPanel(QWidget* parent)
     connect(m_kind, &QComboBox::activated, this, &CutPanel::kindChosen);
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
         CutPlane plane = m_plane;
-        const double height = minimum() + (maximum() - minimum()) * value / kSteps;
+        const double height = minimum() + (maximum() - minimum()) * value / kHeightSteps;
         plane.point += (height - plane.normal.dot(plane.point)) * plane.normal;
         emit planeChosen(plane);
     });
@@ -51,7 +51,7 @@ void CutPanel::makeControls() {
         connect(m_ways[k], &QToolButton::clicked, this,
                 [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); });
     }
-    m_slider->setRange(0, kSteps);
+    m_slider->setRange(0, kHeightSteps);
     describe(m_slider, tr("Place of the cut"), tr("Moves the plane through the solid."));
     m_normal = coordinateBoxes(1, 3, tr("Normal of the cut"),
                                tr("The direction that the plane faces, as x, y and z."), this);
@@ -121,7 +121,7 @@ void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Ve
     const QSignalBlocker quiet(m_slider);
     const double span = maximum() - minimum();
     if (!m_slider->isSliderDown() && span > 0)
-        m_slider->setValue(static_cast<int>(std::lround(kSteps * (height - minimum()) / span)));
+        m_slider->setValue(static_cast<int>(std::lround(kHeightSteps * (height - minimum()) / span)));
 }
 
 }  // namespace wend

@@ -19,7 +19,7 @@ namespace wend {
 
 namespace {
 
-QString number(double x) {
+QString rounded(double x) {
     return QLocale().toString(x, 'g', 4);
 }
 
@@ -38,17 +38,18 @@ QString factsText(const MeshInspection& found, const QString& unit) {
     QString lines =
         tableLine(
             FactsPanel::tr("size"),
-            with(QStringLiteral("%1 × %2 × %3").arg(number(size[0]), number(size[1]), number(size[2])), "")) +
-        tableLine(FactsPanel::tr("area"), with(number(facts.area), "²"));
-    if (found.volume > 0) lines += tableLine(FactsPanel::tr("volume"), with(number(found.volume), "³"));
-    lines +=
-        tableLine(FactsPanel::tr("triangles"), count(found.triangles > 0 ? found.triangles : 0)) +
-        tableLine(
-            FactsPanel::tr("edges"),
-            with(FactsPanel::tr("%1 to %2").arg(number(facts.shortestEdge), number(facts.longestEdge)), "")) +
-        tableLine(FactsPanel::tr("mean edge"), with(number(facts.meanEdge), "")) +
-        tableLine(FactsPanel::tr("parts"), count(facts.parts)) +
-        tableLine(FactsPanel::tr("boundary loops"), count(facts.boundaryLoops));
+            with(QStringLiteral("%1 × %2 × %3").arg(rounded(size[0]), rounded(size[1]), rounded(size[2])),
+                 "")) +
+        tableLine(FactsPanel::tr("area"), with(rounded(facts.area), "²"));
+    if (found.volume > 0) lines += tableLine(FactsPanel::tr("volume"), with(rounded(found.volume), "³"));
+    lines += tableLine(FactsPanel::tr("triangles"), count(found.triangles > 0 ? found.triangles : 0)) +
+             tableLine(
+                 FactsPanel::tr("edges"),
+                 with(FactsPanel::tr("%1 to %2").arg(rounded(facts.shortestEdge), rounded(facts.longestEdge)),
+                      "")) +
+             tableLine(FactsPanel::tr("mean edge"), with(rounded(facts.meanEdge), "")) +
+             tableLine(FactsPanel::tr("parts"), count(facts.parts)) +
+             tableLine(FactsPanel::tr("boundary loops"), count(facts.boundaryLoops));
     if (facts.genus) lines += tableLine(FactsPanel::tr("genus"), count(*facts.genus));
     if (facts.sides == 1) lines += tableLine(FactsPanel::tr("sides"), count(1));
     if (found.intersectingPairs)
@@ -170,8 +171,8 @@ void FactsPanel::showMesh(const Shape<3>& shape) {
         widget->setVisible(verdict.has_value());
     if (!verdict) return;
     const QLocale locale;
-    QString lines = tableLine(tr("worst ratio"), number(verdict->got)) +
-                    tableLine(tr("asked for"), number(verdict->asked)) +
+    QString lines = tableLine(tr("worst ratio"), rounded(verdict->got)) +
+                    tableLine(tr("asked for"), rounded(verdict->asked)) +
                     tableLine(tr("cells above"), locale.toString(verdict->cellsAbove));
     if (!verdict->facets.empty())
         lines += tableLine(tr("forced by triangles"), locale.toString(int(verdict->facets.size())));
@@ -186,7 +187,7 @@ void FactsPanel::showCage(const Shape<3>& shape) {
     allow(m_open, shape.cage->opener.helps(), tr("That would take more than a million vertices."));
     m_cage->setText(
         asTable(tr("Cage"), tableLine(tr("closed gaps"), QLocale().toString(gaps)) +
-                                tableLine(tr("narrowest"), number(shape.cage->gaps.front().width))));
+                                tableLine(tr("narrowest"), rounded(shape.cage->gaps.front().width))));
 }
 
 void FactsPanel::goToGap() {

@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <QToolButton>
 #include <cmath>
-#include <numbers>
 
 #include "app/panels/curve_panel.h"
 #include "app/panels/fields/exact_box.h"
@@ -16,12 +15,6 @@
 #include "app/panels/look/theme.h"
 
 namespace wend {
-
-namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
-
-}  // namespace
 
 HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),

@@ -9,7 +9,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kSwatch = 12;
+constexpr int kLayerSwatch = 12;
 
 /// Adds a white rim for selected rows.
 QIcon rimmed(const QPixmap& swatch) {
@@ -27,7 +27,7 @@ QIcon rimmed(const QPixmap& swatch) {
 
 template <int Dim>
 QIcon layerSwatch(const MaterialPaint<Dim>& paint) {
-    QPixmap pixmap(kSwatch, kSwatch);
+    QPixmap pixmap(kLayerSwatch, kLayerSwatch);
     pixmap.fill(paint.phi ? energyColour(stopOfPhi(*paint.phi, Dim)) : kStiffColour);
     return rimmed(pixmap);
 }
@@ -36,8 +36,8 @@ template QIcon layerSwatch<2>(const MaterialPaint<2>&);
 template QIcon layerSwatch<3>(const MaterialPaint<3>&);
 
 QIcon graySwatch() {
-    QPixmap pixmap(kSwatch, kSwatch);
-    QLinearGradient gradient(0, 0, kSwatch, 0);
+    QPixmap pixmap(kLayerSwatch, kLayerSwatch);
+    QLinearGradient gradient(0, 0, kLayerSwatch, 0);
     gradient.setColorAt(0, Qt::black);
     gradient.setColorAt(1, Qt::white);
     QPainter(&pixmap).fillRect(pixmap.rect(), gradient);

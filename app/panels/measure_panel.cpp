@@ -18,14 +18,14 @@ namespace wend {
 
 namespace {
 
-constexpr double kRounding = 1e-12;  // an error below it is none
+constexpr double kLeastError = 1e-12;  // an error below it is none
 
-QString number(double x) {
+QString inDigits(double x) {
     return QLocale().toString(x, 'g', 5);
 }
 
 QString place(const Vec<3>& p, double diagonal) {
-    const auto one = [diagonal](double x) { return number(std::abs(x) < 1e-9 * diagonal ? 0.0 : x); };
+    const auto one = [diagonal](double x) { return inDigits(std::abs(x) < 1e-9 * diagonal ? 0.0 : x); };
     return QStringLiteral("%1, %2, %3").arg(one(p.x()), one(p.y()), one(p.z()));
 }
 
@@ -43,9 +43,9 @@ QString degrees(double radians) {
 }
 
 /// Values at rest that are only rounding become zero.
-double valueOf(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int cell) {
+double shownValue(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int cell) {
     const double value = cellValue<3>(frame, velocity, measure, cell);
-    return isDistortion(measure) && std::abs(value) < kRounding ? 0 : value;
+    return isDistortion(measure) && std::abs(value) < kLeastError ? 0 : value;
 }
 
 }  // namespace
@@ -100,8 +100,8 @@ void MeasurePanel::showSizes() {
     const auto text = [](const QString& title, const SolidSize& now, const SolidSize& rest) {
         const QString both = tr("%1, at rest %2");
         return QStringLiteral("<b>%1</b><table>").arg(title.toHtmlEscaped()) +
-               tableLine(tr("volume"), both.arg(number(now.volume), number(rest.volume))) +
-               tableLine(tr("area"), both.arg(number(now.area), number(rest.area))) +
+               tableLine(tr("volume"), both.arg(inDigits(now.volume), inDigits(rest.volume))) +
+               tableLine(tr("area"), both.arg(inDigits(now.area), inDigits(rest.area))) +
                QStringLiteral("</table>");
     };
     m_whole->setText(text(tr("The whole"), sizeOf(*frame, frame->pose), sizeOf(*frame, frame->rest->points)));
@@ -137,15 +137,15 @@ void MeasurePanel::showPointed() {
     const Cell<3>& cell = frame->rest->cells[m_pointedCell];
     QString rows =
         tableLine(tr("volume"), tr("%1, at rest %2")
-                                    .arg(number(std::abs(cellMeasure<3>(frame->pose, cell))),
-                                         number(std::abs(cellMeasure<3>(frame->rest->points, cell)))));
+                                    .arg(inDigits(std::abs(cellMeasure<3>(frame->pose, cell))),
+                                         inDigits(std::abs(cellMeasure<3>(frame->rest->points, cell)))));
     const QualitySummary shape = shapeOf(frame->pose, cell);
     rows += tableLine(tr("dihedral angles"),
                       tr("%1 to %2").arg(degrees(shape.minAngle), degrees(shape.maxAngle)));
-    rows += tableLine(tr("circumradius to shortest edge"), number(shape.maxRadiusEdgeRatio));
+    rows += tableLine(tr("circumradius to shortest edge"), inDigits(shape.maxRadiusEdgeRatio));
     for (const Measure measure : measuresOf(3))
         rows += tableLine(measureName(measure, 3),
-                          measureText(measure, valueOf(*frame, velocity, measure, m_pointedCell)));
+                          measureText(measure, shownValue(*frame, velocity, measure, m_pointedCell)));
     m_cell->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Tetrahedron %1").arg(m_pointedCell)) + rows +
                     QStringLiteral("</table>"));
 }

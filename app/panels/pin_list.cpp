@@ -21,27 +21,27 @@ namespace wend {
 
 namespace {
 
-constexpr int kHeight = 92, kSwatch = 12, kSign = 24, kIcon = 16;
-constexpr int kHandle = Qt::UserRole, kGroup = Qt::UserRole + 1, kColour = Qt::UserRole + 2;
+constexpr int kListHeight = 92, kPinSwatch = 12, kSign = 24, kIcon = 16;
+constexpr int kHandleRole = Qt::UserRole, kGroupRole = Qt::UserRole + 1, kColourRole = Qt::UserRole + 2;
 
 QIcon swatch(const QColor& colour) {
-    QPixmap picture(kSwatch, kSwatch);
+    QPixmap picture(kPinSwatch, kPinSwatch);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    painter.drawEllipse(1, 1, kSwatch - 2, kSwatch - 2);
+    painter.drawEllipse(1, 1, kPinSwatch - 2, kPinSwatch - 2);
     QIcon icon(picture);
     painter.setPen(QPen(Qt::white, 1.5));  // on the accent
-    painter.drawEllipse(1, 1, kSwatch - 2, kSwatch - 2);
+    painter.drawEllipse(1, 1, kPinSwatch - 2, kPinSwatch - 2);
     painter.end();
     icon.addPixmap(picture, QIcon::Selected);
     return icon;
 }
 
 bool isHeading(const QTreeWidgetItem& item) {
-    return !item.data(PinList::Name, kHandle).isValid();
+    return !item.data(PinList::Name, kHandleRole).isValid();
 }
 
 }  // namespace
@@ -79,13 +79,13 @@ PinList::PinList(ShapeSession& session, QWidget* parent)
 }
 
 void PinList::setFills(bool fills) {
-    m_list->setMinimumHeight(kHeight);
-    m_list->setMaximumHeight(fills ? QWIDGETSIZE_MAX : kHeight);
+    m_list->setMinimumHeight(kListHeight);
+    m_list->setMaximumHeight(fills ? QWIDGETSIZE_MAX : kListHeight);
 }
 
 void PinList::makeList() {
     m_list->setObjectName(QStringLiteral("pinList"));
-    m_list->setFixedHeight(kHeight);
+    m_list->setFixedHeight(kListHeight);
     m_list->setColumnCount(Lock + 1);
     m_list->setHeaderHidden(true);
     m_list->header()->setStretchLastSection(false);
@@ -143,8 +143,9 @@ QTreeWidgetItem* PinList::headingOf(const QString& group) const {
 }
 
 std::vector<int> PinList::handlesOf(const QTreeWidgetItem& item) const {
-    if (!isHeading(item)) return {item.data(Name, kHandle).toInt()};
-    return handlesOfGroup(m_session.document().design(), item.data(Name, kGroup).toString().toStdString());
+    if (!isHeading(item)) return {item.data(Name, kHandleRole).toInt()};
+    return handlesOfGroup(m_session.document().design(),
+                          item.data(Name, kGroupRole).toString().toStdString());
 }
 
 /// The list does not change during a drag.
@@ -174,7 +175,7 @@ void PinList::showPins() {
 /// Rebuilds all rows and keeps the focus.
 void PinList::arrangeRows(const std::vector<int>& groups, std::size_t groupCount) {
     const QTreeWidgetItem* current = m_list->currentItem();
-    const int before = current && !isHeading(*current) ? current->data(Name, kHandle).toInt() : -1;
+    const int before = current && !isHeading(*current) ? current->data(Name, kHandleRole).toInt() : -1;
     m_list->clear();
     m_list->setRootIsDecorated(groupCount > 0);
     m_groups = groups;
@@ -185,7 +186,7 @@ void PinList::arrangeRows(const std::vector<int>& groups, std::size_t groupCount
         QTreeWidgetItem** heading = grouped ? &m_headings[static_cast<std::size_t>(groups[h])] : nullptr;
         if (grouped && !*heading) *heading = newRow(nullptr);
         m_rows[h] = newRow(grouped ? *heading : nullptr);
-        m_rows[h]->setData(Name, kHandle, static_cast<int>(h));
+        m_rows[h]->setData(Name, kHandleRole, static_cast<int>(h));
     }
     for (QTreeWidgetItem* heading : m_headings) heading->setFlags(heading->flags() & ~Qt::ItemIsSelectable);
     if (QTreeWidgetItem* row = rowOf(before))
@@ -210,8 +211,8 @@ void PinList::showRow(int handle) {
     const HandleTraits& traits = traitsOf(design, handle);
     if (item.text(Name) != name) item.setText(Name, name);
     const QColor colour = pinColour(handle, traits);
-    if (item.data(Name, kColour).value<QColor>() != colour) {
-        item.setData(Name, kColour, colour);
+    if (item.data(Name, kColourRole).value<QColor>() != colour) {
+        item.setData(Name, kColourRole, colour);
         item.setIcon(Name, swatch(colour));
     }
     QFont font = m_list->font();
@@ -233,7 +234,7 @@ void PinList::showHeading(QTreeWidgetItem& item, const QString& group) {
     const auto handles = handlesOfGroup(design, group.toStdString());
     const auto all = [&](auto test) { return std::all_of(handles.begin(), handles.end(), test); };
     if (item.text(Name) != group) item.setText(Name, group);
-    item.setData(Name, kGroup, group);
+    item.setData(Name, kGroupRole, group);
     const bool open = !m_folded.contains(group);
     if (item.isExpanded() != open) item.setExpanded(open);
     QFont font = m_list->font();
@@ -263,7 +264,7 @@ void PinList::takeSelection() {
     if (m_showing || m_session.document().isEmpty()) return;
     std::vector<int> handles;
     for (const QTreeWidgetItem* item : m_list->selectedItems())
-        handles.push_back(item->data(Name, kHandle).toInt());
+        handles.push_back(item->data(Name, kHandleRole).toInt());
     const QTreeWidgetItem* current = m_list->currentItem();
     if (handles.empty() && current && isHeading(*current)) handles = handlesOf(*current);
     m_session.selection().set(std::move(handles));
@@ -275,12 +276,12 @@ void PinList::rename(QTreeWidgetItem* item, int column) {
     if (m_showing || column != Name) return;
     const QString name = item->text(Name).trimmed();
     if (isHeading(*item)) {
-        const QString group = item->data(Name, kGroup).toString();
+        const QString group = item->data(Name, kGroupRole).toString();
         later([this, group, name] {
             if (!name.isEmpty()) renameGroup(m_session, group, name);
         });
     } else {
-        const int handle = item->data(Name, kHandle).toInt();
+        const int handle = item->data(Name, kHandleRole).toInt();
         later([this, handle, name] { renamePin(handle, name.toStdString()); });
     }
 }

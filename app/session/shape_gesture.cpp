@@ -14,8 +14,8 @@ namespace wend {
 
 namespace {
 
-constexpr int kTick = 20;        // milliseconds
-constexpr int kCurveSteps = 24;  // samples per curve piece for its length
+constexpr int kTickInterval = 20;  // milliseconds
+constexpr int kCurveSteps = 24;    // samples per curve piece for its length
 // Milliseconds between samples: an earlier one waits for the next, because frames beyond the screen's rate
 // waste time. Shapes that take long to compute get every sample, so that they start with the newest.
 constexpr double kPace = 12, kQuick = 25;  // milliseconds
@@ -36,7 +36,7 @@ std::vector<Amount> alongCurve(const std::vector<Vec<Dim>>& points) {
 ShapeGesture::ShapeGesture(Document& document, const Selection& selection, Playback& playback,
                            ShapeMotion& motion, const ShownPins& pins)
     : m_document(document), m_selection(selection), m_playback(playback), m_motion(motion), m_pins(pins) {
-    m_goOn.setInterval(kTick);
+    m_goOn.setInterval(kTickInterval);
     connect(&m_goOn, &QTimer::timeout, this, &ShapeGesture::goOn);
     m_waits.setSingleShot(true);
     m_waits.setInterval(kLongestWait);

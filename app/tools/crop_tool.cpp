@@ -14,7 +14,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kReach = 8;      // of a side, in pixels of the screen
+constexpr double kSideReach = 8;  // of a side, in pixels of the screen
 constexpr double kHandle = 7;     // the size of a corner's square
 constexpr double kLargest = 1e5;  // pixels of the picture
 
@@ -80,7 +80,7 @@ CropTool::Grip CropTool::gripAt(const QPointF& widget) const {
     const auto& part = m_crop.now();
     if (!part) return {};
     const Vec<2> at = toPixels(widget), a = lowOf(*part), b = highOf(*part);
-    const double reach = marked(kReach) * (toPixels(widget + QPointF(1, 0)) - at).norm();
+    const double reach = marked(kSideReach) * (toPixels(widget + QPointF(1, 0)) - at).norm();
     if (((a - at).array() > reach).any() || ((at - b).array() > reach).any()) return {};
     Grip grip;
     grip.x = std::abs(at.x() - b.x()) <= reach ? 1 : std::abs(at.x() - a.x()) <= reach ? -1 : 0;

@@ -7,7 +7,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kHeight = 24, kDot = 5;  // pixels
+constexpr double kHeight = 24, kLabelDot = 5;  // pixels
 
 /// The ground of a label; the room that is left for its text.
 QRectF paintGround(QPainter& painter, const QString& text, double before, bool isLeft = false) {
@@ -35,9 +35,9 @@ void paintRecording(QPainter& painter, const ShapeSession& session, const QPoint
     const QString text =
         QCoreApplication::translate("Recording", "%1 s").arg(QLocale().toString(seconds, 'f', 1));
     enlarged(painter, at, [&] {
-        const QRectF room = paintGround(painter, text, 2 * kDot + 4);
+        const QRectF room = paintGround(painter, text, 2 * kLabelDot + 4);
         painter.setBrush(QColor(0xff, 0x5a, 0x4d));
-        painter.drawEllipse(QPointF(room.left() - 2, room.center().y()), kDot, kDot);
+        painter.drawEllipse(QPointF(room.left() - 2, room.center().y()), kLabelDot, kLabelDot);
         painter.setPen(Qt::white);
         painter.drawText(room, Qt::AlignCenter, text);
     });

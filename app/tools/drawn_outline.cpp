@@ -12,7 +12,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kClick = 4;  // pixels
+constexpr double kClickLength = 4;  // pixels
 
 }  // namespace
 
@@ -77,7 +77,7 @@ bool DrawnOutline::isNewlyBrushed(const QPointF& p) const {
 }
 
 bool DrawnOutline::isClick() const {
-    const auto stays = [this](const QPointF& p) { return QLineF(m_line.first(), p).length() < kClick; };
+    const auto stays = [this](const QPointF& p) { return QLineF(m_line.first(), p).length() < kClickLength; };
     return m_kind != Kind::Brush && stays(m_end) && std::all_of(m_line.begin(), m_line.end(), stays);
 }
 

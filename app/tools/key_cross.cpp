@@ -6,7 +6,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kStep = 5;  // pixels
+constexpr double kCrossStep = 5;  // pixels
 
 }  // namespace
 
@@ -37,7 +37,7 @@ bool KeyCross::take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
     if (enters)
         click(*m_at);
     else
-        m_at = m_at ? *m_at + kStep * *by : surface.toWidget(middle);
+        m_at = m_at ? *m_at + kCrossStep * *by : surface.toWidget(middle);
     surface.redraw();
     return true;
 }

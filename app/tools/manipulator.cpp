@@ -14,8 +14,8 @@ namespace wend {
 namespace {
 
 constexpr double kArrow = 86, kRing = 68, kPlaneNear = 22, kPlaneFar = 40;  // pixels
-constexpr double kReach = 7;
-constexpr int kRingPieces = 72;
+constexpr double kAxisReach = 7;
+constexpr int kRotationPieces = 72;
 // Told apart by lightness too; the usual order x, y, z.
 const QColor kAxisColours[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
 const QColor kFree(235, 238, 245), kLit(250, 190, 40);
@@ -107,8 +107,8 @@ std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& s
     if (part.kind == Grip::Kind::Turn && part.axis < 0) radius = kArrow;
     const auto [u, v] = across(normalOf(part, surface));
     std::vector<Vec<3>> ring;
-    for (int i = 0; i <= kRingPieces; ++i) {
-        const double a = 2 * std::numbers::pi * i / kRingPieces;
+    for (int i = 0; i <= kRotationPieces; ++i) {
+        const double a = 2 * std::numbers::pi * i / kRotationPieces;
         ring.push_back(m_centre + radius * pixel * (std::cos(a) * u + std::sin(a) * v));
     }
     return ring;
@@ -117,7 +117,7 @@ std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& s
 std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface,
                                                      const QPointF& widget) const {
     std::optional<Part> best;
-    double nearest = marked(kReach);
+    double nearest = marked(kAxisReach);
     for (const Part& part : parts()) {
         const QPolygonF line = projected(outline(part, surface), surface);
         double distance = 1e9;

@@ -16,7 +16,7 @@ namespace wend {
 namespace {
 
 constexpr double kSnap = 5;  // pixels: distance within which a vertex is chosen
-const QColor kLine(0xd4, 0x4a, 0x7a);
+const QColor kMeasureColour(0xd4, 0x4a, 0x7a);
 
 template <int Dim>
 double length(const std::vector<Vec<Dim>>& p) {
@@ -111,7 +111,7 @@ void MeasureTool<Dim>::paint(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(255, 255, 255, 200), marked(4), Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);
-    painter.setPen(QPen(kLine, marked(2), Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(kMeasureColour, marked(2), Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);
     painter.setBrush(Qt::white);
     for (const QPointF& p : line) painter.drawEllipse(p, marked(4), marked(4));

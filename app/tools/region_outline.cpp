@@ -11,15 +11,15 @@ namespace wend {
 namespace {
 
 using Lines = std::vector<std::vector<Vec<3>>>;
-constexpr int kRingPieces = 48;
+constexpr int kCirclePieces = 48;
 
 Lines linesOf(const Ball<3>& ball, const Vec<3>&, const Vec<3>&) {
     Lines lines;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<Vec<3>> ring;
         const Vec<3> u = Vec<3>::Unit((axis + 1) % 3), v = Vec<3>::Unit((axis + 2) % 3);
-        for (int i = 0; i <= kRingPieces; ++i) {
-            const double a = 2 * std::numbers::pi * i / kRingPieces;
+        for (int i = 0; i <= kCirclePieces; ++i) {
+            const double a = 2 * std::numbers::pi * i / kCirclePieces;
             ring.push_back(ball.centre + ball.radius * (std::cos(a) * u + std::sin(a) * v));
         }
         lines.push_back(std::move(ring));
@@ -61,8 +61,8 @@ std::vector<Vec<2>> borderOf(const Polygon& polygon) {
 }
 std::vector<Vec<2>> borderOf(const Ball<2>& ball) {
     std::vector<Vec<2>> ring;
-    for (int i = 0; i < kRingPieces; ++i) {
-        const double a = 2 * std::numbers::pi * i / kRingPieces;
+    for (int i = 0; i < kCirclePieces; ++i) {
+        const double a = 2 * std::numbers::pi * i / kCirclePieces;
         ring.push_back(ball.centre + ball.radius * Vec<2>(std::cos(a), std::sin(a)));
     }
     return ring;

@@ -13,9 +13,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kSpacing = 0.3;  // of the radius
+constexpr double kDabSpacing = 0.3;  // of the radius
 constexpr double kHardnessStep = 0.1;
-constexpr double kClick = 3;          // pixels of the screen
+constexpr double kStrokeStart = 3;    // pixels of the screen
 constexpr double kHardnessWay = 200;  // pixels from wholly soft to wholly hard
 constexpr double kFace = 3;           // pixels between samples of the surface normal
 constexpr double kSteepest = 5;       // times as long as on the screen; more is an edge
@@ -47,7 +47,7 @@ bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
     Dab next{touch->place, positionOf<Dim>(touch->place, *frame->rest, frame->rest->points),
              m_brush.now().radius * surface().pixelSize(touch->point), axisAt(*frame, *touch), pressure};
     const auto near = std::find_if(m_dabs.rbegin(), m_dabs.rend(), [&](const Dab& other) {
-        return (other.rest - next.rest).norm() < kSpacing * next.radius;
+        return (other.rest - next.rest).norm() < kDabSpacing * next.radius;
     });
     const bool isNew = near == m_dabs.rend();
     const bool presses = !isNew && near == m_dabs.rbegin() && near->pressure < pressure;
@@ -66,7 +66,7 @@ void StrokeTool<Dim>::dabsTo(const QPointF& at) {
     }
     bool grown = false;
     const double leap = QLineF(m_last, at).length(), pressure = surface().pressure();
-    const int steps = std::max(1, static_cast<int>(leap / (0.5 * kSpacing * m_brush.now().radius)));
+    const int steps = std::max(1, static_cast<int>(leap / (0.5 * kDabSpacing * m_brush.now().radius)));
     for (int i = 1; i <= steps; ++i) {
         const double part = double(i) / steps;
         grown =
@@ -145,7 +145,7 @@ void StrokeTool<Dim>::move(const QMouseEvent& event) {
     }
     m_at = event.position();
     m_over = true;
-    if (m_active && m_waits && QLineF(m_last, m_at).length() >= kClick) start(m_last);
+    if (m_active && m_waits && QLineF(m_last, m_at).length() >= kStrokeStart) start(m_last);
     if (m_active && !m_waits)
         dabsTo(m_at);
     else if (!m_active)

@@ -9,9 +9,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kGrid = 32;  // pixels of the screen
-constexpr double kLong = 30;  // the fastest one's length
-constexpr double kShort = 2;  // less is no arrow
+constexpr double kArrowGrid = 32;     // pixels of the screen
+constexpr double kLong = 30;          // the fastest one's length
+constexpr double kShortestArrow = 2;  // less is no arrow
 constexpr double kHead = 6;
 const QColor kColour(54, 84, 196);
 
@@ -37,7 +37,7 @@ void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2
     if (!frame || velocity.cols() != frame->pose.cols()) return;
     const double fastest = velocity.colwise().norm().maxCoeff();
     if (!(fastest > 0)) return;
-    const double grid = marked(kGrid);
+    const double grid = marked(kArrowGrid);
     for (double y = grid / 2; y < size.height(); y += grid)
         for (double x = grid / 2; x < size.width(); x += grid) {
             const auto touch = surface.touch(QPointF(x, y));
@@ -48,7 +48,8 @@ void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2
             // The view may show the domain mirrored.
             const Vec<2> step = v / fastest * surface.pixelSize(touch->point) * marked(kLong);
             const QPointF way = surface.toWidget(touch->point + step) - surface.toWidget(touch->point);
-            if (std::hypot(way.x(), way.y()) >= marked(kShort)) paintArrow(painter, QPointF(x, y), way);
+            if (std::hypot(way.x(), way.y()) >= marked(kShortestArrow))
+                paintArrow(painter, QPointF(x, y), way);
         }
 }
 

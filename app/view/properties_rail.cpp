@@ -18,8 +18,8 @@ namespace wend {
 namespace {
 
 constexpr int kNarrowWindow = 1100;  // below it the view needs the room
-constexpr int kButton = 36, kIcon = 20;
-const QString kSetting = QStringLiteral("properties");
+constexpr int kRailButton = 36, kRailIcon = 20;
+const QString kShownSetting = QStringLiteral("properties");
 
 }  // namespace
 
@@ -28,7 +28,7 @@ PropertiesRail::PropertiesRail(Properties& properties, QAction& shown, QWidget* 
       m_properties(properties),
       m_shown(shown),
       m_column(new QVBoxLayout(this)),
-      m_wanted(QSettings().value(kSetting, true).toBool()) {
+      m_wanted(QSettings().value(kShownSetting, true).toBool()) {
     setObjectName(QStringLiteral("propertiesRail"));
     setAttribute(Qt::WA_StyledBackground);
     m_column->setContentsMargins(5, 8, 3, 8);  // its line at the left
@@ -46,8 +46,8 @@ QToolButton* PropertiesRail::buttonOf(QWidget& section) {
     if (button) return button;
     button = new QToolButton(this);
     button->setCheckable(true);
-    button->setFixedSize(kButton, kButton);
-    button->setIconSize({kIcon, kIcon});
+    button->setFixedSize(kRailButton, kRailButton);
+    button->setIconSize({kRailIcon, kRailIcon});
     button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QToolButton::clicked, this, [this, &section] { toggle(section); });
     return button;
@@ -80,7 +80,7 @@ void PropertiesRail::take(bool shown) {
         return arrange();
     }
     m_wanted = shown;
-    QSettings().setValue(kSetting, shown);
+    QSettings().setValue(kShownSetting, shown);
     close();
     arrange();
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kIdle = 500;  // milliseconds
 constexpr int kVertices = 600;
-constexpr double kMargin = 2;  // pixels
+constexpr double kTileMargin = 2;  // pixels
 
 }  // namespace
 
@@ -126,7 +126,7 @@ QPixmap TilePictures::drawnFlat(const FramePtr& frame) const {
     const Points<2>& pose = request.frame->pose;
     const Vec<2> low = pose.rowwise().minCoeff(), size = pose.rowwise().maxCoeff() - low;
     request.view.setZoomLimits(1e-9, 1e9);
-    request.view.fit(QRectF(low.x(), low.y(), size.x(), size.y()), request.size, kMargin);
+    request.view.fit(QRectF(low.x(), low.y(), size.x(), size.y()), request.size, kTileMargin);
     return QPixmap::fromImage(RenderThread::render(request));
 }
 

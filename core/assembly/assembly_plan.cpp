@@ -7,7 +7,7 @@ namespace wend {
 namespace {
 
 /// A contribution on its way to its block; facet −1: both corners lie in one cell.
-struct Contribution {
+struct PlannedContribution {
     int row, facet, left, right;
 };
 
@@ -57,7 +57,7 @@ void forContributions(const AssemblyPlan<Dim>& plan, Visit&& visit) {
 }
 
 template <int Dim>
-void appendColumn(std::vector<Contribution>& column, AssemblyPlan<Dim>& plan) {
+void appendColumn(std::vector<PlannedContribution>& column, AssemblyPlan<Dim>& plan) {
     std::stable_sort(column.begin(), column.end(),
                      [](const auto& a, const auto& b) { return a.row < b.row; });
     for (std::size_t i = 0; i < column.size(); ++i) {
@@ -80,13 +80,13 @@ void buildPattern(AssemblyPlan<Dim>& plan) {
     std::vector<std::size_t> start(plan.vertexCount + 1, 0);
     forContributions(plan, [&](int, int q, int, int, int) { ++start[q + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Contribution> all(start.back());
+    std::vector<PlannedContribution> all(start.back());
     auto next = start;
     forContributions(plan, [&](int p, int q, int left, int right, int facet) {
         all[next[q]++] = {p, facet, left, right};
     });
     plan.columnStart.assign(1, 0);
-    std::vector<Contribution> column;
+    std::vector<PlannedContribution> column;
     for (int q = 0; q < plan.vertexCount; ++q) {
         column.assign(all.begin() + static_cast<std::ptrdiff_t>(start[q]),
                       all.begin() + static_cast<std::ptrdiff_t>(start[q + 1]));

@@ -6,6 +6,10 @@
 
 namespace wend {
 
+/// Items of a piece that one thread works on: many enough to hide the hand-over, and fixed, so that partial
+/// sums do not depend on the threads.
+constexpr int kPlanGrain = 1024;
+
 /// What the assembly does, decided once per topology: the sparse pattern of A as blocks of vertex pairs, and
 /// for each nonzero block the list of its contributions in a fixed order. So every block is gathered by one
 /// thread, without atomics, and sums have the same bits whatever the threads. Flat arrays: a device takes

@@ -14,10 +14,6 @@
 namespace wend {
 namespace {
 
-// Items per piece: large enough to hide the hand-over, and fixed, so that partial sums do not depend on the
-// threads.
-constexpr int kGrain = 1024;
-
 template <int Dim>
 bool isIsotropic(const Mat<Dim>& B) {
     return (B - B(0, 0) * Mat<Dim>::Identity()).norm() <= 1e-15 * B.norm();
@@ -130,7 +126,7 @@ template <int Dim>
 int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     constexpr int kNone = std::numeric_limits<int>::max();
     std::atomic<int> firstBad = kNone;
-    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) {
             m_geometry[c] = cellGeometry<Dim>(shape, m_plan->cells[c]);
             m_geometry[c].measure *= m_orientation[c];
@@ -143,7 +139,7 @@ int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
         }
     });
     if (firstBad != kNone) return firstBad;
-    m_pool.forPieces(static_cast<int>(m_plan->facets.size()), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(static_cast<int>(m_plan->facets.size()), kPlanGrain, [&](int begin, int end) {
         for (int f = begin; f < end; ++f) {
             const auto& facet = m_plan->facets[f];
             m_facetWeight[f] =
@@ -200,7 +196,7 @@ template <int Dim>
 void CpuBackEnd<Dim>::computeCornerTerms() {
     m_T.resize(m_plan->cells.size() * kCorners);
     m_U.resize(m_T.size());
-    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) computeCornerTerms(c);
     });
 }
@@ -262,7 +258,7 @@ std::unique_ptr<BlockSource> CpuBackEnd<Dim>::blockSource() {
 template <int Dim>
 void CpuBackEnd<Dim>::assemble(std::span<double> values) {
     computeCornerTerms();
-    m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->blockCount(), kPlanGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             Mat<Dim> A = Mat<Dim>::Zero();
             for (int k = m_plan->ownStart[i]; k < m_plan->ownStart[i + 1]; ++k)
@@ -305,7 +301,7 @@ Strain<Dim> CpuBackEnd<Dim>::load(int c) const {
 /// Strain and stress of a field on every cell.
 template <int Dim>
 void CpuBackEnd<Dim>::computeFields(const Points<Dim>& v) {
-    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) {
             m_strain[c] = strain(v, c);
             m_stress[c] = m_D[c] * m_strain[c];
@@ -324,10 +320,10 @@ template <int Dim>
 void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     Av.resize(Dim, m_plan->vertexCount);
     computeFields(v);
-    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) m_load[c] = load(c);
     });
-    m_pool.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
             Vec<Dim> total = Vec<Dim>::Zero();
             for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i) {
@@ -343,11 +339,11 @@ void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
 template <int Dim>
 template <typename Item>
 double CpuBackEnd<Dim>::sum(int count, Item&& item) {
-    std::vector<double> partial((count + kGrain - 1) / kGrain, 0.0);
-    m_pool.forPieces(count, kGrain, [&](int begin, int end) {
+    std::vector<double> partial((count + kPlanGrain - 1) / kPlanGrain, 0.0);
+    m_pool.forPieces(count, kPlanGrain, [&](int begin, int end) {
         double total = 0;
         for (int i = begin; i < end; ++i) total += item(i);
-        partial[begin / kGrain] = total;
+        partial[begin / kPlanGrain] = total;
     });
     return std::accumulate(partial.begin(), partial.end(), 0.0);
 }

@@ -9,8 +9,6 @@
 namespace wend {
 namespace {
 
-constexpr int kGrain = 1024;  // as in the general back end
-
 template <int Dim>
 class IsotropicBackEnd final : public BackEnd<Dim> {
     static constexpr int kCorners = Dim + 1;
@@ -171,20 +169,20 @@ void IsotropicBackEnd<Dim>::connect() {
 
 template <int Dim>
 int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
-    std::vector<int> bad((m_cellCount + kGrain - 1) / kGrain);
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+    std::vector<int> bad((m_cellCount + kPlanGrain - 1) / kPlanGrain);
+    m_pool.forPieces(m_cellCount, kPlanGrain, [&](int begin, int end) {
         const int first = isotropic::geometry<Dim>(m_cells, begin, end, shape.data());
-        bad[begin / kGrain] = first < end ? first : m_cellCount;
+        bad[begin / kPlanGrain] = first < end ? first : m_cellCount;
     });
     for (int first : bad)
         if (first < m_cellCount) return first;
     if (m_smoothing.kind == SmoothingKind::None) return -1;
     const bool invariant = m_smoothing.kind == SmoothingKind::Invariant;
     const double factor = invariant ? m_smoothing.length * m_smoothing.length : m_smoothing.lambda;
-    m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_facetCount, kPlanGrain, [&](int begin, int end) {
         isotropic::facetWeights<Dim>(m_jump, m_facetArrays, m_cells, begin, end, shape.data(), factor);
     });
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_cellCount, kPlanGrain, [&](int begin, int end) {
         isotropic::spreadWeights<Dim>(m_jump, m_facetArrays, m_cells, begin, end);
     });
     return -1;
@@ -193,13 +191,13 @@ int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
 template <int Dim>
 void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     Av.resize(Dim, m_plan->vertexCount);
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_cellCount, kPlanGrain, [&](int begin, int end) {
         isotropic::tensors<Dim>(m_jump, m_cells, begin, end, v.data());
     });
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_cellCount, kPlanGrain, [&](int begin, int end) {
         isotropic::forces<Dim>(m_jump, m_cells, begin, end, m_force.data());
     });
-    m_pool.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
         isotropic::sumForces<Dim>(m_sumStart.data(), m_sumCorners.data(), m_force.data(), begin, end,
                                   Av.data());
         if (!m_massRegularization.empty())
@@ -288,8 +286,8 @@ template <int Dim>
 void IsotropicBackEnd<Dim>::computeTerms(Terms& terms) {
     terms.gradients.resize(static_cast<std::size_t>(m_cellCount) * kCorners * kPoint);
     terms.coefficients.resize(2 * static_cast<std::size_t>(m_cellCount + m_facetCount));
-    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) { cellTerms(begin, end, terms); });
-    m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) { facetTerms(begin, end, terms); });
+    m_pool.forPieces(m_cellCount, kPlanGrain, [&](int begin, int end) { cellTerms(begin, end, terms); });
+    m_pool.forPieces(m_facetCount, kPlanGrain, [&](int begin, int end) { facetTerms(begin, end, terms); });
 }
 
 /// Blocks of A, mass regularization included.
@@ -332,7 +330,7 @@ void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
     if (m_start.empty()) listContributions();
     computeTerms(m_terms);
     const Source source(*this, m_terms);
-    m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
+    m_pool.forPieces(m_plan->blockCount(), kPlanGrain, [&](int begin, int end) {
         source.compute({m_start.data() + begin, static_cast<std::size_t>(end - begin) + 1},
                        m_contributions.data(),
                        values.data() + static_cast<std::ptrdiff_t>(begin) * Dim * Dim);

@@ -5,12 +5,6 @@
 #include "core/energy/rest_density.h"
 
 namespace wend {
-namespace {
-
-constexpr int kGrain = 1024;  // as in the back ends
-
-}  // namespace
-
 template <int Dim>
 RestEnergy<Dim>::RestEnergy(std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
                             const Material<Dim>& material)
@@ -38,13 +32,13 @@ double RestEnergy<Dim>::energy(const Points<Dim>& shape) const {
 /// ∂W/∂x_k = V₀ ∂w/∂F g_k with the hat gradients g_k at rest, the columns of E₀⁻ᵀ; all corners' sum is zero.
 template <int Dim>
 void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers) {
-    workers.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+    workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c)
             m_force[c] = m_measure[c] * restStress<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c)) *
                          m_restInverse[c].transpose();
     });
     gradient.resize(Dim, m_plan->vertexCount);
-    workers.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
+    workers.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
             Vec<Dim> total = Vec<Dim>::Zero();
             for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i) {

@@ -17,7 +17,7 @@ bool isIdentity(const Mat<Dim>& B) {
 
 /// C − I, entry by entry (g++ 12 warns of the products of small matrices otherwise).
 template <int Dim>
-Mat<Dim> strainOf(const Mat<Dim>& F) {
+Mat<Dim> twiceGreenStrain(const Mat<Dim>& F) {
     Mat<Dim> E = F.transpose().lazyProduct(F);
     E.diagonal().array() -= 1;
     return E;
@@ -33,7 +33,7 @@ double restDensity(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
         const double angle = F.squaredNorm() * std::pow(J, -2.0 / Dim) - Dim;
         return 2 * w.q * angle + (4 * w.q / Dim + w.r) * (J - 1) * (J - 1) / J;
     }
-    const Mat<Dim> E = strainOf<Dim>(F), BE = B0 * E;
+    const Mat<Dim> E = twiceGreenStrain<Dim>(F), BE = B0 * E;
     const double dilation = 0.5 * BE.trace(), trace = B0.trace();
     return w.q * (E * BE).trace() + w.r * (Dim / trace) * dilation * dilation +
            w.q * (trace / Dim) * std::pow(J - 1, 4) / J;
@@ -41,7 +41,7 @@ double restDensity(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
 
 template <int Dim>
 Mat<Dim> restStress(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
-    const Mat<Dim> E = strainOf<Dim>(F);
+    const Mat<Dim> E = twiceGreenStrain<Dim>(F);
     if (E.norm() <= kNoStrain) return Mat<Dim>::Zero();
     const double J = F.determinant();
     const Mat<Dim> inverse = F.inverse().transpose();

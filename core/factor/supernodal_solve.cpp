@@ -131,7 +131,10 @@ bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> 
     return finite;
 }
 
-template class SupernodalFactor<float>;
-template class SupernodalFactor<double>;
+// The class is instantiated in supernodal_factor.cpp; here the functions that other files call.
+template void SupernodalFactor<float>::placeWorkspaces();
+template void SupernodalFactor<double>::placeWorkspaces();
+template bool SupernodalFactor<float>::solve(std::span<const double>, std::span<double>, WorkerPool&);
+template bool SupernodalFactor<double>::solve(std::span<const double>, std::span<double>, WorkerPool&);
 
 }  // namespace wend

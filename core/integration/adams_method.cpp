@@ -10,11 +10,11 @@ namespace {
 
 // Displacement of the fastest constrained point in the first step of an interval, relative to the size, at a
 // tolerance of 1; the error of order 1 grows with the square of the step.
-constexpr double kFirstMove = 1;
+constexpr double kFirstAdamsMove = 1;
 // Target error of the control relative to the tolerance. A whole deformation then ends with about the
 // tolerance's error, and few steps are rejected.
 constexpr double kAim = 0.1;
-constexpr double kMinimum = 0.2, kMost = 3, kMostAtStart = 4;
+constexpr double kLeastGrowth = 0.2, kMostGrowth = 3, kMostGrowthAtStart = 4;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 double growth(double error, int order) {
@@ -44,7 +44,7 @@ std::vector<double> adamsWeights(const std::vector<double>& times, double a, dou
 
 template <int Dim>
 double AdamsMethod<Dim>::firstStep(double speed) const {
-    return kFirstMove * std::sqrt(m_tolerance) / speed;
+    return kFirstAdamsMove * std::sqrt(m_tolerance) / speed;
 }
 
 /// The integral from m_from to `to` of the polynomial through the last fields.
@@ -100,7 +100,8 @@ void AdamsMethod<Dim>::retry(Pace<Dim>& pace) const {
     const bool lower = m_errors[0] < m_errors[1];
     pace.order = lower ? m_order - 1 : m_order;
     const double factor = lower ? growth(m_errors[0], m_order - 1) : growth(m_errors[1], m_order);
-    pace.step = (m_to - m_from) * (std::isfinite(factor) ? std::clamp(factor, kMinimum, 0.9) : kMinimum);
+    pace.step =
+        (m_to - m_from) * (std::isfinite(factor) ? std::clamp(factor, kLeastGrowth, 0.9) : kLeastGrowth);
 }
 
 template <int Dim>
@@ -120,7 +121,7 @@ void AdamsMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
             order = other;
         }
     }
-    factor = std::clamp(factor, kMinimum, shortened ? 1.0 : starting ? kMostAtStart : kMost);
+    factor = std::clamp(factor, kLeastGrowth, shortened ? 1.0 : starting ? kMostGrowthAtStart : kMostGrowth);
     const double wanted = (m_to - m_from) * factor;
     pace.step = cut ? std::max(wanted, pace.step) : wanted;
     pace.error = m_errors[1];

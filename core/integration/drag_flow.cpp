@@ -30,13 +30,6 @@ constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
 
 template <int Dim>
-std::shared_ptr<const SimplicialMesh<Dim>> normalized(const SimplicialMesh<Dim>& rest,
-                                                      const Normalization<Dim>& units) {
-    return std::make_shared<const SimplicialMesh<Dim>>(
-        SimplicialMesh<Dim>{units.normal(rest.points), rest.cells});
-}
-
-template <int Dim>
 std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const Normalization<Dim>& units) {
     std::vector<Handle<Dim>> result;
     for (const Handle<Dim>& handle : handles) {
@@ -77,7 +70,7 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         int threads)
     : m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
-      m_rest(normalized(*m_domainRest, m_units)),
+      m_rest(std::make_shared<const SimplicialMesh<Dim>>(m_units.normal(*m_domainRest))),
       m_twins(twinsOf<Dim>(*m_domainRest)),
       m_orientation(m_rest),
       m_constraints(*m_rest, still(handles, m_units), m_units),

@@ -10,13 +10,6 @@ namespace wend {
 
 namespace {
 
-template <int Dim>
-std::shared_ptr<const SimplicialMesh<Dim>> normalized(const SimplicialMesh<Dim>& rest,
-                                                      const Normalization<Dim>& units) {
-    return std::make_shared<const SimplicialMesh<Dim>>(
-        SimplicialMesh<Dim>{units.normal(rest.points), rest.cells});
-}
-
 /// Errors of the fields disturb the step control. With prescribed steps there is no control; the result then
 /// differs from that of exact fields by a fraction of the tolerance, so tight tolerances are still honoured.
 double velocityTolerance(const IntegrationOptions& options) {
@@ -36,7 +29,7 @@ Deformer<Dim>::Integrator::Integrator(
     : m_options(options),
       m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
-      m_rest(normalized(*m_domainRest, m_units)),
+      m_rest(std::make_shared<const SimplicialMesh<Dim>>(m_units.normal(*m_domainRest))),
       m_twins(twinsOf<Dim>(*m_domainRest)),
       m_orientation(m_rest),
       m_domainOrientation(m_domainRest),

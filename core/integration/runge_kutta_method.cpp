@@ -11,13 +11,13 @@ namespace {
 
 // Displacement of the fastest constrained point in the first step of an interval, relative to the size, at a
 // tolerance of 1e-4.
-constexpr double kFirstMove = 0.3;
+constexpr double kFirstRungeKuttaMove = 0.3;
 
 }  // namespace
 
 template <int Dim>
 double RungeKuttaMethod<Dim>::firstStep(double speed) const {
-    return kFirstMove * std::pow(m_tolerance / 1e-4, 0.2) / speed;
+    return kFirstRungeKuttaMove * std::pow(m_tolerance / 1e-4, 0.2) / speed;
 }
 
 template <int Dim>

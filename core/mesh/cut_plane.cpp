@@ -8,35 +8,36 @@
 namespace wend {
 namespace {
 
-using Corner = CutSurface::Corner;
+using CutCorner = CutSurface::Corner;
 
-Corner vertex(int id) {
+CutCorner vertex(int id) {
     return {id, id, 0};
 }
 
-void add(CutSurface& surface, const Corner& a, const Corner& b, const Corner& c, int cell, bool onCut) {
+void addTriangle(CutSurface& surface, const CutCorner& a, const CutCorner& b, const CutCorner& c, int cell,
+                 bool onCut) {
     surface.triangles.push_back({a, b, c});
     surface.cells.push_back(cell);
     surface.onCut.push_back(onCut);
 }
 
 /// A convex polygon as a fan.
-void addFan(CutSurface& surface, const std::vector<Corner>& polygon, int cell, bool onCut) {
+void addFan(CutSurface& surface, const std::vector<CutCorner>& polygon, int cell, bool onCut) {
     for (std::size_t k = 2; k < polygon.size(); ++k)
-        add(surface, polygon[0], polygon[k - 1], polygon[k], cell, onCut);
+        addTriangle(surface, polygon[0], polygon[k - 1], polygon[k], cell, onCut);
 }
 
 /// A facet seen from cells[side]: the other one looks at its back.
 void addFacet(CutSurface& surface, const Facet<3>& facet, int side, bool onCut) {
     const auto& v = facet.vertices;
     if (side == 0)
-        add(surface, vertex(v[0]), vertex(v[1]), vertex(v[2]), facet.cells[0], onCut);
+        addTriangle(surface, vertex(v[0]), vertex(v[1]), vertex(v[2]), facet.cells[0], onCut);
     else
-        add(surface, vertex(v[0]), vertex(v[2]), vertex(v[1]), facet.cells[1], onCut);
+        addTriangle(surface, vertex(v[0]), vertex(v[2]), vertex(v[1]), facet.cells[1], onCut);
 }
 
 /// The corner where the plane crosses the edge between heights of different sign.
-Corner crossing(int from, int to, const std::vector<double>& height) {
+CutCorner crossing(int from, int to, const std::vector<double>& height) {
     return {from, to, height[from] / (height[from] - height[to])};
 }
 
@@ -48,7 +49,7 @@ std::vector<double> heights(const Points<3>& pose, const CutPlane& plane) {
 
 /// The part of a boundary facet that stays (Sutherland and Hodgman's clipping of one polygon at one plane).
 void addClipped(CutSurface& surface, const Facet<3>& facet, const std::vector<double>& height) {
-    std::vector<Corner> polygon;
+    std::vector<CutCorner> polygon;
     for (int k = 0; k < 3; ++k) {
         const int a = facet.vertices[k], b = facet.vertices[(k + 1) % 3];
         if (height[a] <= 0) polygon.push_back(vertex(a));
@@ -63,14 +64,14 @@ void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Point
     std::vector<int> behind, before;
     for (int v : cell) (height[v] <= 0 ? behind : before).push_back(v);
     if (behind.empty() || before.empty()) return;
-    std::vector<Corner> polygon;
+    std::vector<CutCorner> polygon;
     for (std::size_t i = 0; i < behind.size(); ++i)
         for (std::size_t j = 0; j < before.size(); ++j) {
             // Reverses every second row, so that the corners of a quadrilateral are in cyclic order.
             const std::size_t column = i % 2 == 0 ? j : before.size() - 1 - j;
             polygon.push_back(crossing(behind[i], before[column], height));
         }
-    const auto place = [&](const Corner& c) -> Vec<3> {
+    const auto place = [&](const CutCorner& c) -> Vec<3> {
         return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
     };
     // Twice the area vector of the whole polygon: corners may coincide where the plane meets vertices.

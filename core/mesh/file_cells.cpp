@@ -62,7 +62,7 @@ double leastJacobian(const MeshFile& file, const Points<3>& points, int cell, do
 }
 
 /// −1 for cells that are numbered the other way round.
-double signOf(const MeshFile& file, int cell) {
+double orientationOf(const MeshFile& file, int cell) {
     return leastJacobian(file, file.points, cell, 1) < 0 && leastJacobian(file, file.points, cell, -1) > 0
                ? -1
                : 1;
@@ -110,7 +110,7 @@ std::vector<std::pair<std::string, int>> cellCounts(const MeshFile& file) {
 std::vector<double> cornerJacobians(const MeshFile& file, const Points<3>& points) {
     std::vector<double> jacobians;
     for (int c = 0; c < file.cells.size(); ++c)
-        if (isOfMesh(file, c)) jacobians.push_back(leastJacobian(file, points, c, signOf(file, c)));
+        if (isOfMesh(file, c)) jacobians.push_back(leastJacobian(file, points, c, orientationOf(file, c)));
     return jacobians;
 }
 

@@ -125,7 +125,7 @@ void addMaterial(Json& gltf, Buffer& buffer, const SkinMaterial& material) {
 }
 
 /// The triangles by material, in the order of the materials; those without one get the first.
-std::vector<std::vector<std::array<int, 3>>> partsOf(const GltfScene& scene) {
+std::vector<std::vector<std::array<int, 3>>> trianglesByMaterial(const GltfScene& scene) {
     std::vector<std::vector<std::array<int, 3>>> parts(std::max<std::size_t>(scene.materials.size(), 1));
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
         const int material = scene.materialOf.empty() ? 0 : std::max(0, scene.materialOf[t]);
@@ -219,7 +219,7 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
             buffer.floats(flatten(vertexNormals(scene.points, scene.triangles), zUp), 3, kArrayBuffer, false);
     Json mesh = {{"name", scene.name}, {"primitives", Json::array()}};
     int material = 0;
-    for (const auto& part : partsOf(scene)) {
+    for (const auto& part : trianglesByMaterial(scene)) {
         if (!part.empty())
             mesh["primitives"].push_back(
                 {{"attributes", attributes}, {"indices", buffer.indices(part)}, {"material", material}});

@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-std::string nameOf(const MeshGroup& group) {
+std::string groupInWords(const MeshGroup& group) {
     static const char* const kinds[] = {" (vertices)", " (lines)", " (surfaces)", " (volumes)"};
     const std::string name = group.name.empty() ? std::to_string(group.tag) : "'" + group.name + "'";
     return name + kinds[group.dimension];
@@ -52,7 +52,7 @@ std::vector<GroupFacts> groupFacts(const MeshFile& file) {
 
 std::string groupList(const MeshFile& file) {
     std::string list;
-    for (const MeshGroup& group : file.groups) list += (list.empty() ? "" : ", ") + nameOf(group);
+    for (const MeshGroup& group : file.groups) list += (list.empty() ? "" : ", ") + groupInWords(group);
     return list;
 }
 
@@ -65,8 +65,8 @@ std::vector<int> groupVertices(const MeshFile& file, const std::string& name, st
     }
     for (const MeshGroup* group : groups)
         if (group->dimension != groups[0]->dimension)
-            throw InputError("the group '" + name + "' is there as " + nameOf(*groups[0]) + " and as " +
-                             nameOf(*group) + ": `dimension` (0 to 3) says which");
+            throw InputError("the group '" + name + "' is there as " + groupInWords(*groups[0]) + " and as " +
+                             groupInWords(*group) + ": `dimension` (0 to 3) says which");
     const std::vector<char> own = ownVertices(file);
     std::set<int> vertices;
     for (const MeshGroup* group : groups) {

@@ -11,7 +11,7 @@ namespace wend {
 namespace {
 
 template <int Dim>
-DisjointSets partsOf(const SimplicialMesh<Dim>& mesh) {
+DisjointSets connectedParts(const SimplicialMesh<Dim>& mesh) {
     DisjointSets parts(mesh.vertexCount());
     for (const auto& cell : mesh.cells)
         for (int v : cell) parts.join(v, cell[0]);
@@ -57,7 +57,7 @@ JoinedParts<Dim> joinedParts(const SimplicialMesh<Dim>& mesh) {
     const std::vector<int> first = firstAtPlace<Dim>(mesh.points);
     const auto isFirst = [&, v = 0](int id) mutable { return id == v++; };
     if (std::ranges::all_of(first, isFirst)) return result;
-    DisjointSets parts = partsOf<Dim>(mesh), joined(mesh.vertexCount());
+    DisjointSets parts = connectedParts<Dim>(mesh), joined(mesh.vertexCount());
     for (const auto& [key, place] : placesOf<Dim>(mesh, first)) {
         if (place.facets.size() != 2 || place.odd[0] == place.odd[1]) continue;
         const auto &a = place.facets[0].vertices, &b = place.facets[1].vertices;

@@ -35,7 +35,7 @@ bool isSafe(char32_t code) {
     return !turns && code != 0x2028 && code != 0x2029 && code != 0xfeff;
 }
 
-std::string escaped(const char* format, unsigned value) {
+std::string asCode(const char* format, unsigned value) {
     std::array<char, 16> text{};
     std::snprintf(text.data(), text.size(), format, value);
     return text.data();
@@ -53,9 +53,9 @@ std::string printable(std::string_view text) {
         else if (text[0] == '\n' || text[0] == '\r')
             shown += ' ';
         else if (one.code < 0x80)
-            shown += escaped("\\x%02x", static_cast<unsigned char>(text[0]));
+            shown += asCode("\\x%02x", static_cast<unsigned char>(text[0]));
         else
-            shown += escaped("\\u{%x}", one.code);
+            shown += asCode("\\u{%x}", one.code);
         text.remove_prefix(length);
     }
     return shown;

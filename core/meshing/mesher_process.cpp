@@ -11,7 +11,7 @@ namespace {
 constexpr int kMegabytes = 8192;         // address space
 constexpr int kTrianglesInPart = 50000;  // see MesherProcess::secondsPerPart
 
-std::string reasonOf(const MesherProcess& mesher, const ChildResult& result, double seconds) {
+std::string failureOf(const MesherProcess& mesher, const ChildResult& result, double seconds) {
     using End = ChildResult::End;
     const std::string name = mesher.name, signal = "(signal " + std::to_string(result.code) + ")";
     switch (result.end) {
@@ -41,7 +41,7 @@ std::string answerOf(const MesherProcess& mesher, const std::string& request, in
     const double seconds = mesher.secondsPerPart * (1 + triangles / kTrianglesInPart);
     const ChildResult result =
         runChild(siblingProgram(mesher.program), request, 10 * seconds, kMegabytes, stop, seconds);
-    const std::string reason = reasonOf(mesher, result, seconds);
+    const std::string reason = failureOf(mesher, result, seconds);
     if (!reason.empty()) throw InputError(reason);
     return result.output;
 }

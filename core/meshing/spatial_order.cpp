@@ -12,16 +12,16 @@
 namespace wend {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using OrderKernel = CGAL::Simple_cartesian<double>;
 
-std::vector<Kernel::Point_2> places(const Points<2>& points) {
-    std::vector<Kernel::Point_2> result;
+std::vector<OrderKernel::Point_2> places(const Points<2>& points) {
+    std::vector<OrderKernel::Point_2> result;
     for (const auto& p : points.colwise()) result.emplace_back(p.x(), p.y());
     return result;
 }
 
-std::vector<Kernel::Point_3> places(const Points<3>& points) {
-    std::vector<Kernel::Point_3> result;
+std::vector<OrderKernel::Point_3> places(const Points<3>& points) {
+    std::vector<OrderKernel::Point_3> result;
     for (const auto& p : points.colwise()) result.emplace_back(p.x(), p.y(), p.z());
     return result;
 }
@@ -34,11 +34,11 @@ std::vector<int> curveOrder(const Points<Dim>& points, int first) {
     std::vector<int> order(at.size());
     std::iota(order.begin(), order.end(), 0);
     if constexpr (Dim == 2) {
-        using Traits = CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>;
+        using Traits = CGAL::Spatial_sort_traits_adapter_2<OrderKernel, decltype(map)>;
         CGAL::Hilbert_sort_median_2<Traits, CGAL::Sequential_tag> sort{Traits(map)};
         sort(order.begin() + first, order.end());
     } else {
-        using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(map)>;
+        using Traits = CGAL::Spatial_sort_traits_adapter_3<OrderKernel, decltype(map)>;
         CGAL::Hilbert_sort_median_3<Traits, CGAL::Sequential_tag> sort{Traits(map)};
         sort(order.begin() + first, order.end());
     }

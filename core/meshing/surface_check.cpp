@@ -14,8 +14,8 @@
 namespace wend {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+using CrossingKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CrossingPoint = CrossingKernel::Point_3;
 using Ids = std::array<int, 3>;
 
 bool indicesGood(const Surface& surface, const Ids& triangle) {
@@ -33,7 +33,7 @@ class Crossing {
   public:
     explicit Crossing(const Points<3>& points) : m_points(points) {}
 
-    Point point(int id) const { return {m_points(0, id), m_points(1, id), m_points(2, id)}; }
+    CrossingPoint point(int id) const { return {m_points(0, id), m_points(1, id), m_points(2, id)}; }
     bool flat(const Ids& t) const { return CGAL::collinear(point(t[0]), point(t[1]), point(t[2])); }
 
     bool operator()(Ids a, Ids b) const {
@@ -47,8 +47,10 @@ class Crossing {
     }
 
   private:
-    Kernel::Triangle_3 triangle(const Ids& t) const { return {point(t[0]), point(t[1]), point(t[2])}; }
-    Kernel::Segment_3 segment(int a, int b) const { return {point(a), point(b)}; }
+    CrossingKernel::Triangle_3 triangle(const Ids& t) const {
+        return {point(t[0]), point(t[1]), point(t[2])};
+    }
+    CrossingKernel::Segment_3 segment(int a, int b) const { return {point(a), point(b)}; }
 
     /// Brings the shared vertices to the front of both, in one order; returns their number.
     static int sharedFirst(Ids& a, Ids& b) {
@@ -65,7 +67,7 @@ class Crossing {
 
     /// Returns whether two triangles with a common edge are coplanar and on the same side of it.
     bool foldedOnto(const Ids& a, const Ids& b) const {
-        const Point p = point(a[0]), q = point(a[1]), r = point(a[2]), s = point(b[2]);
+        const CrossingPoint p = point(a[0]), q = point(a[1]), r = point(a[2]), s = point(b[2]);
         return CGAL::orientation(p, q, r, s) == CGAL::COPLANAR &&
                CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
     }

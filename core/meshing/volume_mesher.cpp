@@ -77,7 +77,7 @@ MesherProcess mesherFor(const VolumeMeshOptions& options) {
             "a coarser quality or a larger maxVolume may help", options.timeLimit};
 }
 
-std::string reasonOf(int tetgenError) {
+std::string reasonInWords(int tetgenError) {
     switch (tetgenError) {
         case 1:
             return "the volume mesher ran out of memory";
@@ -113,7 +113,7 @@ class VolumeMesher {
                                             m_surface.triangleCount(), m_options.stop);
         TetgenReply reply;
         if (!unpack(answer, reply)) throw InputError("the volume mesher gave an incomplete answer");
-        if (reply.error != 0) throw InputError(reasonOf(reply.error));
+        if (reply.error != 0) throw InputError(reasonInWords(reply.error));
         return read(reply);
     }
 

@@ -18,6 +18,9 @@ struct Normalization {
     Vec<Dim> normal(const Vec<Dim>& p) const { return (p - centre) / size; }
     Vec<Dim> domain(const Vec<Dim>& p) const { return centre + size * p; }
     Points<Dim> normal(const Points<Dim>& points) const { return (points.colwise() - centre) / size; }
+    SimplicialMesh<Dim> normal(const SimplicialMesh<Dim>& mesh) const {
+        return {normal(mesh.points), mesh.cells};
+    }
     Handle<Dim> normal(const Handle<Dim>& handle) const;
 };
 

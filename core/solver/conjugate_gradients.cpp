@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/solver/flat_points.h"
+
 namespace wend {
 namespace {
 
@@ -19,11 +21,6 @@ double dot(const Points<Dim>& a, const Points<Dim>& b, const PartLinks& links) {
 template <class Matrix>
 double largest(const Matrix& v, const PartLinks& links) {
     return links.largest(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0);
-}
-
-template <int Dim>
-std::span<double> flat(Points<Dim>& points) {
-    return {points.data(), static_cast<std::size_t>(points.size())};
 }
 
 /// How many iterations at a contraction bring a size under a goal.

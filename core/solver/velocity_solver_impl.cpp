@@ -7,6 +7,7 @@
 #include "core/assembly/cpu_back_end.h"
 #include "core/mesh/error.h"
 #include "core/solver/components.h"
+#include "core/solver/flat_points.h"
 #include "core/solver/stopwatch.h"
 
 namespace wend {
@@ -32,10 +33,6 @@ constexpr int kTrials = 3;  // before a factor that is dear is given up
 constexpr double kStiffestReuse = 20;
 // Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
 constexpr double kTurningRatio = 0.5;
-template <int Dim>
-std::span<double> flat(Points<Dim>& points) {
-    return {points.data(), static_cast<std::size_t>(points.size())};
-}
 
 void requireRow(const ConstraintRow& row, int vertexCount) {
     double largest = 0;

@@ -13,7 +13,7 @@ namespace {
 // three save none.
 template <int Dim>
 constexpr int kSweeps = Dim == 2 ? 10 : 3;
-constexpr int kGrain = 512;  // vertices of a piece
+constexpr int kVertexGrain = 512;  // vertices of a piece
 
 /// sign 1: b ← R b, −1: b ← Rᵀ b.
 void turn2(const std::vector<int>& vertices, const double* rotations, double sign, double* b) {
@@ -56,7 +56,7 @@ void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& t
     constexpr auto nearest = Dim == 2 ? rotations::nearestRotations2 : rotations::nearestRotations3;
     const rotations::Neighbours edges{m_start.data(), m_neighbours.data(), m_own.data()};
     const auto forAll = [&](auto&& make) {
-        workers.forPieces(static_cast<int>(m_start.size()) - 1, kGrain, make);
+        workers.forPieces(static_cast<int>(m_start.size()) - 1, kVertexGrain, make);
     };
     forAll([&](int begin, int end) { sums(edges, begin, end, from.data(), to.data(), m_rotations.data()); });
     const int sweeps = finish == Finish::Smooth ? kSweeps<Dim> : 0;

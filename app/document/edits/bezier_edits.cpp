@@ -6,9 +6,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kParallel = 1e-6;  // sine of the angle below which two directions are one
-constexpr double kSameArm = 1e-9;   // fraction of the distance between the neighbours
-constexpr double kMinShare = 0.02;  // of a piece that two are joined to
+constexpr double kParallel = 1e-6;       // sine of the angle below which two directions are one
+constexpr double kSameArm = 1e-9;        // fraction of the distance between the neighbours
+constexpr double kMinPieceShare = 0.02;  // of a piece that two are joined to
 
 /// The directions at a joint, both as they are travelled.
 template <int Dim>
@@ -70,7 +70,7 @@ double shareAt(const std::vector<Vec<Dim>>& points, int joint) {
     const double before = smooth ? in : (points[3 * joint] - points[3 * joint - 3]).norm();
     const double after = smooth ? out : (points[3 * joint + 3] - points[3 * joint]).norm();
     if (before + after == 0) return 0.5;
-    return std::clamp(before / (before + after), kMinShare, 1 - kMinShare);
+    return std::clamp(before / (before + after), kMinPieceShare, 1 - kMinPieceShare);
 }
 
 }  // namespace

@@ -11,13 +11,13 @@ namespace wend {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // a stroke over the very same places
-constexpr double kReach = 0.2;  // of the shape's size, around points
+constexpr double kSameStroke = 1e-9;  // a stroke over the very same places
+constexpr double kReach = 0.2;        // of the shape's size, around points
 
 bool hides(const std::vector<Ball<2>>& balls, const DepthRegion& region) {
     const auto* own = std::get_if<Ball<2>>(&region.shape);
     return own && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
-               return (ball.centre - own->centre).norm() + own->radius <= (1 + kSame) * ball.radius;
+               return (ball.centre - own->centre).norm() + own->radius <= (1 + kSameStroke) * ball.radius;
            });
 }
 

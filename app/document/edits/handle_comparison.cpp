@@ -10,7 +10,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-9;
 
 template <class T, class Same>
@@ -115,8 +115,7 @@ class Comparison {
     double first(const Handle<Dim>& a, const Handle<Dim>& b) const {
         if (!same(a.at, b.at) || !sameAs(a.activeFrom, b.activeFrom))
             return std::min(m_scale * a.activeFrom, b.activeFrom);
-        double first =
-            sameAs(a.activeTo, b.activeTo) ? kInfinity : std::min(m_scale * a.activeTo, b.activeTo);
+        double first = sameAs(a.activeTo, b.activeTo) ? kNever : std::min(m_scale * a.activeTo, b.activeTo);
         const std::size_t common = std::min(a.motions.size(), b.motions.size());
         std::size_t i = 0;
         while (i < common && sameMotion(a.motions[i], b.motions[i])) ++i;
@@ -165,7 +164,7 @@ template <int Dim>
 double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b, double scale) {
     const Comparison<Dim> comparison(scale);
     const std::size_t common = std::min(a.size(), b.size());
-    double first = kInfinity;
+    double first = kNever;
     for (std::size_t i = 0; i < common; ++i) first = std::min(first, comparison.first(a[i], b[i]));
     for (std::size_t i = common; i < a.size(); ++i) first = std::min(first, scale * a[i].activeFrom);
     for (std::size_t i = common; i < b.size(); ++i) first = std::min(first, b[i].activeFrom);

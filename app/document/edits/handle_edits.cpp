@@ -16,7 +16,7 @@ namespace wend {
 namespace {
 
 // Minimum fraction of the film that a gesture gets, and that it leaves to others.
-constexpr double kMinShare = 0.002;
+constexpr double kMinTimeShare = 0.002;
 
 template <int Dim>
 Design<Dim>& design(Project& project) {
@@ -186,7 +186,7 @@ std::vector<Motion<Dim>> motionsAlong(const Grip& grip, const std::vector<Amount
     return motions;
 }
 
-double lengthOf(const Gesture& gesture) {
+double gestureLength(const Gesture& gesture) {
     double length = 0;
     for (std::size_t i = 1; i < gesture.path.size(); ++i)
         length += (gesture.path[i] - gesture.path[i - 1]).norm();
@@ -195,7 +195,7 @@ double lengthOf(const Gesture& gesture) {
 
 /// Returns the time at which earlier motion ends and a gesture of path length `added` begins.
 double breakpointAfter(double before, double added, double end) {
-    return end * std::clamp(before / (before + added), kMinShare, 1 - kMinShare);
+    return end * std::clamp(before / (before + added), kMinTimeShare, 1 - kMinTimeShare);
 }
 
 /// A project with time for a gesture, and the time of each point of its path.
@@ -214,7 +214,7 @@ Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     Project before = endedAt(project, gesture.from);
     if (gesture.from <= 0) return timed(std::move(before), 0);
     const double length = pathLength<Dim>(design<Dim>(before).handles, gesture.arm);
-    const double breakpoint = breakpointAfter(length, lengthOf(gesture), project.end);
+    const double breakpoint = breakpointAfter(length, gestureLength(gesture), project.end);
     return timed(withTimesMoved(std::move(before), gesture.from, breakpoint), breakpoint);
 }
 

@@ -9,7 +9,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // a stroke over the very same places
+constexpr double kSamePlaces = 1e-9;  // a stroke over the very same places
 
 std::string strokeName() {
     return QCoreApplication::translate("Names", "Stroke").toStdString();
@@ -46,7 +46,7 @@ Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& ball
         const auto* own = std::get_if<Ball<2>>(&region.shape);
         return own && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
                    return (ball.centre - own->centre).norm() + own->radius + region.feather / 2 <=
-                          (1 + kSame) * ball.radius - feather / 2;
+                          (1 + kSamePlaces) * ball.radius - feather / 2;
                });
     };
     std::erase_if(sizes, isHidden);

@@ -14,7 +14,7 @@ std::string plain(const std::string& text) {
     return letters;
 }
 
-constexpr std::size_t kLongest = 40;     // of a key that is compared
+constexpr std::size_t kLongestKey = 40;  // of a key that is compared
 constexpr std::size_t kLeastPrefix = 3;  // letters
 
 }  // namespace
@@ -37,7 +37,7 @@ std::string nearestWord(const std::string& text, const std::vector<std::string>&
     const std::string meant = plain(text);
     std::string nearest;
     int least = std::numeric_limits<int>::max();
-    if (meant.empty() || meant.size() > kLongest) return nearest;
+    if (meant.empty() || meant.size() > kLongestKey) return nearest;
     for (const std::string& word : words) {
         const std::string known = plain(word);
         const int longer = static_cast<int>(std::max(meant.size(), known.size()));

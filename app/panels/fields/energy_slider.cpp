@@ -24,10 +24,10 @@ namespace {
 
 constexpr int kStepsPerStop = 1000;
 constexpr int kSnap = 45;
-constexpr int kHandle = 16;
+constexpr int kKnob = 16;
 constexpr int kLabelGap = 3, kBelow = 5;
-constexpr QSize kSwatch(26, 8);  // pixels
-constexpr int kColours = 8;      // pixels: how high the band of them is
+constexpr QSize kSwatchSize(26, 8);  // pixels
+constexpr int kColours = 8;          // pixels: how high the band of them is
 constexpr int kTileHeight = 76, kTileGap = 4;
 constexpr int kTileText = 54, kTileFont = 12;  // pixels: of the narrowest tile, and as in window.qss
 constexpr QSize kTilePicture(46, 48);
@@ -87,7 +87,7 @@ void EnergySlider::makeStop(int stop) {
     label->setFocusPolicy(Qt::TabFocus);
     label->setProperty("role", m_stops == Stops::Tiles ? QStringLiteral("tile") : QStringLiteral("stop"));
     label->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    label->setIconSize(m_stops == Stops::Tiles ? kTilePicture : kSwatch);
+    label->setIconSize(m_stops == Stops::Tiles ? kTilePicture : kSwatchSize);
     if (m_stops == Stops::Words) label->setIcon(swatch(stop));
     if (m_stops == Stops::Tiles) {
         label->installEventFilter(this);
@@ -107,14 +107,14 @@ void EnergySlider::makeStop(int stop) {
 
 /// The colour that it is painted with.
 QIcon EnergySlider::swatch(int stop) const {
-    QPixmap pixmap(2 * kSwatch);
+    QPixmap pixmap(2 * kSwatchSize);
     pixmap.setDevicePixelRatio(2);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(energyColour(stop)));
-    painter.drawRoundedRect(QRect(QPoint(), kSwatch), 3, 3);
+    painter.drawRoundedRect(QRect(QPoint(), kSwatchSize), 3, 3);
     return pixmap;
 }
 
@@ -254,26 +254,26 @@ int EnergySlider::tileWidth() const {
 /// The middle of a stop: of its tile, if it has one.
 int EnergySlider::stopX(int stop) const {
     if (m_stops == Stops::Tiles) return stop * (tileWidth() + kTileGap) + tileWidth() / 2;
-    const double span = width() - kHandle;
-    return static_cast<int>(std::lround(kHandle / 2.0 + span * stop / (EnergyScale::kStops - 1)));
+    const double span = width() - kKnob;
+    return static_cast<int>(std::lround(kKnob / 2.0 + span * stop / (EnergyScale::kStops - 1)));
 }
 
 /// Aligns the slider with the centres of the first and the last tile.
 void EnergySlider::placeTiles() {
     for (int i = 0; i < EnergyScale::kStops; ++i)
         m_labels[i]->setGeometry(i * (tileWidth() + kTileGap), 0, tileWidth(), kTileHeight);
-    const int from = stopX(0) - kHandle / 2, to = stopX(EnergyScale::kStops - 1) + kHandle / 2;
-    m_slider->setGeometry(from, kTileHeight + kTileGap, to - from, kHandle + 4);
+    const int from = stopX(0) - kKnob / 2, to = stopX(EnergyScale::kStops - 1) + kKnob / 2;
+    m_slider->setGeometry(from, kTileHeight + kTileGap, to - from, kKnob + 4);
 }
 
 /// Places labels below their stops without overlap: long names move the following labels right, and the last
 /// ones back left.
 void EnergySlider::placeLabels() {
-    m_slider->setGeometry(0, 0, width(), kHandle + 4);
+    m_slider->setGeometry(0, 0, width(), kKnob + 4);
     int from = 0;
     for (int i = 0; i < EnergyScale::kStops; ++i) {
         const QSize size = m_labels[i]->sizeHint();
-        m_labels[i]->setGeometry(std::max(stopX(i) - size.width() / 2, from), kHandle + kBelow, size.width(),
+        m_labels[i]->setGeometry(std::max(stopX(i) - size.width() / 2, from), kKnob + kBelow, size.width(),
                                  size.height());
         from = m_labels[i]->geometry().right() + 1 + kLabelGap;
     }
@@ -287,8 +287,8 @@ void EnergySlider::placeLabels() {
 
 QSize EnergySlider::sizeHint() const {
     m_labels[0]->ensurePolished();
-    if (m_stops == Stops::Tiles) return {220, kTileHeight + kTileGap + kHandle + 4};
-    return {220, kHandle + kBelow + m_labels[0]->sizeHint().height()};
+    if (m_stops == Stops::Tiles) return {220, kTileHeight + kTileGap + kKnob + 4};
+    return {220, kKnob + kBelow + m_labels[0]->sizeHint().height()};
 }
 
 void EnergySlider::resizeEvent(QResizeEvent*) {
@@ -303,7 +303,7 @@ void EnergySlider::paintColours(QPainter& painter) const {
     if (!isEnabled()) painter.setOpacity(kFaint);
     painter.setBrush(colours);
     const double top = m_slider->geometry().center().y() + 0.5 - kColours / 2.0;
-    painter.drawRoundedRect(QRectF(stopX(0) - kHandle / 2.0, top, width(), kColours), kColours / 2.0,
+    painter.drawRoundedRect(QRectF(stopX(0) - kKnob / 2.0, top, width(), kColours), kColours / 2.0,
                             kColours / 2.0);
 }
 
@@ -314,7 +314,7 @@ void EnergySlider::paintEvent(QPaintEvent*) {
     if (m_stops == Stops::Words) return paintColours(painter);
     painter.setBrush(palette().color(QPalette::Mid));
     for (int i = 0; i < EnergyScale::kStops; ++i)
-        painter.drawRoundedRect(QRectF(stopX(i) - 1, m_slider->y() + kHandle / 2.0 - 5, 2, 14), 1, 1);
+        painter.drawRoundedRect(QRectF(stopX(i) - 1, m_slider->y() + kKnob / 2.0 - 5, 2, 14), 1, 1);
 }
 
 }  // namespace wend

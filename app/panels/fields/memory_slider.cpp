@@ -15,18 +15,18 @@ namespace wend {
 
 namespace {
 
-constexpr int kSteps = 100;
+constexpr int kMemorySteps = 100;
 constexpr double kFully = 40;  // ρ at the slider's end: a strip returns to within 1/500 of its size
 constexpr int kPicture = 44, kSliderHeight = 22, kGap = 2;
 
 /// Evenly in effect: the residue of a closed path falls about evenly with the root of ρ.
 double memoryAt(int value) {
-    const double part = static_cast<double>(value) / kSteps;
+    const double part = static_cast<double>(value) / kMemorySteps;
     return kFully * part * part;
 }
 
-int valueOf(double memory) {
-    return static_cast<int>(std::lround(kSteps * std::sqrt(std::clamp(memory / kFully, 0.0, 1.0))));
+int stepOfMemory(double memory) {
+    return static_cast<int>(std::lround(kMemorySteps * std::sqrt(std::clamp(memory / kFully, 0.0, 1.0))));
 }
 
 /// Returns the measured residual bend after a closed path, relative to that without memory.
@@ -47,7 +47,7 @@ QPainterPath strip(const QRectF& box, double up) {
 
 MemorySlider::MemorySlider(QWidget* parent) : QWidget(parent), m_slider(new JumpSlider(this)) {
     m_slider->setObjectName(QStringLiteral("memorySlider"));
-    m_slider->setRange(0, kSteps);
+    m_slider->setRange(0, kMemorySteps);
     m_slider->setSingleStep(5);
     m_slider->setPageStep(25);
     const Row& words = option("material.memory").row;
@@ -62,7 +62,7 @@ MemorySlider::MemorySlider(QWidget* parent) : QWidget(parent), m_slider(new Jump
 void MemorySlider::setMemory(double memory) {
     m_memory = memory;
     const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(valueOf(memory));
+    m_slider->setValue(stepOfMemory(memory));
     update();
 }
 

@@ -6,6 +6,7 @@
 #include <QSpinBox>
 #include <array>
 #include <initializer_list>
+#include <numbers>
 
 class QComboBox;
 
@@ -22,7 +23,8 @@ QFrame* panelLine(QWidget* parent);
 QVBoxLayout* sectionColumn(QWidget* in);
 QVBoxLayout* bareColumn(QWidget* in, int spacing);
 QHBoxLayout* bareRow(QWidget* in, int spacing);
-constexpr int kControlWidth = 116;  // pixels
+constexpr int kControlWidth = 116;                   // pixels
+constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 /// Widgets from left to right; where one is null, the room that is left over.
 QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets);
 /// Returns a row with a label on the left and a control on the right; the label's mnemonic activates the

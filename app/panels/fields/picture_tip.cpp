@@ -16,8 +16,8 @@ namespace wend {
 
 namespace {
 
-constexpr int kHeight = 72;   // pixels of the screen
-constexpr double kSharp = 2;  // pixels of the drawing to one of these
+constexpr int kPictureHeight = 72;  // pixels of the screen
+constexpr double kSharp = 2;        // pixels of the drawing to one of these
 
 constexpr std::array<const char*, EnergyScale::kStops> kEnergies = {"energy-area", "energy-length",
                                                                     "energy-rigid", "energy-angle"};
@@ -36,7 +36,7 @@ QString imageText(const QString& name, const QPalette& palette) {
     QFile file(QStringLiteral(":/wend/tips/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly)) return {};
     QSvgRenderer drawing(inColours(file.readAll(), palette));
-    const QSizeF size = QSizeF(drawing.defaultSize()) * kHeight / drawing.defaultSize().height();
+    const QSizeF size = QSizeF(drawing.defaultSize()) * kPictureHeight / drawing.defaultSize().height();
     QImage image((kSharp * size).toSize(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);

@@ -19,19 +19,19 @@ namespace wend {
 namespace {
 
 constexpr const char* kKey = "material.smoothing.length";
-constexpr int kSteps = 100;
+constexpr int kReachSteps = 100;
 constexpr double kNear = 0.002, kFar = 0.5;  // of the shape's size
 
 /// Rounds to three digits, which is finer than the steps.
 double lengthAt(int value) {
-    const double exact = kNear * std::pow(kFar / kNear, static_cast<double>(value) / kSteps);
+    const double exact = kNear * std::pow(kFar / kNear, static_cast<double>(value) / kReachSteps);
     const double unit = std::pow(10, std::floor(std::log10(exact)) - 2);
     return std::round(exact / unit) * unit;
 }
 
-int valueOf(double length) {
+int stepOfReach(double length) {
     const double within = std::clamp(length, kNear, kFar);
-    return static_cast<int>(std::lround(kSteps * std::log(within / kNear) / std::log(kFar / kNear)));
+    return static_cast<int>(std::lround(kReachSteps * std::log(within / kNear) / std::log(kFar / kNear)));
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ int valueOf(double length) {
 ReachRow::ReachRow(Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_slider(new JumpSlider(this)) {
     m_slider->setObjectName(QStringLiteral("reachSlider"));
-    m_slider->setRange(0, kSteps);
+    m_slider->setRange(0, kReachSteps);
     m_slider->setSingleStep(2);
     m_slider->setPageStep(20);
     describe(m_slider, tr("Pull reaches"),
@@ -76,7 +76,7 @@ void ReachRow::showProject() {
     setEnabled(!paper);
     allow(m_slider, !paper, tr("This project smooths as in the paper, with λ; its file says how much."));
     const QSignalBlocker quiet(m_slider);
-    if (!m_slider->isSliderDown()) m_slider->setValue(valueOf(settingOf(project, kKey)));
+    if (!m_slider->isSliderDown()) m_slider->setValue(stepOfReach(settingOf(project, kKey)));
 }
 
 }  // namespace wend

@@ -72,8 +72,8 @@ double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return frame.distortion->angle[cell];
 }
 
-constexpr double kNothing = 1e-9;   // below: distances and speeds count as zero
-constexpr double kRounding = 1e-6;  // of distortions: less is none
+constexpr double kNothing = 1e-9;          // below: distances and speeds count as zero
+constexpr double kLeastDistortion = 1e-6;  // of distortions: less is none
 
 /// In the order of the list.
 const MeasureRow kMeasures[] = {
@@ -253,7 +253,7 @@ QString measureName(Measure measure, int dimension) {
 
 QString measureText(Measure measure, double value) {
     const MeasureRow& row = rowOf(measure);
-    if (isDistortion(measure) && std::abs(value) < kRounding) value = 0;
+    if (isDistortion(measure) && std::abs(value) < kLeastDistortion) value = 0;
     const bool plain = !*row.before && !*row.after, times = row.scale == Scale::Times;
     const bool large = std::abs(value) >= 100;  // never with an exponent
     const bool whole = (plain && value == 0) || ((plain || times) && large) || measure == Measure::Influence;
@@ -289,7 +289,7 @@ WorstPlace worstOf(const Distortion& distortion, Measure measure) {
 
 bool isDistorted(const Distortion& distortion, Measure measure) {
     const WorstPlace worst = worstOf(distortion, measure);
-    return worst.cell >= 0 && sizeOf(worst.value, rowOf(ranking(measure)).scale) >= kRounding;
+    return worst.cell >= 0 && sizeOf(worst.value, rowOf(ranking(measure)).scale) >= kLeastDistortion;
 }
 
 QString worstText(const Distortion& distortion, Measure measure, int dimension) {
@@ -299,11 +299,11 @@ QString worstText(const Distortion& distortion, Measure measure, int dimension) 
     const MeasureRow& row = rowOf(ranking(measure));
     const bool large = worst.value >= 1000,
                fixed = large || (row.scale == Scale::Ratio && worst.value >= 0.1);
-    const QString number = worst.value < kRounding ? QStringLiteral("0")
-                                                   : locale.toString(worst.value, fixed ? 'f' : 'g',
-                                                                     large   ? 0
-                                                                     : fixed ? 2
-                                                                             : 3);
+    const QString number = worst.value < kLeastDistortion ? QStringLiteral("0")
+                                                          : locale.toString(worst.value, fixed ? 'f' : 'g',
+                                                                            large   ? 0
+                                                                            : fixed ? 2
+                                                                                    : 3);
     return QCoreApplication::translate("Measure",
                                        dimension == 3 && row.solidWorst ? row.solidWorst : row.worst)
         .arg(number);

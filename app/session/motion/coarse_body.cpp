@@ -29,7 +29,7 @@ constexpr int kWorthwhile = 3;
 // Weights of less are rounding.
 constexpr double kNoWeight = 1e-9;
 // Relative to the largest second moment of the vertices: below it they are coplanar or collinear.
-constexpr double kFlat = 1e-4;
+constexpr double kFlatBody = 1e-4;
 // Rounds in which folded cells are taken apart.
 constexpr int kUnfoldings = 20;
 
@@ -161,7 +161,7 @@ class CoarseBody<Dim>::Holding {
             points.col(static_cast<Eigen::Index>(i)) = m_body.m_rest->points.col(vertices[i]);
         points.colwise() -= points.rowwise().mean().eval();
         const Vec<Dim> values = singularValues<Dim>(points * points.transpose());
-        return static_cast<int>(vertices.size()) > Dim && values[Dim - 1] > kFlat * values[0];
+        return static_cast<int>(vertices.size()) > Dim && values[Dim - 1] > kFlatBody * values[0];
     }
 
     /// Returns whether every held point has a free vertex in its cell, so that it can move by itself.

@@ -8,9 +8,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kTick = 1.0 / 60;    // seconds between two samples of a moving pointer
-constexpr double kPause = 3 * kTick;  // longer than that without a sample, it has rested
-constexpr double kLate = 0.02;        // seconds that weigh as much as the tolerance
+constexpr double kSampleTime = 1.0 / 60;    // seconds between two samples of a moving pointer
+constexpr double kPause = 3 * kSampleTime;  // longer than that without a sample, it has rested
+constexpr double kLate = 0.02;              // seconds that weigh as much as the tolerance
 
 }  // namespace
 
@@ -20,7 +20,7 @@ DragGesture::DragGesture(std::vector<int> handles, const Grip& grip, bool record
 /// The drag began a tick before its first sample, and no two samples have one time.
 int DragGesture::add(const Amount& amount, double seconds) {
     m_newest = amount;
-    if (m_samples.size() == 1) m_samples.front().seconds = seconds - kTick;
+    if (m_samples.size() == 1) m_samples.front().seconds = seconds - kSampleTime;
     m_samples.push_back({amount, std::max(seconds, m_samples.back().seconds + 1e-3)});
     return static_cast<int>(m_samples.size()) - 1;
 }
@@ -54,7 +54,7 @@ TimedPath DragGesture::timedPath(double tolerance) const {
         if (m_stopped && static_cast<int>(i) > m_followed) break;
         if (!sample.reached) continue;
         const bool rested = i > 0 && sample.seconds - m_samples[i - 1].seconds > kPause;
-        if (rested) add(Amount(points.back().head<3>()), sample.seconds - kTick);
+        if (rested) add(Amount(points.back().head<3>()), sample.seconds - kSampleTime);
         add(sample.amount, sample.seconds);
     }
     const auto rests = [](const Vec<4>& p) { return p.head<3>().isZero(0); };

@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kFlat = 1e-6;  // fraction of the extent below which points count as coplanar
+constexpr double kFlatPoints = 1e-6;  // fraction of the extent below which points count as coplanar
 
 SolidSize sizeWhere(const PosedFrame<3>& frame, const Points<3>& points, const std::vector<bool>& in) {
     const auto all = [&in](const auto& vertices) {
@@ -78,7 +78,7 @@ CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::ve
         Y.row(i) = (posed[i] - to).transpose();
     }
     if (count > Dim)
-        if (const auto [map, rank] = leastSquares<Dim, Dim>(X, Y, kFlat); rank == Dim)
+        if (const auto [map, rank] = leastSquares<Dim, Dim>(X, Y, kFlatPoints); rank == Dim)
             carrying.A = map.transpose();
     carrying.b = to - carrying.A * from;
     return carrying;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kMostLaidAside = 8e6;  // vertices of all frames
 
 /// Milliseconds since it was made or last read.
-class Stopwatch {
+class LapTimer {
   public:
     double lap() {
         const auto now = std::chrono::steady_clock::now();
@@ -186,7 +186,7 @@ std::shared_ptr<const CoarseBody<Dim>> ShapeEngineOf<Dim>::bodyOf(const BuiltPtr
 template <int Dim>
 void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
     if (!m_dragging) return;
-    Stopwatch clock;
+    LapTimer clock;
     typename LiveDrag<Dim>::Step step;
     try {
         if (m_live) step = m_live->follow(request.amount, request.time);
@@ -210,7 +210,7 @@ void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
 template <int Dim>
 void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     typename MotionPass<Dim>::Sink sink;
-    Stopwatch clock;
+    LapTimer clock;
     sink.onFrame = [&](const State<Dim>& state, double pinError) {
         const auto frame = makeFrame(m_shape, state.time, state.points, pinError);
         frame->milliseconds = clock.lap();

@@ -13,7 +13,7 @@
 namespace wend {
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 /// FNV-1a over 64 bits: tells two runs of one user apart, nothing more.
 class Digest {
@@ -73,9 +73,9 @@ void addMotionFiles(const Design<Dim>& design, Digest& digest) {
         }
 }
 
-std::string handlesDigest(const Project& project, const Json& json) {
-    Json handles = json.value("handles", Json::array());
-    for (Json& handle : handles)
+std::string handlesDigest(const Project& project, const SortedJson& json) {
+    SortedJson handles = json.value("handles", SortedJson::array());
+    for (SortedJson& handle : handles)
         for (const char* seen : {"name", "locked", "hidden", "group", "link", "colour"}) handle.erase(seen);
     Digest digest;
     digest.add(handles.dump() + std::to_string(static_cast<int>(domainOf(project).border)));
@@ -83,10 +83,10 @@ std::string handlesDigest(const Project& project, const Json& json) {
     return digest.text();
 }
 
-std::string settingsDigest(const Json& json) {
+std::string settingsDigest(const SortedJson& json) {
     Digest digest;
     for (const char* key : {"integration", "time", "settle"})
-        digest.add(json.value(key, Json()).dump() + "\n");
+        digest.add(json.value(key, SortedJson()).dump() + "\n");
     return digest.text();
 }
 
@@ -94,7 +94,7 @@ std::string settingsDigest(const Json& json) {
 
 template <int Dim>
 StatesHeader statesHeader(const Project& project, const Shape<Dim>& shape, double end) {
-    const Json json = Json::parse(toJson(project));
+    const SortedJson json = SortedJson::parse(toJson(project));
     return {Dim,
             end,
             {{"mesh", meshDigest<Dim>(*shape.rest)},

@@ -8,7 +8,7 @@ namespace wend {
 
 namespace {
 
-Vec<2> centroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
+Vec<2> triangleCentroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
     return (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3;
 }
 
@@ -25,7 +25,7 @@ std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const Sim
     if (regions.empty()) return {};
     std::vector<float> depths;
     depths.reserve(rest.cells.size());
-    for (const Cell<2>& cell : rest.cells) depths.push_back(orderAt(regions, centroid(rest, cell)));
+    for (const Cell<2>& cell : rest.cells) depths.push_back(orderAt(regions, triangleCentroid(rest, cell)));
     const bool flat = std::ranges::all_of(depths, [&](float depth) { return depth == depths.front(); });
     return flat ? std::vector<float>() : depths;
 }

@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 constexpr double kOnSide = 1e-9;  // of the frame's size
-enum Side : unsigned { Inside = 0, LeftOrRight = 1, TopOrBottom = 2, Corner = 3 };
+enum BorderSide : unsigned { Inside = 0, LeftOrRight = 1, TopOrBottom = 2, Corner = 3 };
 
 unsigned sideOf(const Vec<2>& p, const Vec<2>& frame) {
     const double tolerance = kOnSide * frame.norm();
@@ -30,7 +30,7 @@ bool takes(const Placement<2>& at, int vertex, const Vec<2>& p, double tolerance
                                [&](const Vec<2>& q) { return (p - q).norm() <= tolerance; });
 }
 
-/// Returns for each Side the vertices that no handle holds.
+/// Returns for each BorderSide the vertices that no handle holds.
 std::array<std::vector<int>, 4> freeBorder(const std::vector<Handle<2>>& handles,
                                            const SimplicialMesh<2>& rest, const Vec<2>& frame) {
     std::array<std::vector<int>, 4> border;

@@ -82,9 +82,9 @@ class Centres {
 
 /// Lays layers upon a material, each a run of regions of one name.
 template <int Dim>
-class Layers {
+class MaterialLayers {
   public:
-    Layers(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
+    MaterialLayers(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
         : m_rest(rest), m_folder(folder), m_centres(rest), m_material(material) {}
 
     void lay(std::span<const MaterialRegion<Dim>> regions) {
@@ -165,14 +165,14 @@ Stiffness<Dim> stiffnessOf(const Mat<Dim>& B) {
 template <int Dim>
 void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
                 const std::string& folder, Material<Dim>& material) {
-    Layers<Dim>(rest, folder, material).lay(regions);
+    MaterialLayers<Dim>(rest, folder, material).lay(regions);
 }
 
 template <int Dim>
 std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder) {
     auto material = Material<Dim>::uniform(rest.cellCount(), phi::kMetr);
-    Layers<Dim> layers(rest, folder, material);
+    MaterialLayers<Dim> layers(rest, folder, material);
     layers.layLayer(layer, true);
     return layers.cover();
 }

@@ -25,8 +25,8 @@ namespace {
 constexpr double kCut = 2;       // pixels of the screen: a cut while it is drawn
 constexpr double kSlit = 0.002;  // pixels of the picture: wide enough to separate parts, too thin to be seen
 constexpr double kClose = 8;     // pixels of the screen
-constexpr double kDetail = 0.5;  // pixels of the screen that the drawn outline may deviate
-constexpr double kSmallest = 9;  // pixels² of the picture: parts and holes below it are noise
+constexpr double kOutlineDetail = 0.5;  // pixels of the screen that the drawn outline may deviate
+constexpr double kSmallest = 9;         // pixels² of the picture: parts and holes below it are noise
 constexpr QRgb kAway = 0xB3261E;
 constexpr double kThin = 3;               // pixels of the screen below which a shape counts as a line
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
@@ -240,9 +240,9 @@ Outline OutlineTool::slit(double tolerance) const {
 
 Outline OutlineTool::piece() const {
     const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
-    if (m_shape == Shape::Cut) return slit(kDetail * pixel);
+    if (m_shape == Shape::Cut) return slit(kOutlineDetail * pixel);
     const Outline clean = combined(inPicture(area()), {}, OutlineOperation::Add);
-    return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
+    return m_shape == Shape::Polygon ? clean : simplified(clean, kOutlineDetail * pixel);
 }
 
 /// Judges by the mean width: twice the area divided by the length of the border.

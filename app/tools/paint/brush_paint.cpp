@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kSame = 1e-9;
+constexpr double kSameValue = 1e-9;
 constexpr double kNear = 0.25;  // of the shape's extent
 
 QString stopName(double phi, int dimension) {
@@ -78,8 +78,9 @@ template <int Dim>
 bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
     if (region.pictures.any() || std::holds_alternative<Blend<Dim>>(region.shape)) return false;
     if (brush.target == BrushTarget::Keep)
-        return region.phi && !region.stiffness && std::abs(*region.phi - brush.phi) < kSame;
-    return region.stiffness && !region.phi && std::abs(region.stiffness->ratio / brush.ratio - 1) < kSame;
+        return region.phi && !region.stiffness && std::abs(*region.phi - brush.phi) < kSameValue;
+    return region.stiffness && !region.phi &&
+           std::abs(region.stiffness->ratio / brush.ratio - 1) < kSameValue;
 }
 
 /// Hidden layers are skipped: nobody would see the paint.

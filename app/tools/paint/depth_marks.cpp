@@ -14,7 +14,7 @@ namespace wend {
 namespace {
 
 constexpr double kHatch = 0.35, kBadge = 18,
-                 kSmallest = 60;  // opacity; pixels; pixels² of a part with a badge
+                 kSmallestPart = 60;  // opacity; pixels; pixels² of a part with a badge
 
 /// A connected part of one order on the screen.
 struct Part {
@@ -80,7 +80,7 @@ void paintDepths(QPainter& painter, const PosedFrame<2>& frame, const std::vecto
     }
     painter.restore();
     for (const auto& [root, part] : parts) {
-        if (part.area < kSmallest) continue;
+        if (part.area < kSmallestPart) continue;
         // The centroid of a part may be outside of it.
         const QPointF middle = part.weighted / part.area;
         QPointF best;

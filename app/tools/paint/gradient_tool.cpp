@@ -17,8 +17,8 @@ namespace wend {
 
 namespace {
 
-constexpr double kShortest = 4;  // pixels: less is a click
-constexpr double kReach = 9;     // of a handle
+constexpr double kShortest = 4;     // pixels: less is a click
+constexpr double kHandleReach = 9;  // of a handle
 
 /// Maps a place at rest to the pose; outside the shape by the offset from the nearest vertex.
 template <int Dim>
@@ -80,7 +80,7 @@ template <int Dim>
 std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(const QPointF& at) const {
     std::optional<Handle> found;
     for (const Handle& one : handles())
-        if (QLineF(surface().toWidget(one.seen), at).length() <= marked(kReach)) found = one;
+        if (QLineF(surface().toWidget(one.seen), at).length() <= marked(kHandleReach)) found = one;
     return found;
 }
 

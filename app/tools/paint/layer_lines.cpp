@@ -17,8 +17,8 @@ namespace {
 
 using Line = std::vector<Vec<2>>;
 
-constexpr int kRingPieces = 64;
-constexpr double kStep = 1.0 / 400;  // of the shape's extent: the shape may be bent under a line
+constexpr int kEdgePieces = 64;
+constexpr double kLineStep = 1.0 / 400;  // of the shape's extent: the shape may be bent under a line
 
 QPainterPath pathOf(const Line& corners) {
     QPolygonF polygon;
@@ -91,10 +91,10 @@ void addRing(std::vector<Line>& lines, const Cover& cover, std::size_t own) {
         return Vec<2>(ball->centre + radius * Vec<2>(std::cos(a), std::sin(a)));
     };
     const auto isCovered = [&](double a) { return cover.hides(at(a), own); };
-    constexpr double kPiece = 2 * std::numbers::pi / kRingPieces;
+    constexpr double kPiece = 2 * std::numbers::pi / kEdgePieces;
     Line piece;
     bool before = isCovered(0);
-    for (int i = 0; i <= kRingPieces; ++i) {
+    for (int i = 0; i <= kEdgePieces; ++i) {
         const double a = kPiece * i;
         const bool now = isCovered(a);
         if (now != before)
@@ -168,7 +168,7 @@ RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialM
 
 std::vector<Line> carriedLine(const Line& line, const SimplicialMesh<2>& rest, const PointLocator<2>& locator,
                               const Points<2>& pose) {
-    const double step = kStep * boundingBoxDiagonal<2>(rest.points);
+    const double step = kLineStep * boundingBoxDiagonal<2>(rest.points);
     std::vector<Line> pieces(1);
     const auto add = [&](const Vec<2>& p) {
         if (const auto place = locator.find(p))

@@ -18,8 +18,8 @@ namespace wend {
 
 namespace {
 
-constexpr double kStiff = 1.01;  // less is as everywhere
-constexpr double kSame = 1e-9;   // relative to the material
+constexpr double kStiffFrom = 1.01;     // less is as everywhere
+constexpr double kSameMaterial = 1e-9;  // relative to the material
 constexpr QRgb kEraser = 0xff5c5f69;
 
 template <int Dim>
@@ -39,8 +39,8 @@ template <int Dim>
 bool isSame(const Material<Dim>& a, const Material<Dim>& b) {
     for (std::size_t c = 0; c < a.phi.size(); ++c) {
         const int cell = static_cast<int>(c);
-        if (std::abs(a.phi[c] - b.phi[c]) > kSame) return false;
-        if ((anisotropyAt(a, cell) - anisotropyAt(b, cell)).norm() > kSame) return false;
+        if (std::abs(a.phi[c] - b.phi[c]) > kSameMaterial) return false;
+        if ((anisotropyAt(a, cell) - anisotropyAt(b, cell)).norm() > kSameMaterial) return false;
     }
     return true;
 }
@@ -179,7 +179,7 @@ Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::s
     const BrushSettings& now = brush().now();
     const Mat<Dim> B = thereAt(dabs[i]);
     const Stiffness<Dim> there = stiffnessOf<Dim>(B);
-    const bool isStiff = there.ratio > kStiff;
+    const bool isStiff = there.ratio > kStiffFrom;
     const double amount = amountOf(dabs[i]);
     Mat<Dim> aim = Mat<Dim>::Identity();
     if (deed() == Deed::Smooth) {

@@ -13,15 +13,16 @@ namespace wend {
 
 namespace {
 
-constexpr double kGrid = 40;              // pixels of the screen
-constexpr double kStiff = 1.05;           // less shows no direction
-constexpr double kShort = 6, kLong = 18;  // pixels, half of the long axis
-constexpr double kLongAt = 100;           // the ratio where it does not grow any more
+constexpr double kMarkGrid = 40;                  // pixels of the screen
+constexpr double kLeastStiffness = 1.05;          // less shows no direction
+constexpr double kShortAxis = 6, kLongAxis = 18;  // pixels, half of the long axis
+constexpr double kLongAt = 100;                   // the ratio where it does not grow any more
 
 }  // namespace
 
 double markLength(double ratio) {
-    return marked(kShort + (kLong - kShort) * std::clamp(std::log(ratio) / std::log(kLongAt), 0.0, 1.0));
+    return marked(kShortAxis +
+                  (kLongAxis - kShortAxis) * std::clamp(std::log(ratio) / std::log(kLongAt), 0.0, 1.0));
 }
 
 void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& size) {
@@ -29,14 +30,14 @@ void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& s
     if (!frame || frame->material->anisotropy.empty()) return;
     QColor fill(kStiffColour);
     fill.setAlphaF(0.25F);
-    const double grid = marked(kGrid);
+    const double grid = marked(kMarkGrid);
     for (double y = grid / 2; y < size.height(); y += grid)
         for (double x = grid / 2; x < size.width(); x += grid) {
             const auto touch = surface.touch(QPointF(x, y));
             if (!touch) continue;
             const int cell = touch->place.cell;
             const Stiffness<2> stiffness = stiffnessOf<2>(frame->material->anisotropy[cell]);
-            if (stiffness.ratio < kStiff) continue;
+            if (stiffness.ratio < kLeastStiffness) continue;
             const Vec<2> along = cellRotation<2>(*frame, cell) * stiffness.axis;
             // The view may show the domain mirrored.
             const QPointF way = surface.toWidget(touch->point + along) - surface.toWidget(touch->point);

@@ -1,6 +1,7 @@
 #include "app/tools/pins/curve_editor.h"
 
 #include <QCoreApplication>
+#include <QLineF>
 #include <algorithm>
 #include <utility>
 
@@ -13,14 +14,10 @@ namespace wend {
 
 namespace {
 
-constexpr double kReach = 8;      // pixels, of points
-constexpr double kLineReach = 6;  // pixels, of the curve
-constexpr int kSamples = 48;      // of a piece, to look for the place nearest to the pointer
-const QColor kLine(0xd4, 0x7a, 0x1e);
-
-double distance(const QPointF& a, const QPointF& b) {
-    return QLineF(a, b).length();
-}
+constexpr double kCurvePointReach = 8;  // pixels, of points
+constexpr double kLineReach = 6;        // pixels, of the curve
+constexpr int kSearchSamples = 48;      // of a piece, to look for the place nearest to the pointer
+const QColor kCurveColour(0xd4, 0x7a, 0x1e);
 
 }  // namespace
 
@@ -114,9 +111,9 @@ template <int Dim>
 int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
     const auto all = points();
     int best = -1;
-    double nearest = marked(kReach);
+    double nearest = marked(kCurvePointReach);
     for (int i = 1; i < static_cast<int>(all.size()); ++i) {
-        const double d = distance(m_surface.toWidget(all[i]), widget);
+        const double d = QLineF(m_surface.toWidget(all[i]), widget).length();
         if (d < nearest) nearest = d, best = i;
     }
     return best;
@@ -131,14 +128,14 @@ typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget
     const auto pieces = curveOf<Dim>(*own).pieces;
     for (int k = 0; k < static_cast<int>(pieces.size()); ++k) {
         QPointF before = m_surface.toWidget(pieces[k].value(0) + by);
-        for (int i = 1; i <= kSamples; ++i) {
-            const QPointF after = m_surface.toWidget(pieces[k].value(double(i) / kSamples) + by);
+        for (int i = 1; i <= kSearchSamples; ++i) {
+            const QPointF after = m_surface.toWidget(pieces[k].value(double(i) / kSearchSamples) + by);
             const QPointF along = after - before;
             const double size = QPointF::dotProduct(along, along);
             const double t =
                 size > 0 ? std::clamp(QPointF::dotProduct(widget - before, along) / size, 0.0, 1.0) : 0;
-            const double d = distance(widget, before + t * along);
-            if (d < best.distance) best = {k, (i - 1 + t) / kSamples, d};
+            const double d = QLineF(widget, before + t * along).length();
+            if (d < best.distance) best = {k, (i - 1 + t) / kSearchSamples, d};
             before = after;
         }
     }
@@ -293,10 +290,10 @@ void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
     const Vec<Dim> by = shift();
     QPolygonF line;
     for (const auto& piece : curveOf<Dim>(*own).pieces)
-        for (int i = 0; i <= kSamples; ++i)
-            line << m_surface.toWidget(piece.value(double(i) / kSamples) + by);
+        for (int i = 0; i <= kSearchSamples; ++i)
+            line << m_surface.toWidget(piece.value(double(i) / kSearchSamples) + by);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(kLine, marked(1.75)));
+    painter.setPen(QPen(kCurveColour, marked(1.75)));
     painter.drawPolyline(line);
 }
 
@@ -308,16 +305,16 @@ void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
     QPolygonF screen;
     for (const Vec<Dim>& p : all) screen << m_surface.toWidget(p);
     const bool bezier = curve()->interpolation == Interpolation::Bezier;
-    painter.setPen(QPen(kLine, marked(1.25)));
+    painter.setPen(QPen(kCurveColour, marked(1.25)));
     for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions
         painter.drawLine(screen[i], screen[i + 1]);
         painter.drawLine(screen[i + 2], screen[i + 3]);
     }
     for (int i = 1; i < screen.size(); ++i) {
-        const double r = marked(distance(screen[i], pointer) < marked(kReach) ? 5.5 : 4.5);
+        const double r = marked(QLineF(screen[i], pointer).length() < marked(kCurvePointReach) ? 5.5 : 4.5);
         painter.setPen(
             QPen(i == chosen() ? QColor(kAccent) : QColor(Qt::white), marked(i == chosen() ? 2.25 : 1.25)));
-        painter.setBrush(i == chosen() ? QColor(Qt::white) : kLine);
+        painter.setBrush(i == chosen() ? QColor(Qt::white) : kCurveColour);
         if (bezier && i % 3 == 0)
             painter.drawRect(QRectF(screen[i].x() - r, screen[i].y() - r, 2 * r, 2 * r));
         else

@@ -17,9 +17,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kDetail = 0.75;     // pixels of the screen that an outline may deviate
-constexpr double kLongestEdge = 12;  // pixels of the screen: the shape may be bent under it
-constexpr std::size_t kMinHeld = 3;  // vertices
+constexpr double kPartDetail = 0.75;  // pixels of the screen that an outline may deviate
+constexpr double kLongestEdge = 12;   // pixels of the screen: the shape may be bent under it
+constexpr std::size_t kMinHeld = 3;   // vertices
 
 double sizeOf(const QPolygonF& polygon) {
     double twice = 0;
@@ -79,7 +79,7 @@ Polygon atRest(ToolSurface& surface, const QPolygonF& outline) {
     }
     const double pixel = (surface.toShape({1, 0}) - surface.toShape({0, 0})).norm();
     points.push_back(points.front());
-    points = simplified<2>(points, kDetail * pixel);
+    points = simplified<2>(points, kPartDetail * pixel);
     points.pop_back();
     return {points};
 }

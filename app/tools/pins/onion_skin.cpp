@@ -17,10 +17,10 @@ namespace wend {
 namespace {
 
 constexpr int kEachWay = 3;
-constexpr double kSpacing = 0.1;  // of the film
+constexpr double kSkinSpacing = 0.1;  // of the film
 const QColor kPast(0xd9, 0x82, 0x2b), kFuture(0x1e, 0x8f, 0xb5);
 constexpr double kTints[kEachWay] = {0.18, 0.12, 0.06};
-constexpr double kLine = 1.5;                  // pixels
+constexpr double kOutlineWidth = 1.5;          // pixels
 constexpr double kLineStrength = 3.5;          // of an outline, against the tint
 constexpr std::size_t kMostTriangles = 60000;  // of an embedded surface; of a finer one the solid is shown
 
@@ -83,7 +83,7 @@ std::vector<typename OnionSkin<Dim>::Layer> OnionSkin<Dim>::layers(ShapeSession&
     if (!m_shown || !shown || playback.isPlaying() || playback.end() <= 0) return layers;
     for (int k = kEachWay; k > 0; --k)
         for (const int side : {-1, 1}) {
-            const double time = playback.time() + side * k * kSpacing * playback.end();
+            const double time = playback.time() + side * k * kSkinSpacing * playback.end();
             if (time < 0 || time > playback.end()) continue;
             const auto frame = posed<Dim>(session.track().at(time));
             if (!frame || frame->rest != shown->rest) continue;
@@ -203,7 +203,7 @@ void OnionSkin<Dim>::paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface) {
         takeBoundary(*layer.frame);
         QColor colour = layer.colour;
         colour.setAlphaF(static_cast<float>(kLineStrength) * colour.alphaF());
-        painter.setPen(QPen(colour, kLine));
+        painter.setPen(QPen(colour, kOutlineWidth));
         for (const QPolygonF& line : outline(*layer.frame, surface)) painter.drawPolyline(line);
     }
 }

@@ -1,6 +1,7 @@
 #include "app/tools/pins/pen_tool.h"
 
 #include <QCoreApplication>
+#include <QLineF>
 #include <algorithm>
 
 #include "app/session/colours.h"
@@ -12,15 +13,11 @@ namespace wend {
 
 namespace {
 
-constexpr double kReach = 9;  // pixels of the screen, of pins
-constexpr double kSame = 4;   // of the last point
-constexpr double kDrag = 3;
-constexpr int kSamples = 32;  // of a piece that is painted
-const QColor kLine(0xd4, 0x7a, 0x1e);
-
-double distance(const QPointF& a, const QPointF& b) {
-    return QLineF(a, b).length();
-}
+constexpr double kPenReach = 9;   // pixels of the screen, of pins
+constexpr double kSamePoint = 4;  // of the last point
+constexpr double kArmDrag = 3;
+constexpr int kPaintedSamples = 32;  // of a piece that is painted
+const QColor kPathColour(0xd4, 0x7a, 0x1e);
 
 bool takesBack(const QKeyEvent& event) {
     return event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Delete ||
@@ -58,7 +55,7 @@ template <int Dim>
 int PenTool<Dim>::pinAt(const QPointF& widget) const {
     PinPick pick;
     for (const PinView<Dim>& pin : session().template pins<Dim>())
-        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= marked(kReach))
+        if (const double d = QLineF(surface().toWidget(pin.centre), widget).length(); d <= marked(kPenReach))
             pick.offer(pin.handle, d, false);
     return pick.handle();
 }
@@ -76,7 +73,7 @@ Vec<Dim> PenTool<Dim>::nextPlace() const {
 
 template <int Dim>
 bool PenTool<Dim>::isOnLast(const QPointF& widget) const {
-    return distance(last(), widget) <= marked(kSame);
+    return QLineF(last(), widget).length() <= marked(kSamePoint);
 }
 
 /// Begins a path at the pin under the pointer, or at the selected ones; returns false if there is none.
@@ -143,7 +140,7 @@ void PenTool<Dim>::press(const QMouseEvent& event) {
 template <int Dim>
 void PenTool<Dim>::move(const QMouseEvent& event) {
     takePointer(event);
-    if (m_pressed && isDrawing() && distance(m_at, m_from) >= kDrag)
+    if (m_pressed && isDrawing() && QLineF(m_at, m_from).length() >= kArmDrag)
         pullDirections(event.modifiers() & Qt::AltModifier);
     surface().redraw();
 }
@@ -206,9 +203,11 @@ void PenTool<Dim>::paint(QPainter& painter) const {
     QPolygonF line;
     if (joints.size() > 1)
         for (const auto& piece : bezierCurve<Dim>(bezierThrough<Dim>(joints)).pieces)
-            for (int i = 0; i <= kSamples; ++i) line << surface().toWidget(piece.value(double(i) / kSamples));
+            for (int i = 0; i <= kPaintedSamples; ++i)
+                line << surface().toWidget(piece.value(double(i) / kPaintedSamples));
     painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(QColor(255, 255, 255, 216), marked(3.75)), QPen(kLine, marked(1.75))}) {
+    for (const QPen& pen :
+         {QPen(QColor(255, 255, 255, 216), marked(3.75)), QPen(kPathColour, marked(1.75))}) {
         painter.setPen(pen);
         painter.drawPolyline(line);
     }
@@ -219,8 +218,8 @@ void PenTool<Dim>::paint(QPainter& painter) const {
 template <int Dim>
 void PenTool<Dim>::paintJoints(QPainter& painter) const {
     const DrawnJoint<Dim>& last = m_joints.back();
-    painter.setPen(QPen(kLine, marked(1.25)));
-    painter.setBrush(kLine);
+    painter.setPen(QPen(kPathColour, marked(1.25)));
+    painter.setBrush(kPathColour);
     for (const Vec<Dim>& way : {last.in, last.out}) {
         if (way.isZero()) continue;
         const QPointF end = surface().toWidget(last.at + way);
@@ -231,7 +230,7 @@ void PenTool<Dim>::paintJoints(QPainter& painter) const {
         const QPointF at = surface().toWidget(joint.at);
         const bool isLast = &joint == &last;
         painter.setPen(QPen(isLast ? QColor(kAccent) : QColor(Qt::white), marked(isLast ? 2.25 : 1.25)));
-        painter.setBrush(isLast ? QColor(Qt::white) : kLine);
+        painter.setBrush(isLast ? QColor(Qt::white) : kPathColour);
         const double r = marked(4.5);
         painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
     }

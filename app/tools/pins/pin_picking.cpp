@@ -10,12 +10,12 @@ namespace wend {
 
 namespace {
 
-constexpr double kReach = 9;       // pixels of the screen
+constexpr double kPinReach = 9;    // pixels of the screen
 constexpr double kPointReach = 5;  // of single points of a handle of many
 constexpr double kWayReach = 5;
 constexpr double kGhostReach = 5;  // smaller for inactive handles, because a new pin may be intended
 // fraction of the shape's size within which a visible point is the place itself
-constexpr double kSame = 1e-3;
+constexpr double kSamePlace = 1e-3;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ bool isCovered<2>(ToolSurface& surface, const PinView<2>& pin, std::size_t point
         surface.touch(surface.toWidget(positionOf<2>(pin.places[point], *frame->rest, frame->pose)));
     return seen && (positionOf<2>(seen->place, *frame->rest, rest) -
                     positionOf<2>(pin.places[point], *frame->rest, rest))
-                           .norm() > kSame * frame->diagonal;
+                           .norm() > kSamePlace * frame->diagonal;
 }
 
 template <>
@@ -54,7 +54,7 @@ int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through) {
     };
     PinPick marks, ghosts;
     for (const PinView<Dim>& pin : surface.session().template pins<Dim>())
-        if (const double d = distance(pin); d <= marked(kReach))
+        if (const double d = distance(pin); d <= marked(kPinReach))
             marks.offer(pin.handle, d, !through && isMarkCovered<Dim>(surface, pin));
     if (marks.handle() >= 0) return marks.handle();
     for (const PinView<Dim>& ghost : surface.session().template ghosts<Dim>())

@@ -1,6 +1,7 @@
 #include "app/tools/pins/pin_ring.h"
 
 #include <QCoreApplication>
+#include <QLineF>
 #include <cmath>
 
 #include "app/session/colours.h"
@@ -11,14 +12,10 @@ namespace wend {
 namespace {
 
 constexpr double kRadius = 44, kDot = 5, kSquare = 4;  // pixels
-constexpr double kReach = 9, kRingReach = 5;
+constexpr double kGripReach = 9, kRingReach = 5;
 constexpr double kMinFactor = 0.05;
 constexpr double kMiddle =
     16;  // pixels; nearer to the middle a direction means little, and a factor too much
-
-double distance(const QPointF& a, const QPointF& b) {
-    return QLineF(a, b).length();
-}
 
 }  // namespace
 
@@ -35,12 +32,12 @@ QPointF PinRing::spot(Grip::Kind kind, const QPointF& centre) const {
 std::optional<PinRing::Part> PinRing::partAt(const ToolSurface& surface, const QPointF& widget) const {
     const QPointF centre = surface.toWidget(m_centre);
     for (const auto kind : {Grip::Kind::Turn, Grip::Kind::Grow})
-        if (m_canTurn && distance(spot(kind, centre), widget) <= marked(kReach)) return Part{kind};
+        if (m_canTurn && QLineF(spot(kind, centre), widget).length() <= marked(kGripReach)) return Part{kind};
     return {};
 }
 
 bool PinRing::isRefusedAt(const ToolSurface& surface, const QPointF& widget) const {
-    const double radius = distance(surface.toWidget(m_centre), widget);
+    const double radius = QLineF(surface.toWidget(m_centre), widget).length();
     return !m_canTurn && std::abs(radius - marked(kRadius)) <= marked(kRingReach);
 }
 
@@ -55,14 +52,14 @@ void PinRing::begin(const Part& part, const ToolSurface& surface, const QPointF&
     m_startPoint = surface.toShape(widget);
     m_angle = m_turned = 0;
     m_lastAngle = angleAt(surface, widget);
-    const double radius = distance(surface.toWidget(m_centre), widget);
+    const double radius = QLineF(surface.toWidget(m_centre), widget).length();
     m_startDistance = std::max(radius, kMiddle);
     m_lead = m_startDistance - radius;
 }
 
 /// Returns the pointer's angle around the centre; nothing if it is too close.
 std::optional<double> PinRing::angleAt(const ToolSurface& surface, const QPointF& widget) const {
-    if (distance(surface.toWidget(m_centre), widget) < kMiddle) return {};
+    if (QLineF(surface.toWidget(m_centre), widget).length() < kMiddle) return {};
     const Vec<2> arm = surface.toShape(widget) - m_centre;
     return std::atan2(arm.y(), arm.x());
 }
@@ -81,7 +78,7 @@ Amount PinRing::drag(const ToolSurface& surface, const QPointF& widget, bool sna
         return amountOf<2>(m_way);
     }
     if (m_part.kind == Grip::Kind::Grow) {
-        const double radius = distance(surface.toWidget(m_centre), widget);
+        const double radius = QLineF(surface.toWidget(m_centre), widget).length();
         return {std::max((radius + m_lead) / m_startDistance, kMinFactor) - 1, 0, 0};
     }
     if (const auto angle = angleAt(surface, widget)) {

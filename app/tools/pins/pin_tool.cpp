@@ -1,5 +1,6 @@
 #include "app/tools/pins/pin_tool.h"
 
+#include <QLineF>
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +15,7 @@ namespace {
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 constexpr double kTurnDetail = 0.005;  // radians, or a factor: tolerance of recorded rotations and scalings
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
-constexpr double kDrag = 3;            // pixels: less is a click
-
-double distance(const QPointF& a, const QPointF& b) {
-    return QLineF(a, b).length();
-}
+constexpr double kPinDrag = 3;         // pixels: less is a click
 
 /// Returns the step of an arrow key: pixels of the picture, whose axes are those of the screen …
 Vec<2> nudgeOf(ToolSurface& surface, const Vec<2>&, const QPointF& by) {
@@ -142,7 +139,7 @@ template <int Dim>
 void PinTool<Dim>::move(const QMouseEvent& event) {
     takePointer(event);
     if (m_gesture == Gesture::None) hover();
-    const bool drags = distance(m_at, m_from) >= kDrag;
+    const bool drags = QLineF(m_at, m_from).length() >= kPinDrag;
     if (m_gesture == Gesture::OnCurve && drags) m_gesture = Gesture::Pressed;
     if (m_gesture == Gesture::Pressed && drags) begin();
     if (m_gesture == Gesture::Marquee) m_outline.goOn(m_at);

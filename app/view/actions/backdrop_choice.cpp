@@ -7,7 +7,7 @@ namespace wend {
 
 namespace {
 
-const QString kSetting = QStringLiteral("backdrop");
+const QString kBackdropSetting = QStringLiteral("backdrop");
 
 }  // namespace
 
@@ -19,7 +19,7 @@ BackdropChoice::BackdropChoice(QObject* parent)
         {{tr("&White"), tr("White behind the shape, to see dark edges")}, QColor(Qt::white)},
         {{tr("&Grey"), tr("Grey behind the shape")}, QColor(128, 128, 128)},
         {{tr("&Black"), tr("Black behind the shape, to see light edges")}, QColor(Qt::black)}};
-    const int remembered = QSettings().value(kSetting, 0).toInt();
+    const int remembered = QSettings().value(kBackdropSetting, 0).toInt();
     for (const auto& [words, colour] : choices) {
         QAction* one = addToggle(words, {});
         one->setData(colour);
@@ -34,7 +34,7 @@ QColor BackdropChoice::colour() const {
 }
 
 void BackdropChoice::choose(const QAction* chosen) {
-    QSettings().setValue(kSetting, m_group->actions().indexOf(chosen));
+    QSettings().setValue(kBackdropSetting, m_group->actions().indexOf(chosen));
     emit changed(colour());
 }
 

@@ -10,7 +10,7 @@ namespace wend {
 
 namespace {
 
-const QString kSetting = QStringLiteral("language");
+const QString kLanguageSetting = QStringLiteral("language");
 
 struct Language {
     const char *code, *name;
@@ -20,7 +20,7 @@ constexpr Language kLanguages[] = {{"de", "Deutsch"},  {"en", "English"}, {"es",
 
 /// Returns the code from the settings; empty for the desktop's language.
 QString chosenCode() {
-    const QString kept = QSettings().value(kSetting).toString();
+    const QString kept = QSettings().value(kLanguageSetting).toString();
     for (const Language& one : kLanguages)
         if (kept == QLatin1String(one.code)) return kept;
     return {};
@@ -79,7 +79,7 @@ LanguageChoice::LanguageChoice(QObject* parent)
 }
 
 void LanguageChoice::choose(const QString& code) {
-    QSettings().setValue(kSetting, code);
+    QSettings().setValue(kLanguageSetting, code);
     if (code != m_spoken) emit changed(tr("The language changes when Wend starts the next time."));
 }
 

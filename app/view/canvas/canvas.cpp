@@ -14,7 +14,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kMargin = 36;
+constexpr double kFitMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
 constexpr int kRefineInDrag = 400;
 constexpr int kMarksEvery = 20;       // without a frame
@@ -256,7 +256,7 @@ void ShapeCanvas::fitTo(Fitted what) {
 
 /// Fits the original picture if a new one was opened: the shape may be about to change.
 void ShapeCanvas::fitView() {
-    m_view.fit(m_fitted == Fitted::Pose ? fittedRect() : frameRect(), size(), kMargin);
+    m_view.fit(m_fitted == Fitted::Pose ? fittedRect() : frameRect(), size(), kFitMargin);
     showView();
 }
 

@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-constexpr int kBandRows = 32;
+constexpr int kFilledRows = 32;
 constexpr int kPlaces = 64;  // in a pixel of the outline
 
 /// Returns the first pixel whose centre is at or after x.
@@ -42,7 +42,7 @@ Vec<2> middleOf(std::uint64_t samples) {
 }
 
 /// Returns the bounds of the visible points in whole pixels.
-QRect boxOf(const Points<2>& points, const QSize& size) {
+QRect pixelBoxOf(const Points<2>& points, const QSize& size) {
     if (points.cols() == 0) return {};
     const auto bounded = [](double x, int most) { return std::clamp(x, -1.0, most + 1.0); };
     const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
@@ -86,13 +86,13 @@ CellFiller::CellFiller(const QSize& size, const PaintingPlan& plan, const Points
         const QPointF p = toPixels.map(QPointF(points(0, i), points(1, i)));
         m_points.col(i) = Vec<2>(p.x(), p.y());
     }
-    const QRect box = boxOf(m_points, size);
+    const QRect box = pixelBoxOf(m_points, size);
     if (box.isEmpty()) return;
     m_at = box.topLeft();
     m_points.colwise() -= Vec<2>(m_at.x(), m_at.y());
     m_layer = QImage(box.size(), QImage::Format_ARGB32_Premultiplied);
     m_layer.fill(Qt::transparent);
-    m_outline = OutlinePixels(plan, m_points, box.width(), box.height(), kBandRows);
+    m_outline = OutlinePixels(plan, m_points, box.width(), box.height(), kFilledRows);
 }
 
 /// Calls run(y, x, first, last) for the pixels of each row, from x on, whose centres are in the triangle.
@@ -113,7 +113,8 @@ void CellFiller::forRows(const TriangleRows& rows, const Run& run) {
 template <class ColourAt>
 void CellFiller::addPieces(const TriangleRows& rows, const ColourAt& colourAt) {
     const double high = std::min<double>(m_layer.height(), rows.bottom());
-    for (int band = static_cast<int>(std::max(0.0, rows.top())) / kBandRows; band * kBandRows < high; ++band)
+    for (int band = static_cast<int>(std::max(0.0, rows.top())) / kFilledRows; band * kFilledRows < high;
+         ++band)
         m_outline.visit(band, rows, [&](int index, std::uint64_t samples) {
             const auto& pixel = m_outline.pixels(band)[static_cast<std::size_t>(index)];
             m_pieces.push_back({band, index, samples, colourAt(pixel, samples)});
@@ -176,7 +177,7 @@ void CellFiller::fillBetween(const Cell<2>& cell, const std::array<Value, 3>& co
 void CellFiller::layOutline(QImage& image, Extent extent) {
     std::ranges::stable_sort(m_pieces, {}, [](const Piece& p) { return std::pair(p.band, p.pixel); });
     auto piece = m_pieces.cbegin();
-    for (int band = 0; band * kBandRows < m_layer.height(); ++band)
+    for (int band = 0; band * kFilledRows < m_layer.height(); ++band)
         for (const auto& pixel : m_outline.pixels(band)) {
             const auto first = piece;
             while (piece != m_pieces.cend() && piece->band == band && piece->pixel == pixel.index) ++piece;

@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kSeen = 0.5;  // drawn pixels that a shape which moves may be drawn off
+constexpr double kDrawnOff = 0.5;  // drawn pixels that a shape which moves may be drawn off
 
 std::shared_ptr<const SimplicialMesh<2>> restOf(const RenderRequest& request) {
     const auto& rest = request.texture ? request.texture->rest : request.frame->rest;
@@ -257,7 +257,7 @@ void RenderThread::chooseCells(RenderRequest& request) {
     const bool moves = request.filter == Filter::Bilinear && request.frame && request.frame->live;
     if (!moves || !request.picture) return;
     const double pixel = 1 / (request.view.zoom() * request.scale());
-    request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, kSeen * pixel);
+    request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, kDrawnOff * pixel);
 }
 
 QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) {

@@ -13,13 +13,13 @@ namespace {
 constexpr PixelLayout kLayouts[] = {{PixelType::UInt8, 4, true, false}, {PixelType::UInt8, 4, true, true}};
 
 /// NaN becomes black.
-float bounded(float value) {
+float clampedPart(float value) {
     return std::fmin(std::fmax(value, 0.0F), 1.0F);
 }
 
 /// Encodes scene-linear light (half and float files) as sRGB.
 float encoded(float linear) {
-    const float x = bounded(linear);
+    const float x = clampedPart(linear);
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
 
@@ -27,11 +27,11 @@ float encoded(float linear) {
 void putPixel(const Image& from, const float* pixel, std::uint8_t* to) {
     const bool linear = from.type == PixelType::Half || from.type == PixelType::Float;
     const int colours = from.colours();
-    const float alpha = from.alpha ? bounded(pixel[colours]) : 1.0F;
+    const float alpha = from.alpha ? clampedPart(pixel[colours]) : 1.0F;
     const float weight = from.unassociated || alpha <= 0 ? 1.0F : alpha;  // that the colours carry
     for (int c = 0; c < 3; ++c) {
         const float value = pixel[colours >= 3 ? c : 0] / weight;
-        to[c] = toPixel<std::uint8_t>(255 * weight * (linear ? encoded(value) : bounded(value)));
+        to[c] = toPixel<std::uint8_t>(255 * weight * (linear ? encoded(value) : clampedPart(value)));
     }
     to[3] = toPixel<std::uint8_t>(255 * alpha);
 }

@@ -15,7 +15,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kMargin = 12;  // around the picture in its frame
+constexpr int kFrameMargin = 12;  // around the picture in its frame
 
 /// The same part of the plane with fewer pixels.
 View smaller(const View& view, const QSize& room) {
@@ -70,7 +70,7 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const ScreenP
     draw.view.setPointsUp(draw.texture ? A.determinant() < 0 : !picture);
     draw.view.setZoomLimits(1e-9, 1e9);
     const Vec<2> size = extent.high - extent.low;
-    draw.view.fit({extent.low.x(), extent.low.y(), size.x(), size.y()}, request.room, kMargin);
+    draw.view.fit({extent.low.x(), extent.low.y(), size.x(), size.y()}, request.room, kFrameMargin);
     return RenderThread::render(draw);
 }
 
@@ -98,13 +98,14 @@ ExportPreview::ExportPreview(QWidget* parent, const QSize& least, const QSize& w
 }
 
 QSize ExportPreview::room() const {
-    return (QSizeF(size() - QSize(2 * kMargin, 2 * kMargin)) * devicePixelRatioF())
+    return (QSizeF(size() - QSize(2 * kFrameMargin, 2 * kFrameMargin)) * devicePixelRatioF())
         .toSize()
         .expandedTo({16, 16});
 }
 
 QRectF ExportPreview::place() const {
-    const QSizeF frame = QSizeF(this->size()).shrunkBy({kMargin, kMargin, kMargin, kMargin});
+    const QSizeF frame =
+        QSizeF(this->size()).shrunkBy({kFrameMargin, kFrameMargin, kFrameMargin, kFrameMargin});
     QSizeF size = m_image.deviceIndependentSize();
     if (size.boundedTo(frame) != size) size.scale(frame, Qt::KeepAspectRatio);
     return {QPointF(std::round((width() - size.width()) / 2), std::round((height() - size.height()) / 2)),

@@ -24,12 +24,12 @@ namespace wend {
 
 namespace {
 
-constexpr int kSmallest = 16, kLargest = 20000;  // pixels; drawn in tiles
-constexpr int kFilmRole = Qt::UserRole + 1;      // of a format's entry: whether it is a film
-constexpr int kTyped = 9999999;                  // larger numbers can be typed and are then rejected
+constexpr int kLeastPixels = 16, kMostPixels = 20000;  // pixels; drawn in tiles
+constexpr int kIsFilmRole = Qt::UserRole + 1;          // of a format's entry: whether it is a film
+constexpr int kTyped = 9999999;                        // larger numbers can be typed and are then rejected
 
 bool fits(const QSpinBox* box) {
-    return box->value() >= kSmallest && box->value() <= kLargest;
+    return box->value() >= kLeastPixels && box->value() <= kMostPixels;
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ void PictureDialog::addFormats() {
         m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
     if (m_seconds <= 0) return;
     m_format->addItem(QStringLiteral("Animated WebP"), QStringLiteral(".webp"));
-    m_format->setItemData(m_format->count() - 1, true, kFilmRole);
+    m_format->setItemData(m_format->count() - 1, true, kIsFilmRole);
 }
 
 void PictureDialog::describeControls() {
@@ -162,7 +162,7 @@ void PictureDialog::check() {
     const QLocale locale;
     m_note->setText(good ? QString()
                          : tr("Width and height must be between %1 and %2 pixels.")
-                               .arg(locale.toString(kSmallest), locale.toString(kLargest)));
+                               .arg(locale.toString(kLeastPixels), locale.toString(kMostPixels)));
     m_note->setVisible(!good);
     m_write->setEnabled(good);
     m_transparent->setEnabled(holdsAlpha("view" + extension().toStdString()));
@@ -181,7 +181,7 @@ QString PictureDialog::filter() const {
 }
 
 bool PictureDialog::isFilm() const {
-    return m_format->currentData(kFilmRole).toBool();
+    return m_format->currentData(kIsFilmRole).toBool();
 }
 
 PictureChoice PictureDialog::choice() const {

@@ -28,7 +28,7 @@ namespace {
 
 using Topic = InfoBanner::Topic;
 
-constexpr int kMostRecent = 10;
+constexpr int kMostRemembered = 10;
 
 QString words(const std::exception& error) {
     return said(error);
@@ -370,7 +370,7 @@ void FileWorkflow::addRecent(const QString& path) {
     QStringList paths = recent();
     paths.removeAll(path);
     paths.prepend(path);
-    settings.setValue("recent", paths.mid(0, kMostRecent));
+    settings.setValue("recent", paths.mid(0, kMostRemembered));
     emit recentChanged();
 }
 

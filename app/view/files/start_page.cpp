@@ -20,9 +20,9 @@ namespace wend {
 
 namespace {
 
-constexpr int kWidth = 940;
+constexpr int kPageWidth = 940;
 constexpr int kMostSamples = 6;
-constexpr int kMostRecent = 6;
+constexpr int kMostCards = 6;
 
 /// The large dashed target.
 class DropArea : public QWidget {
@@ -108,7 +108,7 @@ void empty(QLayout& layout) {
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* page = new QWidget(this);  // scrolls where the window is small
     auto* content = new QWidget(page);
-    content->setMaximumWidth(kWidth);
+    content->setMaximumWidth(kPageWidth);
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(24, 16, 24, 16);
     column->setSpacing(12);
@@ -228,7 +228,7 @@ void StartPage::setRecent(const QStringList& paths) {
     if (paths.isEmpty()) return;
     m_recent->addWidget(sectionTitle(tr("Recent"), m_recentBox));
     auto* shelf = new Shelf(m_recentBox);
-    for (const QString& path : paths.mid(0, kMostRecent)) shelf->add(makeCard(path, false, shelf));
+    for (const QString& path : paths.mid(0, kMostCards)) shelf->add(makeCard(path, false, shelf));
     m_recent->addWidget(shelf);
 }
 
@@ -238,7 +238,7 @@ void StartPage::setLost(const QList<LostWork>& lost) {
     if (lost.isEmpty()) return;
     m_lost->addWidget(sectionTitle(tr("Not saved when Wend ended"), m_lostBox));
     auto* shelf = new Shelf(m_lostBox);
-    for (const LostWork& work : lost.mid(0, kMostRecent)) shelf->add(makeLost(work, shelf));
+    for (const LostWork& work : lost.mid(0, kMostCards)) shelf->add(makeLost(work, shelf));
     m_lost->addWidget(shelf);
 }
 

@@ -33,7 +33,7 @@ QImage smallPictureOf(const QImage& image) {
 }
 
 /// Returns a key that changes with the file.
-QByteArray stampOf(const QString& file) {
+QByteArray pictureStamp(const QString& file) {
     const QFileInfo info(file);
     return file.toUtf8() + '\n' + QByteArray::number(info.size()) + '\n' +
            QByteArray::number(info.lastModified().toMSecsSinceEpoch()) + '\n';
@@ -42,7 +42,7 @@ QByteArray stampOf(const QString& file) {
 /// Returns the path of a file's thumbnail.
 QString placeOf(const QString& path, const ProjectLook& look, const QString& folder) {
     const QByteArray name =
-        QCryptographicHash::hash(stampOf(path) + stampOf(look.picture), QCryptographicHash::Sha1);
+        QCryptographicHash::hash(pictureStamp(path) + pictureStamp(look.picture), QCryptographicHash::Sha1);
     return QDir(folder).filePath(QString::fromLatin1(name.toHex()) + QStringLiteral(".png"));
 }
 

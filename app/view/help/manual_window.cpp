@@ -25,7 +25,7 @@ const char* kFolder = ":/wend/docs";
 
 constexpr int kWidest = 800, kTallest = 520;  // pixels: a picture that fits without scrolling
 constexpr int kBeside = 340, kSpace = 16;     // pixels: width of a picture beside text, and its distance
-constexpr int kMargin = 20;                   // pixels around a page
+constexpr int kPageMargin = 20;               // pixels around a page
 
 /// Reads a page; empty if there is none.
 void readPage(const QUrl& page, QTextDocument& into) {
@@ -96,7 +96,9 @@ QString withPictures(const QString& html) {
 /// The pages of the manual. They are compiled in; their pictures are files beside the program.
 class ManualPages : public QTextBrowser {
   public:
-    explicit ManualPages(QWidget* parent) : QTextBrowser(parent) { document()->setDocumentMargin(kMargin); }
+    explicit ManualPages(QWidget* parent) : QTextBrowser(parent) {
+        document()->setDocumentMargin(kPageMargin);
+    }
 
   protected:
     /// Converts Markdown to HTML first, because Markdown tables are laid out again for every cell.
@@ -109,7 +111,7 @@ class ManualPages : public QTextBrowser {
         if (type != QTextDocument::ImageResource) return html(name);
         QImage image(picturePath(name.fileName()));
         const bool beside = isBeside(image.size());
-        const int widest = beside ? kBeside : std::min(kWidest, viewport()->width() - 2 * kMargin);
+        const int widest = beside ? kBeside : std::min(kWidest, viewport()->width() - 2 * kPageMargin);
         const QSize room = QSize(widest, kTallest) * devicePixelRatioF();
         if (image.width() > room.width() || image.height() > room.height())
             image = image.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation);

@@ -17,7 +17,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kWidth = 340, kMargin = 16;  // pixels
+constexpr int kCardWidth = 340, kCardMargin = 16;  // pixels
 constexpr int kHooves = 4;
 
 }  // namespace
@@ -142,10 +142,10 @@ void Tutorial::follow() {
 }
 
 void Tutorial::place() {
-    const int width = std::min(kWidth, parentWidget()->width() - 2 * kMargin);
+    const int width = std::min(kCardWidth, parentWidget()->width() - 2 * kCardMargin);
     setFixedWidth(width);
     resize(width, heightForWidth(width));
-    move(kMargin, kMargin);  // where the giraffe is not
+    move(kCardMargin, kCardMargin);  // where the giraffe is not
 }
 
 bool Tutorial::eventFilter(QObject* watched, QEvent* event) {

@@ -6,7 +6,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kDelay = 150;  // milliseconds
+constexpr int kBusyDelay = 150;  // milliseconds
 
 }  // namespace
 
@@ -19,7 +19,7 @@ BusyNote::BusyNote(QWidget& over) : QLabel(&over) {
     hide();
     over.installEventFilter(this);
     m_delay.setSingleShot(true);
-    m_delay.setInterval(kDelay);
+    m_delay.setInterval(kBusyDelay);
     connect(&m_delay, &QTimer::timeout, this, [this] {
         place();
         show();

@@ -19,13 +19,13 @@ namespace {
 constexpr double kMostInk = 0.4;    // of what the strokes enclose
 constexpr double kThickest = 0.04;  // of the picture's diagonal: the mean width of a stroke
 
-struct Measure {
+struct InkMeasure {
     double area = 0, length = 0;
 };
 
 /// Even and odd: holes count against what they lie in.
-Measure measured(const Outline& outline) {
-    Measure sum;
+InkMeasure measured(const Outline& outline) {
+    InkMeasure sum;
     for (const auto& loop : outline.loops) {
         sum.area += loopArea(loop);
         for (std::size_t k = 0; k < loop.size(); ++k)
@@ -43,9 +43,9 @@ bool isLineArt(const Image& picture, const AlphaOutlineOptions& outline) {
         AlphaOutlineOptions strokes = outline;
         strokes.margin = 0;
         strokes.holes = OutlineHoles::Kept;
-        const Measure ink = measured(outlineFromAlpha(picture, strokes));
+        const InkMeasure ink = measured(outlineFromAlpha(picture, strokes));
         strokes.holes = OutlineHoles::Filled;
-        const Measure whole = measured(outlineFromAlpha(picture, strokes));
+        const InkMeasure whole = measured(outlineFromAlpha(picture, strokes));
         const double width = ink.length > 0 ? 2 * ink.area / ink.length : 0;
         return ink.area < kMostInk * whole.area &&
                width < kThickest * std::hypot(picture.width, picture.height);

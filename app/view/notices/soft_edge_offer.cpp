@@ -16,9 +16,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kFaint = 0.01;  // opacity above which the wider outline includes a pixel
-constexpr float kSeen = 0.02F;   // less is not missed
-constexpr double kMuch = 0.01;   // of the pixels within
+constexpr double kFaint = 0.01;        // opacity above which the wider outline includes a pixel
+constexpr float kLeastMissed = 0.02F;  // less is not missed
+constexpr double kMuch = 0.01;         // of the pixels within
 
 enum Pixel : std::uint8_t { Nothing, Faint, Within };
 
@@ -35,7 +35,7 @@ class PixelKinds {
             loadRow(picture, y, row.data());
             for (std::size_t i = channels - 1; i < row.size(); i += channels)
                 m_kinds[at++] = row[i] >= static_cast<float>(threshold) ? Within
-                                : row[i] > kSeen                        ? Faint
+                                : row[i] > kLeastMissed                 ? Faint
                                                                         : Nothing;
         }
     }

@@ -14,7 +14,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kDelay = 400;       // milliseconds before the note is shown
+constexpr int kWorkDelay = 400;   // milliseconds before the note is shown
 constexpr int kFirstDelay = 200;  // as long as there is nothing else to look at
 constexpr int kBar = 4;           // pixels high
 constexpr int kBelow = 18;        // pixels left free under it
@@ -74,7 +74,7 @@ void WorkNote::follow() {
         hide();
         qApp->removeEventFilter(this);
     } else if (isHidden()) {
-        if (!m_delay.isActive()) m_delay.start(m_session.frame() ? kDelay : kFirstDelay);
+        if (!m_delay.isActive()) m_delay.start(m_session.frame() ? kWorkDelay : kFirstDelay);
     } else {
         showText();
     }

@@ -8,7 +8,7 @@
 namespace wend {
 namespace {
 
-constexpr int kSamples = 4;
+constexpr int kViewSamples = 4;
 constexpr int kRestAfter = 160;         // milliseconds without motion
 constexpr double kOwnFromBehind = 0.7;  // saturation of back faces, distinguishable from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
@@ -273,7 +273,7 @@ bool VolumeView::bindFine() {
     if (!m_fine || m_fine->size() != pixels) {
         QOpenGLFramebufferObjectFormat format;
         format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-        format.setSamples(kSamples);
+        format.setSamples(kViewSamples);
         m_fine = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
     }
     if (m_fine->isValid() && m_fine->bind()) return true;

@@ -9,7 +9,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kSamples = 4;
+constexpr int kPictureSamples = 4;
 
 void putTile(QImage& image, const QPoint& at, const QImage& tile) {
     QPainter painter(&image);
@@ -23,7 +23,7 @@ void putTile(QImage& image, const QPoint& at, const QImage& tile) {
 QImage VolumeView::tile(const QRect& part, const QSize& whole, const QColor& background) {
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(kSamples);
+    format.setSamples(kPictureSamples);
     QOpenGLFramebufferObject buffer(part.size(), format);
     if (!buffer.isValid() || !buffer.bind()) return {};
     context()->functions()->glViewport(0, 0, part.width(), part.height());

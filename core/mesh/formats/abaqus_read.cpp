@@ -14,12 +14,6 @@
 namespace wend::formats {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 std::string upper(std::string_view text) {
     std::string result(text);
     for (char& c : result)

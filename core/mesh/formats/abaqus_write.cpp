@@ -52,7 +52,7 @@ std::optional<CellKind> inFamilies(std::string_view type, const std::string_view
 }
 
 /// The coordinates in a deck's lines of nodes, replaced by others in their order.
-std::string withPoints(const std::string& deck, const Eigen::Matrix3Xd& points) {
+std::string deckWithPoints(const std::string& deck, const Eigen::Matrix3Xd& points) {
     TextWriter out;
     bool nodes = false, goesOn = false;
     Eigen::Index v = 0;
@@ -100,7 +100,7 @@ void printNumbers(TextWriter& out, const std::vector<int>& numbers) {
         out << numbers[i] + 1 << (i % 16 == 15 || i + 1 == numbers.size() ? "\n" : ", ");
 }
 
-void printElements(TextWriter& out, const CellList& cells) {
+void printElementBlocks(TextWriter& out, const CellList& cells) {
     for (int c = 0; c < cells.size(); ++c) {
         const CellKind kind = cells.kinds[static_cast<std::size_t>(c)];
         if (c == 0 || cells.kinds[static_cast<std::size_t>(c) - 1] != kind)
@@ -146,7 +146,7 @@ std::string abaqusNumber(double value) {
 }
 
 std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOptions&) {
-    if (mesh.deck && mesh.deckFormat == ".inp") return {withPoints(*mesh.deck, mesh.points)};
+    if (mesh.deck && mesh.deckFormat == ".inp") return {deckWithPoints(*mesh.deck, mesh.points)};
     TextWriter out;
     out << "*HEADING\nWend\n*NODE\n";
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
@@ -154,7 +154,7 @@ std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOption
         for (int k = 0; k < 3; ++k) out << ", " << abaqusNumber(mesh.points(k, v));
         out << '\n';
     }
-    printElements(out, mesh.cells);
+    printElementBlocks(out, mesh.cells);
     for (const MeshGroup& group : mesh.groups) {
         if (!group.cells.empty()) out << "*ELSET, ELSET=" << setName(group) << '\n';
         printNumbers(out, group.cells);

@@ -18,7 +18,7 @@ constexpr std::array<int, 256> valuesOfCharacters() {
     return values;
 }
 
-bool isBlank(char c) {
+bool isSkipped(char c) {
     return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
 
@@ -45,7 +45,7 @@ std::string decodeBase64(std::string_view text) {
     int bits = 0;
     for (char c : text) {
         if (c == '=') break;
-        if (isBlank(c)) continue;
+        if (isSkipped(c)) continue;
         const int value = values[static_cast<unsigned char>(c)];
         if (value < 0) throw InputError("the base64 data holds a character that does not belong there");
         group = (group << 6 | static_cast<std::uint32_t>(value)) & 0xffffffU;

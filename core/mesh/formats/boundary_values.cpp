@@ -7,13 +7,13 @@ namespace {
 
 using Face = std::array<int, 3>;
 
-Face sorted(Face face) {
+Face sortedFace(Face face) {
     std::sort(face.begin(), face.end());
     return face;
 }
 
 Face faceOpposite(const std::array<int, 4>& cell, int corner) {
-    return sorted({cell[(corner + 1) % 4], cell[(corner + 2) % 4], cell[(corner + 3) % 4]});
+    return sortedFace({cell[(corner + 1) % 4], cell[(corner + 2) % 4], cell[(corner + 3) % 4]});
 }
 
 template <std::size_t N>
@@ -35,7 +35,7 @@ std::vector<double> valuesAt(const MeshField& field, const std::vector<int>& ver
 std::vector<int> cellsBehind(const MeshFile& mesh) {
     std::vector<std::pair<Face, int>> triangles;  // with their numbers
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        triangles.emplace_back(sorted(mesh.triangles[t]), static_cast<int>(t));
+        triangles.emplace_back(sortedFace(mesh.triangles[t]), static_cast<int>(t));
     std::sort(triangles.begin(), triangles.end());
     std::vector<int> behind(triangles.size(), -1);
     for (std::size_t c = 0; c < mesh.tetrahedra.size(); ++c)

@@ -12,13 +12,13 @@ namespace {
 
 /// Faces by their corners within the cell, counter-clockwise from outside where the cell is positive; −1 ends
 /// a triangle.
-using Face = std::array<int, 4>;
-constexpr Face kPyramid[] = {{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}};
-constexpr Face kWedge[] = {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
-constexpr Face kHexahedron[] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+using CellFace = std::array<int, 4>;
+constexpr CellFace kPyramid[] = {{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}};
+constexpr CellFace kWedge[] = {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+constexpr CellFace kHexahedron[] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                    {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-std::span<const Face> facesOf(CellKind linear) {
+std::span<const CellFace> facesOf(CellKind linear) {
     if (linear == CellKind::Pyramid) return kPyramid;
     if (linear == CellKind::Wedge) return kWedge;
     return kHexahedron;
@@ -32,7 +32,7 @@ bool repeats(const std::array<int, 4>& cell) {
 }
 
 /// The triangles of a face, from its vertex of the smallest number.
-std::vector<std::array<int, 3>> splitFace(const Face& face, std::span<const int> nodes) {
+std::vector<std::array<int, 3>> splitFace(const CellFace& face, std::span<const int> nodes) {
     std::vector<int> corners;
     for (const int k : face)
         if (k >= 0) corners.push_back(nodes[static_cast<std::size_t>(k)]);
@@ -114,7 +114,7 @@ std::vector<std::array<int, 4>> splitCell(CellKind kind, std::span<const int> no
     const auto corners = nodes.first(static_cast<std::size_t>(factsOf(linear).corners));
     const int apex = *std::ranges::min_element(corners);
     std::vector<std::array<int, 4>> tetrahedra;
-    for (const Face& face : facesOf(linear)) {
+    for (const CellFace& face : facesOf(linear)) {
         if (std::ranges::any_of(
                 face, [&](int k) { return k >= 0 && corners[static_cast<std::size_t>(k)] == apex; }))
             continue;

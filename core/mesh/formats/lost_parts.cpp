@@ -125,7 +125,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text.empty() ? text : text + (names.size() > 4 ? " …)" : ")");
 }
 
-bool isTag(const MeshField& field) {
+bool namesATag(const MeshField& field) {
     constexpr std::string_view tags[] = {"physical", "entity",   "ref",   "attribute",
                                          "marker",   "material", "label", "partition"};
     return field.components == 1 && std::ranges::count(tags, field.name) > 0;
@@ -203,7 +203,7 @@ class Losses {
         std::vector<std::string> lost;
         for (const MeshField& field : m_bag.fields) {
             const bool held =
-                m_format.holdsFields || isTag(field) || (m_format.holdsColours && isColour(field));
+                m_format.holdsFields || namesATag(field) || (m_format.holdsColours && isColour(field));
             if (!held) lost.push_back(field.name);
         }
         if (!lost.empty()) m_lost.push_back(counted(lost.size(), "field", "fields") + listed(lost));

@@ -177,8 +177,8 @@ const MeshField* vertexRefs(const MeshFile& mesh) {
     return nullptr;
 }
 
-void printCells(TextWriter& out, const MeditKind& kind, const MeshFile& mesh,
-                const std::vector<long>& references) {
+void printKind(TextWriter& out, const MeditKind& kind, const MeshFile& mesh,
+               const std::vector<long>& references) {
     const auto count = std::ranges::count(mesh.cells.kinds, kind.kind);
     if (count == 0) return;
     out << kind.keyword << '\n' << count << '\n';
@@ -223,7 +223,7 @@ std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions
         out << tagOf(ofVertices, static_cast<int>(v), 0) << '\n';
     }
     const std::vector<long> references = groupNumbers(mesh);
-    for (const MeditKind& kind : kKinds) printCells(out, kind, mesh, references);
+    for (const MeditKind& kind : kKinds) printKind(out, kind, mesh, references);
     for (const MeshGroup& group : mesh.groups)
         if (const MeditList* list = listNamed(group.name)) printList(out, *list, group, mesh);
     out << "End\n";

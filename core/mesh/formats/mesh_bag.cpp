@@ -27,7 +27,7 @@ void list(const std::vector<std::array<int, N>>& simplices, CellKind kind, CellL
 }
 
 /// The tetrahedra or triangles that each cell was split into.
-std::vector<std::vector<int>> partsOf(const MeshFile& mesh) {
+std::vector<std::vector<int>> piecesOfCells(const MeshFile& mesh) {
     std::vector<std::vector<int>> parts(static_cast<std::size_t>(mesh.cells.size()));
     const auto& cellOf = isVolume(mesh) ? mesh.cellOfTetrahedron : mesh.cellOfTriangle;
     for (std::size_t i = 0; i < cellOf.size(); ++i)
@@ -107,7 +107,7 @@ long tagOf(const MeshField* field, int cell, long otherwise) {
 MeshFile bagOf(MeshFile mesh, bool trianglesFirst) {
     const bool made = mesh.cells.empty();
     if (made) listMade(mesh, trianglesFirst);
-    auto parts = partsOf(mesh);
+    auto parts = piecesOfCells(mesh);
     if (std::ranges::any_of(mesh.fields,
                             [](const auto& field) { return field.perCell && field.ofCells.empty(); }))
         addBehind(mesh, parts);

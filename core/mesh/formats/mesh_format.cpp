@@ -12,8 +12,8 @@ namespace wend::formats {
 namespace {
 
 template <std::size_t N>
-void requireIndices(const std::vector<std::array<int, N>>& cells, Eigen::Index vertexCount,
-                    const char* kind) {
+void requireVertices(const std::vector<std::array<int, N>>& cells, Eigen::Index vertexCount,
+                     const char* kind) {
     for (std::size_t c = 0; c < cells.size(); ++c)
         for (int v : cells[c])
             if (v < 0 || v >= vertexCount)
@@ -52,8 +52,8 @@ void requireSound(const MeshFile& file) {
     for (Eigen::Index v = 0; v < file.points.cols(); ++v)
         if (!file.points.col(v).allFinite())
             throw InputError("vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
-    requireIndices(file.triangles, file.points.cols(), "triangle");
-    requireIndices(file.tetrahedra, file.points.cols(), "tetrahedron");
+    requireVertices(file.triangles, file.points.cols(), "triangle");
+    requireVertices(file.tetrahedra, file.points.cols(), "tetrahedron");
     for (const int v : file.cells.nodes)
         if (v < 0 || v >= file.points.cols())
             throw InputError("a cell names vertex " + std::to_string(v) + ", but there are only " +

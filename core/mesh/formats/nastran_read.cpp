@@ -14,30 +14,24 @@
 namespace wend::formats {
 namespace {
 
-std::string trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r") + 1 - first));
-}
-
 std::string_view withoutComment(std::string_view line) {
     return line.substr(0, line.find('$'));
 }
 
 /// The name and fields of one line.
-std::vector<std::string> fieldsOf(std::string_view line) {
+std::vector<std::string> cardFields(std::string_view line) {
     std::vector<std::string> fields;
     if (line.find(',') != std::string_view::npos) {
         for (std::size_t at = 0; at <= line.size();) {
             const auto end = std::min(line.find(',', at), line.size());
-            fields.push_back(trimmed(line.substr(at, end - at)));
+            fields.emplace_back(trimmed(line.substr(at, end - at)));
             at = end + 1;
         }
     } else {
-        fields.push_back(trimmed(line.substr(0, 8)));
+        fields.emplace_back(trimmed(line.substr(0, 8)));
         const std::size_t width = fields[0].find('*') != std::string::npos ? 16 : 8;
         for (std::size_t at = 8; at < 72 && at < line.size(); at += width)
-            fields.push_back(trimmed(line.substr(at, std::min(width, 72 - at))));
+            fields.emplace_back(trimmed(line.substr(at, std::min(width, 72 - at))));
     }
     const std::size_t most = fields[0].find('*') != std::string::npos ? 5 : 9;
     fields.resize(most);
@@ -161,7 +155,7 @@ NastranCard takeNastranCard(std::string_view bytes, std::size_t& at) {
             at = card.end = std::min(end + 1, bytes.size());
             return card;
         }
-        const auto fields = fieldsOf(line);
+        const auto fields = cardFields(line);
         const bool continues = !empty && (fields[0].empty() || fields[0][0] == '+' || fields[0][0] == '*');
         if (!first && !continues) {
             if (!(empty && whole.find('$') != std::string_view::npos)) return card;

@@ -16,7 +16,7 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 /// A deck with other points in its GRID entries, in their order.
-std::string withPoints(const std::string& deck, const Eigen::Matrix3Xd& points) {
+std::string bulkWithPoints(const std::string& deck, const Eigen::Matrix3Xd& points) {
     std::string out;
     Eigen::Index v = 0;
     for (std::size_t at = 0; at < deck.size();) {
@@ -108,7 +108,7 @@ std::string nastranGrid(const NastranCard& old, const double* point) {
 }
 
 std::vector<std::string> printNastran(const MeshFile& mesh, const MeshWriteOptions&) {
-    if (mesh.deck && mesh.deckFormat == ".bdf") return {withPoints(*mesh.deck, mesh.points)};
+    if (mesh.deck && mesh.deckFormat == ".bdf") return {bulkWithPoints(*mesh.deck, mesh.points)};
     TextWriter out;
     out << "BEGIN BULK\n";
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)

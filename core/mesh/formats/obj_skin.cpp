@@ -18,21 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
-}
-
 /// The first word, which is taken off the line.
 std::string_view takeWord(std::string_view& line) {
     line = trimmed(line);
-    std::size_t end = 0;
-    while (end < line.size() && !isBlank(line[end])) ++end;
+    const std::size_t end = std::min(line.find_first_of(" \t\r"), line.size());
     const auto word = line.substr(0, end);
     line = trimmed(line.substr(end));
     return word;

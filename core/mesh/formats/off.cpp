@@ -47,7 +47,7 @@ bool readHeader(Scanner& scanner) {
     return whole != "OFF";
 }
 
-int readCorner(Scanner& scanner, int vertexCount) {
+int readVertexNumber(Scanner& scanner, int vertexCount) {
     const auto index = scanner.integer("a vertex number");
     if (index < 0 || index >= vertexCount)
         scanner.fail("vertex " + std::to_string(index) + " is named, but there are only " +
@@ -75,7 +75,7 @@ MeshFile readOff(std::span<const MeshSource> files) {
     for (int f = 0; f < faceCount || !scanner.atEnd(); ++f) {
         polygon.resize(scanner.count("corners", 2));
         offsets.push_back(scanner.offset());
-        for (int& corner : polygon) corner = readCorner(scanner, vertexCount);
+        for (int& corner : polygon) corner = readVertexNumber(scanner, vertexCount);
         if (polygon.size() >= 3)
             file.cells.addFace(polygon);
         else

@@ -264,7 +264,7 @@ Scalar typeHeld(Scalar type) {
     return type == Scalar::Int64 || type == Scalar::UInt64 ? Scalar::Float64 : type;
 }
 
-std::string_view typeName(Scalar type) {
+std::string_view nameInPly(Scalar type) {
     switch (typeHeld(type)) {
         case Scalar::Int8:
             return "char";
@@ -335,7 +335,7 @@ class PlyPrinter {
     void fieldNames(bool perCell) {
         for (const auto& field : m_mesh.fields)
             for (int k = 0; field.perCell == perCell && k < field.components; ++k)
-                m_out << "property " << typeName(field.type) << ' ' << propertyName(field, k) << '\n';
+                m_out << "property " << nameInPly(field.type) << ' ' << propertyName(field, k) << '\n';
     }
     void endItem(bool perCell, std::size_t item) {
         for (const auto& field : m_mesh.fields)

@@ -32,7 +32,7 @@ void growByProduct(std::vector<double>& expansion, double a, double b) {
     grow(expansion, product);
 }
 
-int signOf(const std::vector<double>& expansion) {
+int signOfSum(const std::vector<double>& expansion) {
     for (auto e = expansion.rbegin(); e != expansion.rend(); ++e)
         if (*e != 0) return *e > 0 ? 1 : -1;
     return 0;
@@ -208,7 +208,7 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
     growByProduct(sum, -b.x(), a.y());
     growByProduct(sum, c.x(), a.y());
     growByProduct(sum, -c.x(), b.y());
-    return signOf(sum);
+    return signOfSum(sum);
 }
 
 std::vector<Triangle> splitPolygon(const Eigen::Matrix3Xd& points, std::span<const int> corners) {

@@ -99,6 +99,8 @@ class NumberReader {
 
 /// A word of a file as it may stand in an error: short, in quotes and without control characters.
 std::string inQuotes(std::string_view word);
+/// Returns the text without blanks, tabs and carriage returns around it.
+std::string_view trimmed(std::string_view text);
 /// Equal but for the case of ASCII letters.
 bool sameWord(std::string_view a, std::string_view b);
 

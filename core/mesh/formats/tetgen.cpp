@@ -67,7 +67,7 @@ Nodes readNodes(std::string_view bytes) {
     return nodes;
 }
 
-int readCorner(Scanner& scanner, const Nodes& nodes) {
+int readPointNumber(Scanner& scanner, const Nodes& nodes) {
     const auto number = scanner.integer("a point's number"), index = number - nodes.first;
     if (index < 0 || index >= nodes.file.points.cols())
         scanner.fail("point " + std::to_string(number) + " is named, but there are only " +
@@ -118,7 +118,7 @@ void readElements(std::string_view bytes, Nodes& nodes) {
     std::int64_t first = 0;
     for (int c = 0; c < count; ++c) {
         readNumber(scanner, c, first);
-        for (int& v : cell) v = readCorner(scanner, nodes);
+        for (int& v : cell) v = readPointNumber(scanner, nodes);
         nodes.file.cells.add(*kind, inOrderOfVtk(cell, nodes.file.points));
         for (int k = 0; k < attributes; ++k) attribute.values.push_back(scanner.real("an attribute"));
     }
@@ -140,7 +140,7 @@ void readSides(std::string_view bytes, CellKind kind, Nodes& nodes) {
     std::int64_t first = 0;
     for (int c = 0; c < count; ++c) {
         readNumber(scanner, c, first);
-        for (int& v : cell) v = readCorner(scanner, nodes);
+        for (int& v : cell) v = readPointNumber(scanner, nodes);
         nodes.file.cells.add(kind, cell);
         numbers.push_back(markers ? scanner.real("a marker") : 0);
         scanner.line();  // TetGen may add the cells on both sides
@@ -190,7 +190,7 @@ std::string printNodes(const MeshFile& mesh, int dimension) {
 
 /// Cells of one kind, numbered one by one, each followed by what `rest` prints.
 template <class Rest>
-std::string printCells(const MeshFile& mesh, CellKind kind, const std::string& head, const Rest& rest) {
+std::string cellLines(const MeshFile& mesh, CellKind kind, const std::string& head, const Rest& rest) {
     TextWriter out;
     out << std::ranges::count(mesh.cells.kinds, kind) << ' ' << head << '\n';
     int number = mesh.firstNumber;
@@ -205,26 +205,26 @@ std::string printCells(const MeshFile& mesh, CellKind kind, const std::string& h
 }
 
 /// The field "attribute", or the numbers of the groups.
-std::string printElements(const MeshFile& mesh, CellKind kind) {
+std::string elementLines(const MeshFile& mesh, CellKind kind) {
     const MeshField* attribute = fieldNamed(mesh, true, "attribute");
     const std::string corners = std::to_string(factsOf(kind).corners) + " ";
     if (attribute)
-        return printCells(mesh, kind, corners + std::to_string(attribute->components),
-                          [&](TextWriter& out, std::size_t c) { printAttributes(out, attribute, c); });
+        return cellLines(mesh, kind, corners + std::to_string(attribute->components),
+                         [&](TextWriter& out, std::size_t c) { printAttributes(out, attribute, c); });
     const bool grouped = std::ranges::any_of(mesh.groups, [&](const auto& group) {
         return group.dimension == factsOf(kind).dimension && !group.cells.empty();
     });
-    if (!grouped) return printCells(mesh, kind, corners + "0", [](TextWriter&, std::size_t) {});
+    if (!grouped) return cellLines(mesh, kind, corners + "0", [](TextWriter&, std::size_t) {});
     const std::vector<long> numbers = groupNumbers(mesh);
-    return printCells(mesh, kind, corners + "1",
-                      [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
+    return cellLines(mesh, kind, corners + "1",
+                     [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
 }
 
 /// Nothing without cells of the kind.
 std::string printSides(const MeshFile& mesh, CellKind kind) {
     if (std::ranges::count(mesh.cells.kinds, kind) == 0) return {};
     const std::vector<long> numbers = groupNumbers(mesh);
-    return printCells(mesh, kind, "1", [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
+    return cellLines(mesh, kind, "1", [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
 }
 
 }  // namespace
@@ -246,11 +246,11 @@ MeshFile readTetgen(std::span<const MeshSource> files) {
 std::vector<std::string> printTetgen(const MeshFile& mesh, const MeshWriteOptions&) {
     const std::string edges = printSides(mesh, CellKind::Line);
     if (isVolume(mesh))
-        return {printNodes(mesh, 3), printElements(mesh, CellKind::Tetrahedron),
+        return {printNodes(mesh, 3), elementLines(mesh, CellKind::Tetrahedron),
                 printSides(mesh, CellKind::Triangle), edges};
     if ((mesh.points.row(2).array() != 0).any())
         throw InputError("TetGen files hold tetrahedra or triangles in the plane z = 0, and these are not");
-    return {printNodes(mesh, 2), printElements(mesh, CellKind::Triangle), {}, edges};
+    return {printNodes(mesh, 2), elementLines(mesh, CellKind::Triangle), {}, edges};
 }
 
 }  // namespace wend::formats

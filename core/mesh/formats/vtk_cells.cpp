@@ -13,7 +13,7 @@ constexpr std::pair<int, const char*> unreadTypes[] = {
     throw InputError("cell " + std::to_string(cell) + ": " + what);
 }
 
-std::string nameOf(std::int64_t type) {
+std::string typeInWords(std::int64_t type) {
     for (const auto& [number, name] : unreadTypes)
         if (number == type) return std::string("a ") + name;
     return "VTK's cell type " + std::to_string(type);
@@ -32,14 +32,14 @@ void turnWedge(auto nodes) {
     std::swap(nodes[4], nodes[5]);
 }
 
-void add(std::int64_t type, std::vector<int>& corners, std::size_t cell, CellList& list) {
+void addCell(std::int64_t type, std::vector<int>& corners, std::size_t cell, CellList& list) {
     if (type == kPixel || type == kVoxel) {
         requireCorners(cell, corners.size(), type == kPixel ? 4 : 8);
         for (std::size_t k = 2; k < corners.size(); k += 4) std::swap(corners[k], corners[k + 1]);
         return list.add(type == kPixel ? CellKind::Quad : CellKind::Hexahedron, corners);
     }
     const auto kind = cellKindOfVtk(type);
-    if (!kind) failAt(cell, nameOf(type) + " is not read");
+    if (!kind) failAt(cell, typeInWords(type) + " is not read");
     if (const int nodes = factsOf(*kind).nodes; nodes > 0)
         requireCorners(cell, corners.size(), static_cast<std::size_t>(nodes));
     if (*kind == CellKind::Wedge) turnWedge(std::span(corners));
@@ -65,7 +65,7 @@ void collect(const VtkCells& cells, long vertexCount, int firstVertex, CellList&
                               std::to_string(vertexCount) + " (counted from 0)");
             corners.push_back(firstVertex + static_cast<int>(v));
         }
-        add(cells.types[c], corners, c, list);
+        addCell(cells.types[c], corners, c, list);
     }
 }
 

@@ -20,7 +20,7 @@ bool isLabel(const MeshField& field) {
     return field.perCell && field.components == 1 && field.name == "label";
 }
 
-bool isTag(const MeshField& field) {
+bool isCellTag(const MeshField& field) {
     constexpr std::string_view tags[] = {"physical", "ref",   "attribute", "material",
                                          "marker",   "label", "pid",       "group"};
     return field.perCell && field.components == 1 && std::ranges::count(tags, field.name) > 0;
@@ -28,7 +28,7 @@ bool isTag(const MeshField& field) {
 
 /// The labels of the boundary stand in a field of the file already.
 bool tellsLabels(const MeshField& field, const MeshFile& bag) {
-    if (!isTag(field)) return false;
+    if (!isCellTag(field)) return false;
     for (std::size_t t = 0; t < bag.labels.size(); ++t)
         if (field.values[static_cast<std::size_t>(bag.cellOfTriangle[t])] != bag.labels[t]) return false;
     return true;
@@ -47,7 +47,7 @@ std::vector<MeshField> vtkFieldsOf(const MeshFile& bag) {
             return fields;
         std::erase_if(fields, isLabel);
         fields.push_back(labelField(bag));
-    } else if (grouped && std::ranges::none_of(fields, isTag)) {
+    } else if (grouped && std::ranges::none_of(fields, isCellTag)) {
         const std::vector<long> numbers = groupNumbers(bag);
         fields.push_back({"group", true, 1, {numbers.begin(), numbers.end()}, {}, Scalar::Int32});
     }

@@ -24,7 +24,7 @@ std::string encoded(const std::string& name) {
     return text.empty() ? "field" : text;
 }
 
-const char* typeName(Scalar type) {
+const char* nameInVtk(Scalar type) {
     switch (type) {
         case Scalar::Int8:
             return "char";
@@ -138,7 +138,7 @@ class VtkPrinter {
     }
     void printField(const MeshField& field) {
         m_out << encoded(field.name) << ' ' << field.components << ' '
-              << field.values.size() / field.components << ' ' << typeName(field.type) << '\n';
+              << field.values.size() / field.components << ' ' << nameInVtk(field.type) << '\n';
         numbers(field.values, field.components, field.type);
         endArray();
     }

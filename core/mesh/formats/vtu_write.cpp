@@ -7,7 +7,7 @@
 namespace wend::formats {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string asXml(const std::string& text) {
     std::string result;
     for (char c : text) {
         if (c == '&' || c == '<' || c == '>' || c == '"')
@@ -99,7 +99,7 @@ class VtuPrinter {
         closeArray(values, components, bytesOf(values));
     }
     void openArray(const std::string& name, int components, std::string_view type, const std::string& more) {
-        m_out << "<DataArray type=\"" << type << "\" Name=\"" << escaped(name) << "\" NumberOfComponents=\""
+        m_out << "<DataArray type=\"" << type << "\" Name=\"" << asXml(name) << "\" NumberOfComponents=\""
               << components << '"' << more << " format=\""
               << (m_appended ? "appended"
                   : m_binary ? "binary"

@@ -8,13 +8,13 @@
 namespace wend {
 namespace {
 
-constexpr int kGrain = 512;  // rows
+constexpr int kRowGrain = 512;  // rows
 constexpr int kLanczosSteps = 10;
 constexpr double kMargin = 1.15;  // over the estimate, which is from below
 constexpr double kPart = 0.06;    // of the spectrum that is left to the coarse space
 
 template <int Size>
-double dot(const Points<Size>& a, const Points<Size>& b) {
+double dotProduct(const Points<Size>& a, const Points<Size>& b) {
     return a.leftCols(b.cols()).cwiseProduct(b).sum();
 }
 
@@ -38,8 +38,8 @@ void update(Points<Size>& x, const PartLinks& links) {
 /// Calls visit(row, (K x)_row) for every row.
 template <int Size, typename Visit>
 void forProducts(const BlockRows<Size>& K, const Points<Size>& x, WorkerPool& workers, Visit&& visit) {
-    workers.forPieces(K.rows(), kGrain, [&](int begin, int end) {
-        std::array<double, static_cast<std::size_t>(kGrain) * Size> Kx;
+    workers.forPieces(K.rows(), kRowGrain, [&](int begin, int end) {
+        std::array<double, static_cast<std::size_t>(kRowGrain) * Size> Kx;
         K.multiply(x, begin, end, Kx.data());
         for (int i = begin; i < end; ++i)
             visit(i, Eigen::Map<const Vec<Size>>(Kx.data() + static_cast<std::ptrdiff_t>(i - begin) * Size));
@@ -95,14 +95,14 @@ bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsign
     int steps = 0;
     for (; steps < kLanczosSteps; ++steps) {
         applyInverse(r, z);
-        const double next = links.sum(dot<Size>(z, r));
+        const double next = links.sum(dotProduct<Size>(z, r));
         if (!(next > 0)) break;
         beta = steps > 0 ? next / rz : 0;
         p = steps > 0 ? Points<Size>(z + beta * p) : z;
         update<Size>(p, links);
         rz = next;
         multiply<Size>(K, p, Kp, workers);
-        const double pKp = links.sum(dot<Size>(p, Kp));
+        const double pKp = links.sum(dotProduct<Size>(p, Kp));
         if (!(pKp > 0)) break;
         const double before = alpha;
         alpha = rz / pKp;
@@ -126,7 +126,7 @@ void Chebyshev<Size>::smooth(int degree, bool residual, const BlockRows<Size>& K
     double rho = 1 / sigma;
     m_d.resize(Size, K.columns());
     m_next.resize(Size, K.columns());
-    workers.forPieces(K.rows(), kGrain, [&](int begin, int end) {
+    workers.forPieces(K.rows(), kRowGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             m_d.col(i) = m_inverse[i].template cast<double>() * r.col(i) / middle;
             z.col(i) += m_d.col(i);

@@ -8,7 +8,7 @@
 namespace wend {
 namespace {
 
-constexpr int kGrain = 16;  // aggregates
+constexpr int kAggregateGrain = 16;  // aggregates
 
 /// Rows of the lower triangle: of every row the number of its blocks, their columns, ascending, and values.
 template <int Modes>
@@ -127,10 +127,11 @@ BlockRows<Modes> whole(const std::vector<Lower<Modes>>& parts, int rows) {
 template <int Size, int Modes>
 BlockRows<Modes> coarseMatrix(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
                               WorkerPool& workers, const std::stop_token& stop) {
-    std::vector<Lower<Modes>> parts((P.aggregates() + kGrain - 1) / kGrain);
-    workers.forPieces(P.aggregates(), kGrain, [&](int begin, int end) {
+    std::vector<Lower<Modes>> parts((P.aggregates() + kAggregateGrain - 1) / kAggregateGrain);
+    workers.forPieces(P.aggregates(), kAggregateGrain, [&](int begin, int end) {
         LowerRow<Size, Modes> maker(K, P);
-        for (int a = begin; a < end && !stop.stop_requested(); ++a) maker.append(a, parts[begin / kGrain]);
+        for (int a = begin; a < end && !stop.stop_requested(); ++a)
+            maker.append(a, parts[begin / kAggregateGrain]);
     });
     if (stop.stop_requested()) return {};
     auto A = whole<Modes>(parts, P.aggregates());

@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-constexpr int kGrain = 256;
+constexpr int kProlongationGrain = 256;
 constexpr double kDamping = 4.0 / 3;  // of the inverse of the largest eigenvalue
 // A motion of an aggregate that is so nearly a sum of others, relative to its size squared, is left out.
 constexpr double kDependent = 1e-10;
@@ -80,10 +80,10 @@ void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
         std::vector<int> aggregates;
         std::vector<Block> blocks;
     };
-    std::vector<Piece> pieces((K.rows() + kGrain - 1) / kGrain);
+    std::vector<Piece> pieces((K.rows() + kProlongationGrain - 1) / kProlongationGrain);
     std::vector<int> start(m_start.size(), 0);
-    workers.forPieces(K.rows(), kGrain, [&](int begin, int end) {
-        Piece& piece = pieces[begin / kGrain];
+    workers.forPieces(K.rows(), kProlongationGrain, [&](int begin, int end) {
+        Piece& piece = pieces[begin / kProlongationGrain];
         Numbering places;
         std::vector<Motions> sums;
         std::vector<int> order;
@@ -159,7 +159,7 @@ template <int Size, int Modes>
 void Prolongation<Size, Modes>::restrict(const Points<Size>& r, Points<Modes>& coarse,
                                          WorkerPool& workers) const {
     coarse.resize(Modes, aggregates());
-    workers.forPieces(aggregates(), kGrain / 4, [&](int begin, int end) {
+    workers.forPieces(aggregates(), kProlongationGrain / 4, [&](int begin, int end) {
         for (int a = begin; a < end; ++a) {
             Vec<Modes> sum = Vec<Modes>::Zero();
             for (int i = m_usersStart[a]; i < m_usersStart[a + 1]; ++i)
@@ -174,7 +174,7 @@ void Prolongation<Size, Modes>::restrict(const Points<Size>& r, Points<Modes>& c
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::prolong(const Points<Modes>& coarse, Points<Size>& z,
                                         WorkerPool& workers) const {
-    workers.forPieces(rows(), kGrain, [&](int begin, int end) {
+    workers.forPieces(rows(), kProlongationGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             Vec<Size> sum = Vec<Size>::Zero();
             for (int e = m_start[i]; e < m_start[i + 1]; ++e)

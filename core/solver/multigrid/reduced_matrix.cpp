@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-constexpr int kGrain = 512;  // rows
+constexpr int kReducedGrain = 512;  // rows
 
 }  // namespace
 
@@ -129,11 +129,11 @@ void ReducedMatrix<Dim>::analyze(const AssemblyPlan<Dim>& plan, const ReducedSys
         m_followerStart.push_back(static_cast<int>(m_followers.size()));
     }
 
-    std::vector<std::vector<int>> pieces((rows + kGrain - 1) / kGrain);
+    std::vector<std::vector<int>> pieces((rows + kReducedGrain - 1) / kReducedGrain);
     std::vector<int> start(static_cast<std::size_t>(rows) + 1, 0);
-    workers.forPieces(rows, kGrain, [&](int begin, int end) {
+    workers.forPieces(rows, kReducedGrain, [&](int begin, int end) {
         Rows maker(*this);
-        auto& columns = pieces[begin / kGrain];
+        auto& columns = pieces[begin / kReducedGrain];
         for (int row = begin; row < end; ++row) {
             const std::size_t before = columns.size();
             maker.appendColumns(row, columns);
@@ -154,7 +154,7 @@ template <int Dim>
 bool ReducedMatrix<Dim>::build(BackEnd<Dim>& backEnd, const std::stop_token& stop) {
     const auto source = backEnd.blockSource();
     std::atomic<bool> stopped = false;
-    backEnd.workers().forPieces(m_blocks.rows(), kGrain, [&](int begin, int end) {
+    backEnd.workers().forPieces(m_blocks.rows(), kReducedGrain, [&](int begin, int end) {
         if (stop.stop_requested()) stopped = true;
         if (stopped) return;
         Rows maker(*this);
