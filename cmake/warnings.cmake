@@ -8,6 +8,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(wend_options INTERFACE -Wno-restrict
         -Wno-stringop-overread -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()
+if(WEND_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # There every file counts as a header, whose classes should not have members from an anonymous namespace.
+    target_compile_options(wend_options INTERFACE -Wno-subobject-linkage)
+endif()
 target_compile_options(wend_options INTERFACE $<$<BOOL:${WEND_WERROR}>:-Werror>)
 if(WEND_SANITIZE)
     # Not where a target says UNSANITIZED: sanitizers need more address space than a limited process gets.

@@ -1,9 +1,31 @@
+# Unity builds: a compiler gets several files of a library at once, since most of the time that one takes goes into the headers that
+# it shares with its neighbours. Off where single files are edited, and where missing includes are to be found. Names in anonymous
+# namespaces differ within a library.
+option(WEND_UNITY "Compile several files of a library at once" OFF)
+set(WEND_UNITY_BATCH 10 CACHE STRING "Files that are compiled at once, at most")
+
+# wend_share_compilations(target SOURCES…): all but those that Highway includes once for every SIMD target.
+function(wend_share_compilations target)
+    foreach(source ${ARGN})
+        file(STRINGS ${source} targets REGEX "foreach_target\\.h" LIMIT_COUNT 1)
+        if(targets)
+            set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        endif()
+    endforeach()
+    # The macro that instantiates a file's templates for both dimensions is the file's own.
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${WEND_UNITY_BATCH}
+        UNITY_BUILD_CODE_AFTER_INCLUDE "#undef WEND_INSTANTIATE")
+endfunction()
+
 # wend_library(mesh SOURCES a.cpp … PUBLIC wend::x … PRIVATE y …): a static library wend_mesh with the alias wend::mesh.
 function(wend_library name)
     cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
     add_library(wend_${name} STATIC)
     add_library(wend::${name} ALIAS wend_${name})
     target_sources(wend_${name} PRIVATE ${ARG_SOURCES})
+    if(WEND_UNITY)
+        wend_share_compilations(wend_${name} ${ARG_SOURCES})
+    endif()
     target_link_libraries(wend_${name} PUBLIC wend_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     wend_use_pch(wend_${name} ${ARG_PUBLIC} ${ARG_PRIVATE})
 endfunction()
