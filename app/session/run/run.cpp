@@ -540,7 +540,7 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     const Clock::time_point start = Clock::now();
     requirePossible(project, options.outputs);
     for (const FileNames* pictures : {&options.outputs.image, &options.outputs.frames})
-        for (const std::string& path : *pictures) requireDepth(path, options);
+        for (const std::string& file : *pictures) requireDepth(file, options);
     if (watch.progress) watch.progress("reading", 0);
     AnyShape shape = loadShape(project, folderOf(path), watch.stop);
     std::vector<std::string> notices = std::visit([](const auto& one) { return one.notices; }, shape);
