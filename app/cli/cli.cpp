@@ -37,6 +37,8 @@ constexpr std::array kCommands{
             "mesh a picture, an outline, a project's domain or a closed surface", runMesh},
     Command{"info", "FILE [--json] [--problems OUT]", "tell what Wend sees in a picture, mesh or project",
             runInfo},
+    Command{"convert", "IN OUT [options]", "write a mesh or picture in another format, by the extensions",
+            runConvert},
     Command{"devices", "", "list the devices that can compute, and which is used", runDevices},
     Command{"bench", "[CASE …]", "measure the speed on this machine", runBench},
     Command{"reference", "", "print the reference of all settings", runReference, true},

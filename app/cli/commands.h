@@ -7,6 +7,7 @@ namespace wend {
 
 ExitCode runRun(const Arguments& arguments);
 ExitCode runMesh(const Arguments& arguments);
+ExitCode runConvert(const Arguments& arguments);
 ExitCode runInfo(const Arguments& arguments);
 ExitCode runDevices(const Arguments& arguments);
 ExitCode runBench(const Arguments& arguments);

@@ -294,14 +294,15 @@ constexpr std::array kOptions{
            Row{.label = Options::tr("&Values"),
                .words = {{Options::tr("Errors, material, velocity"), Options::tr("The shape alone")}}}},
     Option{
-        "", "--encoding", Choice, "text", kAny, "", "text|binary|compressed", "run mesh",
+        "", "--encoding", Choice, "text", kAny, "", "text|binary|compressed", "run mesh convert",
         Options::tr("how numbers are stored in mesh files that offer a choice (ply, stl, msh, vtk, vtu)"),
         Field{},
         Row{.label = Options::tr("&Numbers"),
             .words = {{Options::tr("As text"), Options::tr("Binary"), Options::tr("Binary, compressed")}}}},
-    Option{"", "--msh", Choice, "4.1", kAny, "", "4.1|2.2", "run mesh", Options::tr("version of .msh files"),
-           Field{}, Row{.label = Options::tr("&Gmsh version"), .words = {{"4.1", "2.2"}}}},
-    Option{"", "--border", Flag, "", kAny, "", "", "run mesh",
+    Option{"", "--msh", Choice, "4.1", kAny, "", "4.1|2.2", "run mesh convert",
+           Options::tr("version of .msh files"), Field{},
+           Row{.label = Options::tr("&Gmsh version"), .words = {{"4.1", "2.2"}}}},
+    Option{"", "--border", Flag, "", kAny, "", "", "run mesh convert",
            Options::tr("write the triangles of a solid's border as cells too, with the values of the "
                        "tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless "
                        "the input had such triangles"),
@@ -366,7 +367,7 @@ constexpr std::array kOptions{
     Option{"", "--json", Flag, "", kAny, "", "", "info mesh",
            "answer as JSON; for `mesh`: counts, quality asked for and reached, and what was noticed"},
     Option{"", "--progress", Flag, "", kAny, "", "", "run mesh", "show progress even if not on a terminal"},
-    Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh", "say nothing but errors"},
+    Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh convert", "say nothing but errors"},
 };
 
 }  // namespace

@@ -100,7 +100,8 @@ void FrameExport::writeMesh(const std::string& path, const RunOptions& options, 
     const auto frame = posed<Dim>(m_frame);
     std::vector<MeshField> fields;
     if (options.fields && holdsFields(path)) {
-        fields = shapeFields<Dim>(*frame->built, frame->pose, velocityAt<Dim>(*m_project, *frame, remark));
+        fields =
+            fieldsFor<Dim>(path, *frame->built, frame->pose, velocityAt<Dim>(*m_project, *frame, remark));
     }
     if (watch.stop.stop_requested()) throw Cancelled();
     const std::string lost = lostInShape<Dim>(path, *frame->built, options.meshes);

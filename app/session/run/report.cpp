@@ -3,12 +3,14 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/document/file/json_text.h"
 #include "app/document/options/options.h"
 #include "app/session/run/report.h"
 #include "app/session/run/run.h"
 #include "core/energy/distortion.h"
+#include "core/mesh/cell_shape.h"
 #include "core/motion/reach.h"
 
 namespace wend {
@@ -69,6 +71,7 @@ std::string reportJson(const RunFigures& figures) {
     for (const HandleReach& handle : figures.reached)
         json["reached"].push_back({{"name", handle.name}, {"reached", handle.share}});
     json["notices"] = figures.notices;
+    json["cellQuality"] = Json::parse(figures.quality);
     json.update(Json::parse(figures.faults));
     if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
     if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
@@ -124,6 +127,41 @@ std::string faultsJson(const PoseFaults<Dim>& faults) {
 }
 template std::string faultsJson<2>(const PoseFaults<2>&);
 template std::string faultsJson<3>(const PoseFaults<3>&);
+
+namespace {
+
+/// The worst of one measure, where it is, and the mean. `sign`: 1 where small values are bad, −1 where large
+/// ones are.
+Json measureJson(const std::vector<CellShape>& shapes, double CellShape::*measure, double factor, int sign) {
+    if (shapes.empty()) return {};
+    const auto worst =
+        std::ranges::min_element(shapes, {}, [&](const CellShape& shape) { return sign * (shape.*measure); });
+    double sum = 0;
+    for (const CellShape& shape : shapes) sum += factor * (shape.*measure);
+    const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
+    return {{"worst", finite(factor * ((*worst).*measure))},
+            {"cell", worst - shapes.begin()},
+            {"mean", finite(sum / static_cast<double>(shapes.size()))}};
+}
+
+Json shapesJson(const std::vector<CellShape>& shapes) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    return {{"scaledJacobian", measureJson(shapes, &CellShape::scaledJacobian, 1, 1)},
+            {"aspectRatio", measureJson(shapes, &CellShape::aspectRatio, 1, -1)},
+            {"minAngle", measureJson(shapes, &CellShape::minAngle, kDegrees, 1)},
+            {"maxAngle", measureJson(shapes, &CellShape::maxAngle, kDegrees, -1)}};
+}
+
+}  // namespace
+
+template <int Dim>
+std::string qualityJson(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) {
+    const Json json{{"before", shapesJson(cellShapes<Dim>(rest.points, rest.cells))},
+                    {"after", shapesJson(cellShapes<Dim>(pose, rest.cells))}};
+    return json.dump();
+}
+template std::string qualityJson<2>(const SimplicialMesh<2>&, const Points<2>&);
+template std::string qualityJson<3>(const SimplicialMesh<3>&, const Points<3>&);
 
 std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration) {
     const std::string steps = std::to_string(statistics.steps) + (statistics.steps == 1 ? " step" : " steps");

@@ -29,6 +29,7 @@ struct RunFigures {
     Statistics statistics;
     double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
     std::string faults;                       // faultsJson()
+    std::string quality;                      // qualityJson()
     std::optional<MeshVerdict> verdict = {};  // on cells that were made
     std::optional<CageFacts> cage = {};       // if one carries the surface
     std::optional<View> canvas = {};          // of pictures that were written
@@ -42,6 +43,10 @@ std::string verdictJson(const MeshVerdict& verdict);
 /// text.
 template <int Dim>
 std::string faultsJson(const PoseFaults<Dim>& faults);
+/// {"before", "after"}, each {"scaledJacobian", "aspectRatio", "minAngle", "maxAngle"} with the worst value,
+/// its cell and the mean (see CellShape; degrees), as text.
+template <int Dim>
+std::string qualityJson(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
 /// "the canvas of 400 x 300 pixels begins at x -12, y 0 of the picture".
 std::string canvasText(const View& canvas);
 /// "20 steps; …": how near the end is to the truth.

@@ -293,7 +293,7 @@ class Run {
         warnOfRounding(path, pose);
         tellOfLosses(path);
         std::vector<MeshField> fields;
-        if (m_options.fields) fields = shapeFields(m_shape, pose, m_velocity);
+        if (m_options.fields) fields = fieldsFor(path, m_shape, pose, m_velocity);
         m_files.add(path, ".vtu", [&](const std::string& file) {
             writeShape(file, m_shape, pose, fields, m_options.meshes);
         });
@@ -394,8 +394,8 @@ class Run {
 
     void takeMeshFrame(const std::string& pattern, int number, const State<Dim>& state) {
         std::vector<MeshField> fields;
-        if (m_options.fields) fields = shapeFields(m_shape, state.points);
         const std::string name = frameName(pattern, number);
+        if (m_options.fields) fields = fieldsFor(name, m_shape, state.points);
         warnOfRounding(name, state.points);
         if (number == 0) tellOfLosses(name);
         m_files.add(name, "", [&](const std::string& file) {
@@ -497,6 +497,7 @@ class Run {
             m_deformer.restEnergy(),
             m_deformer.restForce(),
             faultsJson(m_faults),
+            qualityJson<Dim>(*m_shape.rest, pose),
             m_shape.verdict,
             m_shape.cage,
             m_canvas,

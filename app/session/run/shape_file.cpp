@@ -1,9 +1,11 @@
 #include "app/session/run/shape_file.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "app/session/run/output_set.h"
 #include "core/energy/distortion.h"
+#include "core/mesh/cell_shape.h"
 #include "core/mesh/embedding.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_cells.h"
@@ -30,11 +32,35 @@ MeshField directionsField(const std::vector<Mat<Dim>>& anisotropy) {
 
 /// Three components in the plane too: that is what a vector is to other programs.
 template <int Dim>
-MeshField velocityField(const Points<Dim>& velocity) {
-    MeshField field{"velocity", false, 3, {}};
-    for (Eigen::Index i = 0; i < velocity.cols(); ++i)
-        for (int a = 0; a < 3; ++a) field.values.push_back(a < Dim ? velocity(a, i) : 0);
+MeshField vectorField(const char* name, const Points<Dim>& vectors) {
+    MeshField field{name, false, 3, {}};
+    for (Eigen::Index i = 0; i < vectors.cols(); ++i)
+        for (int a = 0; a < 3; ++a) field.values.push_back(a < Dim ? vectors(a, i) : 0);
     return field;
+}
+
+template <int Dim>
+MeshField gradientField(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) {
+    MeshField field{"F", true, 9, {}};
+    for (const Mat<Dim>& F : deformationGradients(rest, pose))
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                field.values.push_back(i < Dim && j < Dim ? F(i, j) : (i == j ? 1 : 0));
+    return field;
+}
+
+void addQuality(const std::vector<CellShape>& shapes, const std::string& suffix,
+                std::vector<MeshField>& fields) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    MeshField jacobian{"scaled_jacobian" + suffix, true, 1, {}}, aspect{"aspect_ratio" + suffix, true, 1, {}},
+        least{"min_angle" + suffix, true, 1, {}}, greatest{"max_angle" + suffix, true, 1, {}};
+    for (const CellShape& shape : shapes) {
+        jacobian.values.push_back(shape.scaledJacobian);
+        aspect.values.push_back(shape.aspectRatio);
+        least.values.push_back(kDegrees * shape.minAngle);
+        greatest.values.push_back(kDegrees * shape.maxAngle);
+    }
+    for (MeshField* field : {&jacobian, &aspect, &least, &greatest}) fields.push_back(std::move(*field));
 }
 
 /// Values of cells at the vertices: means over the cells around, weighted with their rest volumes.
@@ -100,7 +126,20 @@ std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& p
                                   {"phi", true, 1, shape.material->phi}};
     if (!shape.material->anisotropy.empty())
         fields.push_back(directionsField<Dim>(shape.material->anisotropy));
-    if (velocity.cols() > 0) fields.push_back(velocityField<Dim>(velocity));
+    if (velocity.cols() > 0) fields.push_back(vectorField<Dim>("velocity", velocity));
+    return fields;
+}
+
+template <int Dim>
+std::vector<MeshField> fieldsFor(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
+                                 const Points<Dim>& velocity) {
+    std::vector<MeshField> fields = shapeFields(shape, pose, velocity);
+    if (path != "-" && lowerExtension(path) != ".vtu") return fields;
+    const SimplicialMesh<Dim>& rest = *shape.rest;
+    fields.push_back(vectorField<Dim>("displacement", pose - rest.points));
+    fields.push_back(gradientField<Dim>(rest, pose));
+    addQuality(cellShapes<Dim>(pose, rest.cells), "", fields);
+    addQuality(cellShapes<Dim>(rest.points, rest.cells), "_rest", fields);
     return fields;
 }
 
@@ -227,6 +266,8 @@ std::string collectionText(const std::vector<std::string>& files, const std::vec
 #define WEND_INSTANTIATE(Dim)                                                                              \
     template std::vector<MeshField> shapeFields<Dim>(const Shape<Dim>&, const Points<Dim>&,                \
                                                      const Points<Dim>&);                                  \
+    template std::vector<MeshField> fieldsFor<Dim>(const std::string&, const Shape<Dim>&,                  \
+                                                   const Points<Dim>&, const Points<Dim>&);                \
     template MeshFile poseFile<Dim>(const Shape<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
     template std::string lostInShape<Dim>(const std::string&, const Shape<Dim>&, const MeshWriteOptions&); \
     template std::string turnedOver<Dim>(const Shape<Dim>&, const Points<Dim>&);                           \

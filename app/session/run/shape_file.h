@@ -18,6 +18,14 @@ template <int Dim>
 std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
                                    const Points<Dim>& velocity = {});
 
+/// The values that a file of that name gets: shapeFields(), and in a .vtu file (or on standard output, "-")
+/// per vertex "displacement", per cell "F" (row-major, 3 × 3 in the plane too), and of the pose and of the
+/// rest (name + "_rest") "scaled_jacobian", "aspect_ratio", "min_angle" and "max_angle" in degrees: see
+/// CellShape.
+template <int Dim>
+std::vector<MeshField> fieldsFor(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
+                                 const Points<Dim>& velocity = {});
+
 /// The mesh of a pose with what the domain's file said beside it: uv, fields, labels, order and count. Of a
 /// picture, uv come from the rest mesh. `fields` win over those of the same name. Throws InputError for a
 /// pose of another mesh.

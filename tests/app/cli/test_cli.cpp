@@ -43,6 +43,7 @@ class TestCli : public QObject {
     void germanLocale();
     void sameBits();
     void warnsOfUnknownKeys();
+    void qualityAndGradients();
     void endOfTheLastMotion();
     void endBeforeTheMotions();
     void strict();
@@ -51,6 +52,7 @@ class TestCli : public QObject {
     void infoOfPicture();
     void infoOfBadMesh();
     void infoOfProject();
+    void convert();
     void devices();
     void linksAndPermissions();
 
@@ -99,7 +101,7 @@ void TestCli::initTestCase() {
 void TestCli::helps() {
     QVERIFY(run({"--help"}).out.contains("Exit codes"));
     QVERIFY(run({"--version"}).out.startsWith("wend "));
-    for (const char* command : {"run", "mesh", "info", "devices", "bench"}) {
+    for (const char* command : {"run", "mesh", "info", "convert", "devices", "bench"}) {
         const CliResult result = run({command, "--help"});
         QCOMPARE(result.code, 0);
         QVERIFY(result.out.startsWith(QString("Usage: wend ") + command));
@@ -156,12 +158,12 @@ void TestCli::velocityOnTheMesh() {
 void TestCli::reportKeys() {
     succeed({"run", "bend.wend", "--report", "r.json"});
     const QJsonObject report = jsonFile("r.json").object();
-    QStringList expected{"vertices",      "cells",    "dimension",   "time",           "backend",
-                         "device",        "errors",   "flips",       "minDet",         "constraintError",
-                         "steps",         "rejected", "evaluations", "factorizations", "solverIterations",
-                         "seconds",       "energy",   "restEnergy",  "restForce",      "errorEstimate",
-                         "selfCrossings", "blownUp",  "needs",       "solver",         "reached",
-                         "notices"};
+    QStringList expected{"vertices",      "cells",      "dimension",   "time",           "backend",
+                         "device",        "errors",     "flips",       "minDet",         "constraintError",
+                         "steps",         "rejected",   "evaluations", "factorizations", "solverIterations",
+                         "seconds",       "energy",     "restEnergy",  "restForce",      "errorEstimate",
+                         "selfCrossings", "blownUp",    "needs",       "solver",         "reached",
+                         "notices",       "cellQuality"};
     QStringList keys = report.keys();
     expected.sort();
     keys.sort();
@@ -489,6 +491,49 @@ void TestCli::warnsOfUnknownKeys() {
     QVERIFY2(told.error.contains("spare.wend: 2 vertices belong to no cell"), qPrintable(told.error));
 }
 
+/// A body that only moves keeps the quality of its cells, and its gradient is that of the motion.
+void TestCli::qualityAndGradients() {
+    std::string turned = readTextFile(file("strip.wend"));
+    const std::string move = "\"kind\": \"translate\", \"by\": [3, 0.5]";
+    turned.replace(turned.find(move), move.size(),
+                   "\"kind\": \"rotate\", \"centre\": [0, 0], \"angle\": 0.5");
+    put(path(), "turned.wend", turned);
+    succeed(
+        {"run", "turned.wend", "--mesh", "turned.vtu", "--mesh", "turned.msh", "--report", "turned.json"});
+    const auto mesh = sharedMeshFile(file("turned.vtu"));
+    const auto field = [&](const std::string& name) {
+        const auto found = std::ranges::find(fieldsOf(*mesh), name, &MeshField::name);
+        return found == fieldsOf(*mesh).end() ? MeshField{} : *found;
+    };
+    const SimplicialMesh<2> rest = stripMesh(10, 2);
+    const MeshField displacement = field("displacement"), F = field("F");
+    QCOMPARE(displacement.values.size(), std::size_t(3 * rest.vertexCount()));
+    QCOMPARE(F.values.size(), std::size_t(9 * rest.cellCount()));
+    const double c = std::cos(0.5), s = std::sin(0.5), expected[] = {c, -s, 0, s, c, 0, 0, 0, 1};
+    for (std::size_t i = 0; i < F.values.size(); ++i)
+        QVERIFY(std::abs(F.values[i] - expected[i % 9]) < 1e-12);
+    for (int v = 0; v < rest.vertexCount(); ++v) {
+        const Vec<2> by(displacement.values[3 * v], displacement.values[3 * v + 1]);
+        QVERIFY((pointsOf(*mesh).col(v).head<2>() - rest.points.col(v) - by).norm() < 1e-14);
+    }
+    // Halves of unit squares: scaled Jacobian 2/√3 · 1/√2, angles 45° and 90°.
+    for (const std::string suffix : {"", "_rest"}) {
+        for (const double x : field("scaled_jacobian" + suffix).values)
+            QVERIFY(std::abs(x - std::sqrt(2.0 / 3)) < 1e-12);
+        for (const double x : field("max_angle" + suffix).values) QVERIFY(std::abs(x - 90) < 1e-10);
+        QCOMPARE(field("aspect_ratio" + suffix).values.size(), std::size_t(rest.cellCount()));
+    }
+    const QJsonObject quality = jsonFile("turned.json")["cellQuality"].toObject();
+    for (const char* when : {"before", "after"}) {
+        const QJsonObject one = quality[when].toObject();
+        QVERIFY(std::abs(one["scaledJacobian"].toObject()["worst"].toDouble() - std::sqrt(2.0 / 3)) < 1e-12);
+        QVERIFY(std::abs(one["minAngle"].toObject()["mean"].toDouble() - 45) < 1e-10);
+        QVERIFY(one["aspectRatio"].toObject().contains("cell"));
+    }
+    const auto plain = sharedMeshFile(file("turned.msh"));
+    for (const MeshField& other : fieldsOf(*plain)) QVERIFY(other.name != "F");
+}
+
 /// Without time.end the run ends with the last motion.
 void TestCli::endOfTheLastMotion() {
     const char* handles =
@@ -664,6 +709,34 @@ void TestCli::infoOfProject() {
     const auto solid = QJsonDocument::fromJson(run({"info", "solid.wend", "--json"}).out.toUtf8());
     QCOMPARE(solid["domain"]["vertices"].toInt(), 700);
     QCOMPARE(solid["domain"]["detail"].toString(), QString("skin.obj"));
+}
+
+void TestCli::convert() {
+    succeed({"convert", "bar.mesh", "bar.vtu"});
+    succeed({"convert", "bar.vtu", "bar-again.msh", "--encoding", "binary", "--msh", "2.2"});
+    const auto bar = sharedMeshFile(file("bar.mesh")), again = sharedMeshFile(file("bar-again.msh"));
+    QCOMPARE(pointsOf(*again), pointsOf(*bar));
+    QVERIFY(tetrahedraOf(*again) == tetrahedraOf(*bar));
+    put(path(), "colours.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+        "z\nproperty "
+        "uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int "
+        "vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+    succeed({"convert", "colours.ply", "colours.vtu"});
+    const CliResult told = run({"convert", "colours.ply", "colours.stl"});
+    QCOMPARE(told.code, 0);
+    QCOMPARE(told.error.count('\n'), 1);
+    QVERIFY2(told.error.startsWith("wend: colours.stl: "), qPrintable(told.error));
+    succeed({"convert", "colours.ply", "colours.stl", "--quiet"});
+    succeed({"convert", "disc.png", "disc.tif"});
+    QCOMPARE(readImage(file("disc.tif")).data, readImage(file("disc.png")).data);
+    QVERIFY(run({"convert", "disc.png", "disc.jpg"}).error.contains("no transparency"));
+    QVERIFY(run({"convert", "strip.obj", "-"}).out.contains("VTKFile"));
+    QCOMPARE(run({"convert", "strip.obj"}).code, 2);
+    QCOMPARE(run({"convert", "strip.obj", "./strip.obj"}).code, 2);
+    QCOMPARE(run({"convert", "strip.obj", "strip.xyz"}).code, 3);
+    QCOMPARE(run({"convert", "nowhere.obj", "strip.vtu"}).code, 3);
+    QCOMPARE(run({"convert", "strip.wend", "strip.vtu"}).code, 2);
 }
 
 void TestCli::devices() {

@@ -1,0 +1,112 @@
+#include <algorithm>
+
+#include "app/cli/commands.h"
+#include "app/cli/terminal.h"
+#include "app/session/run/output_set.h"
+#include "app/session/run/run_options.h"
+#include "app/session/run/shape_file.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
+#include "core/mesh/same_file.h"
+#include "core/mesh/skin_file.h"
+#include "warp/image.h"
+#include "warp/image_formats.h"
+
+namespace wend {
+namespace {
+
+struct Conversion {
+    std::string from, to;  // "-": standard output
+    MeshWriteOptions options;
+    Terminal& terminal;
+
+    /// The extension that decides the format of the output.
+    std::string extension(const char* standard) const { return to == "-" ? standard : lowerExtension(to); }
+    void tell(const std::string& what) const {
+        if (!what.empty()) terminal.warn(to + ": " + what);
+    }
+};
+
+bool isMesh(const std::string& path) {
+    return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0;
+}
+
+/// Files that exist as names only for now: what is written along with the input or the output.
+void requireOtherFiles(const Conversion& conversion) {
+    if (conversion.to == "-") return;
+    for (const std::string& read : writtenAlong(conversion.from))
+        for (const std::string& written : writtenAlong(conversion.to))
+            if (sameFile(read, written))
+                throw UsageError(conversion.to + ": would replace " + read + ", which is read here");
+}
+
+void convertMesh(const Conversion& conversion, OutputSet& files) {
+    const std::string extension = conversion.extension(".vtu");
+    if (extension == ".glb") {
+        const Skin skin = readSkin(conversion.from);
+        for (const std::string& warning : skin.warnings)
+            conversion.terminal.warn(conversion.from + ": " + warning);
+        conversion.tell(lostInSkin("mesh.glb", skin, conversion.options));
+        return files.add(conversion.to, extension, [&](const std::string& file) {
+            writeSkin(file, skin, skin.points, {}, conversion.options);
+        });
+    }
+    requireShapeFormat(conversion.to, extension, 3);
+    const auto mesh = sharedMeshFile(conversion.from);
+    std::string missing;
+    for (const std::string& notice : mesh->notices) missing += (missing.empty() ? "" : ", ") + notice;
+    if (!missing.empty()) conversion.terminal.warn(conversion.from + ": is read without " + missing);
+    conversion.tell(lostInFile("mesh" + extension, *mesh, conversion.options));
+    files.add(conversion.to, extension,
+              [&](const std::string& file) { writeMeshFile(file, *mesh, conversion.options); });
+}
+
+/// What of a picture its new format does not hold, in one line.
+std::string lostInPicture(const std::string& path, const Image& image) {
+    std::string lost;
+    const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : "; ") + what; };
+    if (image.alpha && !holdsAlpha(path))
+        add("the format holds no transparency: the picture is laid over white");
+    if (!holdsType(path, image.type)) add("the format does not hold numbers of this depth: they are rounded");
+    if (losesProfile(path, image))
+        add("the format holds no colour profile: the colours' numbers are kept as they are");
+    return lost;
+}
+
+void convertPicture(const Conversion& conversion, OutputSet& files) {
+    const std::string extension = conversion.extension(".png");
+    if (!canWriteImage("picture" + extension))
+        throw InputError(conversion.to, "is in no picture format that can be written");
+    std::vector<std::string> notices;
+    const Image image = readImage(conversion.from, kMaxMegapixels, &notices);
+    for (const std::string& notice : notices) conversion.terminal.warn(conversion.from + ": " + notice);
+    conversion.tell(lostInPicture("picture" + extension, image));
+    files.add(conversion.to, extension, [&](const std::string& file) { writeImage(file, image); });
+}
+
+}  // namespace
+
+ExitCode runConvert(const Arguments& arguments) {
+    if (arguments.files().size() != 2)
+        throw UsageError("two files are needed, the one to read and the one to write, not " +
+                         std::to_string(arguments.files().size()));
+    Terminal terminal(Terminal::Progress::Automatic, arguments.has("--quiet"));
+    const Conversion conversion{arguments.files()[0], arguments.files()[1],
+                                meshOptionsFrom(arguments.values()), terminal};
+    Terminal::setFile(conversion.from);
+    requireOtherFiles(conversion);
+    requirePlaces({conversion.to});
+    OutputSet files;
+    if (isMesh(conversion.from))
+        convertMesh(conversion, files);
+    else if (lowerExtension(conversion.from) == ".wend")
+        throw UsageError(conversion.from + ": is a project; `wend run` writes what it makes");
+    else
+        convertPicture(conversion, files);
+    files.commit();
+    return ExitCode::Done;
+}
+
+}  // namespace wend
