@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -17,6 +16,18 @@ std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std
     rows.reserve(ids.size());
     for (const int id : ids) rows.push_back({constraints.points()[id].terms});
     return rows;
+}
+
+template <int Dim>
+Sliders slidersOf(const Constraints<Dim>& constraints, const std::vector<int>& ids) {
+    Sliders sliders;
+    for (const int id : ids) {
+        const ConstrainedPoint& point = constraints.points()[id];
+        const auto& hold = constraints.hold(point.handle);
+        Slider& slider = sliders.emplace_back(Slider{point.terms.front().first, hold.held});
+        if (hold.normal) slider.normal.template head<Dim>() = *hold.normal;
+    }
+    return sliders;
 }
 
 namespace {
@@ -129,12 +140,15 @@ class Rehearsal {
 template <int Dim>
 void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& rest,
                        const Normalization<Dim>& units) {
-    std::vector<int> all(constraints.points().size());
-    std::iota(all.begin(), all.end(), 0);
+    std::vector<int> all;
+    for (size_t k = 0; k < constraints.points().size(); ++k)
+        if (!constraints.points()[k].slides) all.push_back(static_cast<int>(k));
     if (dependentRows(rowsOf(constraints, all)).empty()) return;  // nor are those of any part of them
     Rehearsal<Dim>(constraints, rest, units).run();
 }
 
+template Sliders slidersOf<2>(const Constraints<2>&, const std::vector<int>&);
+template Sliders slidersOf<3>(const Constraints<3>&, const std::vector<int>&);
 template std::vector<ConstraintRow> rowsOf<2>(const Constraints<2>&, const std::vector<int>&);
 template void requireConsistent<2>(const Constraints<2>&, const Points<2>&, const Normalization<2>&);
 template std::vector<ConstraintRow> rowsOf<3>(const Constraints<3>&, const std::vector<int>&);

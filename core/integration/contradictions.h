@@ -10,6 +10,10 @@ namespace wend {
 template <int Dim>
 std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std::vector<int>& ids);
 
+/// Returns the sliders of the points with these ids.
+template <int Dim>
+Sliders slidersOf(const Constraints<Dim>& constraints, const std::vector<int>& ids);
+
 /// Throws InputError naming two handles that prescribe different motions for one point: linearly dependent
 /// rows whose velocities are not the same combination. They are compared at several times between consecutive
 /// breakpoints, on the trajectories from rest. Handles that agree are accepted: the solver drops the

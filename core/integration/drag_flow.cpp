@@ -37,6 +37,7 @@ std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const No
         held.name = handle.name;
         held.at = handle.at;
         held.slides = handle.slides;
+        held.normal = handle.normal;
         result.push_back(units.normal(held));
     }
     return result;
@@ -79,7 +80,8 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
     requireValid<Dim>(*material, m_rest->cellCount());
     m_solver.setVelocityTolerance(kVelocityTolerance);
     m_solver.setLongestPause(kLongestPause);
-    m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)), m_constraints.sliders());
+    m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)),
+                            slidersOf(m_constraints, m_constraints.activeSliders(0, Side::After)));
     begin(m_domainRest->points);
     prepare();
 }
@@ -178,7 +180,8 @@ bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& displacement)
     double miss = 0;
     for (Eigen::Index i = 0; i < displacement.cols(); ++i) {
         const Vec<Dim> v = m_constraints.points()[i].template in<Dim>(field);
-        miss = std::max(miss, (v - displacement.col(i)).norm());
+        const Vec<Dim> off = m_constraints.deviation(static_cast<int>(i), v - displacement.col(i));
+        miss = std::max(miss, off.norm());
     }
     return miss <= kGoodGuess * largestColumn<Dim>(displacement);
 }
@@ -214,7 +217,8 @@ void DragFlow<Dim>::publish() {
     m_constraintError = 0;
     for (Eigen::Index i = 0; i < m_targets.cols(); ++i) {
         const Vec<Dim> p = m_constraints.points()[i].template in<Dim>(m_shape);
-        m_constraintError = std::max(m_constraintError, m_units.size * (p - m_targets.col(i)).norm());
+        const Vec<Dim> off = m_constraints.deviation(static_cast<int>(i), p - m_targets.col(i));
+        m_constraintError = std::max(m_constraintError, m_units.size * off.norm());
     }
 }
 

@@ -121,7 +121,9 @@ int Deformer<Dim>::Integrator::firstInverted(const Points<Dim>& shape) const {
 template <int Dim>
 void Deformer<Dim>::Integrator::activate(Side side) {
     m_ids = m_constraints->activePoints(state.time, side);
-    m_solver->setConstraints(rowsOf(*m_constraints, m_ids), m_constraints->sliders());
+    const std::vector<int> sliding = m_constraints->activeSliders(state.time, side);
+    m_solver->setConstraints(rowsOf(*m_constraints, m_ids), slidersOf(*m_constraints, sliding));
+    m_ids.insert(m_ids.end(), sliding.begin(), sliding.end());
 }
 
 /// Returns whether a handle moves or the shape relaxes.

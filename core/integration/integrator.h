@@ -99,7 +99,8 @@ struct Deformer<Dim>::Integrator {
     std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;
     VelocityHistory<Dim> m_history;
 
-    std::vector<int> m_ids;  // the active constrained points, as the solver has them
+    std::vector<int>
+        m_ids;  // the active constrained points, as the solver has them: those that slide come last
     Points<Dim> m_targets, m_prescribed;
     Points<Dim> m_next;   // the result of an attempt, projected
     Statistics m_before;  // of the run that known steps are from

@@ -222,7 +222,8 @@ void Deformer<Dim>::Integrator::measureError(double t) {
     m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
     for (size_t i = 0; i < m_ids.size(); ++i) {
         const Vec<Dim> p = m_constraints->points()[m_ids[i]].template in<Dim>(state.normalized);
-        const double distance = (p - m_targets.col(static_cast<Eigen::Index>(i))).norm();
+        const double distance =
+            m_constraints->deviation(m_ids[i], p - m_targets.col(static_cast<Eigen::Index>(i))).norm();
         statistics.constraintError = std::max(statistics.constraintError, distance);
     }
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// The edges from the first corner, as columns.
 template <int Dim>
-Mat<Dim> edgesOf(const Points<Dim>& points, const Cell<Dim>& cell) {
+Mat<Dim> edgeMatrix(const Points<Dim>& points, const Cell<Dim>& cell) {
     Mat<Dim> edges;
     for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
     return edges;
@@ -73,7 +73,7 @@ CellShape cellShape(const Points<Dim>& points, const Cell<Dim>& cell) {
         product = std::max(product, at);
     }
     CellShape shape;
-    const double J = edgesOf<Dim>(points, cell).determinant(),
+    const double J = edgeMatrix<Dim>(points, cell).determinant(),
                  scale = Dim == 2 ? 2 / std::sqrt(3.0) : std::sqrt(2.0);
     const double measure = std::abs(J) / (Dim == 2 ? 2 : 6);
     shape.scaledJacobian = product > 0 ? scale * J / std::max(product, std::abs(J)) : 0;
@@ -98,7 +98,7 @@ std::vector<Mat<Dim>> deformationGradients(const SimplicialMesh<Dim>& rest, cons
     std::vector<Mat<Dim>> all;
     all.reserve(rest.cells.size());
     for (const Cell<Dim>& cell : rest.cells)
-        all.push_back(edgesOf<Dim>(pose, cell) * edgesOf<Dim>(rest.points, cell).inverse());
+        all.push_back(edgeMatrix<Dim>(pose, cell) * edgeMatrix<Dim>(rest.points, cell).inverse());
     return all;
 }
 

@@ -27,6 +27,13 @@ Trajectory<Dim> trajectoryOf(const Motion<Dim>& motion, size_t number) {
     }
 }
 
+/// Null if there is none.
+template <int Dim>
+const Vec<Dim>* valueAt(const Displacements<Dim>& values, int vertex) {
+    const auto found = std::ranges::lower_bound(values, vertex, {}, &Displacements<Dim>::value_type::first);
+    return found != values.end() && found->first == vertex ? &found->second : nullptr;
+}
+
 /// x with map(x) = p.
 template <int Dim>
 Vec<Dim> preimage(const AffineMap<Dim>& map, const Vec<Dim>& p) {
@@ -90,56 +97,74 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
                               const Normalization<Dim>& units) {
     const HandlePlacer<Dim> placer(rest, units);
     for (size_t i = 0; i < handles.size(); ++i) {
-        const int index = static_cast<int>(i);
         m_names.push_back(handles[i].name.empty() ? "handle " + std::to_string(i)
                                                   : "handle \"" + handles[i].name + '"');
         try {
             m_timelines.emplace_back(handles[i]);
-            const size_t first = m_points.size();
-            take(placer.place(handles[i].at, index), handles[i].slides);
-            takeFields(handles[i], first);
+            take(placer.place(handles[i].at, static_cast<int>(i)), handles[i]);
         } catch (const InputError& error) {
             throw InputError(m_names.back() + ": " + error.reason());
         }
         const std::vector<double> times = m_timelines.back().breakpoints();
         m_breakpoints.insert(m_breakpoints.end(), times.begin(), times.end());
     }
+    std::ranges::stable_partition(m_points, [](const ConstrainedPoint& point) { return !point.slides; });
+    takeFields(handles);
     std::sort(m_breakpoints.begin(), m_breakpoints.end());
     m_breakpoints.erase(std::unique(m_breakpoints.begin(), m_breakpoints.end()), m_breakpoints.end());
 }
 
 template <int Dim>
-void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, unsigned slides) {
+void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle) {
     constexpr unsigned kAll = (1U << Dim) - 1;
-    for (ConstrainedPoint& point : points)
-        if (slides == 0)
-            m_points.push_back(std::move(point));
-        else if (point.terms.size() == 1)
-            m_sliders.emplace_back(point.terms.front().first, kAll & ~slides);
+    Hold hold{kAll & ~handle.slides, {}};
+    if (handle.normal) {
+        if (!(handle.normal->allFinite() && handle.normal->norm() > 0))
+            throw InputError("the normal of its hold has no direction");
+        const Vec<Dim> normal = handle.normal->normalized();
+        int axis = 0;
+        if (normal.cwiseAbs().maxCoeff(&axis) == 1)
+            hold.held = 1U << axis;
         else
-            throw InputError("only vertices can slide");
+            hold.normal = normal;
+    }
+    m_holds.push_back(hold);
+    for (ConstrainedPoint& point : points) {
+        point.slides = handle.isPartlyHeld();
+        if (point.slides && point.terms.size() > 1) throw InputError("only vertices can slide");
+        m_points.push_back(std::move(point));
+    }
+}
+
+template <int Dim>
+Vec<Dim> Constraints<Dim>::heldPart(int handle, const Vec<Dim>& v) const {
+    const Hold& hold = m_holds[static_cast<size_t>(handle)];
+    if (hold.normal) return *hold.normal * hold.normal->dot(v);
+    Vec<Dim> part = v;
+    for (int k = 0; k < Dim; ++k)
+        if ((hold.held >> k & 1U) == 0) part[k] = 0;
+    return part;
 }
 
 /// A point inside a cell has the displacements of its vertices, weighted as they are.
 template <int Dim>
-void Constraints<Dim>::takeFields(const Handle<Dim>& handle, size_t firstPoint) {
+void Constraints<Dim>::takeFields(const std::vector<Handle<Dim>>& handles) {
     m_displacements.resize(m_points.size());
-    for (size_t m = 0; m < handle.motions.size(); ++m) {
-        const auto* field = std::get_if<FieldMotion<Dim>>(&handle.motions[m].kind);
-        if (!field) continue;
-        const auto valueOf = [&](int vertex) {
-            const auto found =
-                std::ranges::lower_bound(*field->values, vertex, {}, &Displacements<Dim>::value_type::first);
-            if (found == field->values->end() || found->first != vertex)
-                throw InputError("motion " + std::to_string(m + 1) +
-                                 ": there is no displacement for vertex " + std::to_string(vertex) +
-                                 (field->file.empty() ? "" : " in " + field->file));
-            return found->second;
-        };
-        for (size_t k = firstPoint; k < m_points.size(); ++k) {
-            m_displacements[k].resize(handle.motions.size(), Vec<Dim>::Zero());
-            for (const auto& [vertex, weight] : m_points[k].terms)
-                m_displacements[k][m] += weight * valueOf(vertex);
+    for (size_t k = 0; k < m_points.size(); ++k) {
+        const auto number = static_cast<size_t>(m_points[k].handle);
+        const std::vector<Motion<Dim>>& motions = handles[number].motions;
+        for (size_t m = 0; m < motions.size(); ++m) {
+            const auto* field = std::get_if<FieldMotion<Dim>>(&motions[m].kind);
+            if (!field) continue;
+            m_displacements[k].resize(motions.size(), Vec<Dim>::Zero());
+            for (const auto& [vertex, weight] : m_points[k].terms) {
+                const Vec<Dim>* value = valueAt<Dim>(*field->values, vertex);
+                if (!value)
+                    throw InputError(m_names[number] + ": motion " + std::to_string(m + 1) +
+                                     ": there is no displacement for vertex " + std::to_string(vertex) +
+                                     (field->file.empty() ? "" : " in " + field->file));
+                m_displacements[k][m] += weight * *value;
+            }
         }
     }
 }
@@ -157,12 +182,23 @@ double Constraints<Dim>::lastBreakpoint(double t) const {
 }
 
 template <int Dim>
-std::vector<int> Constraints<Dim>::activePoints(double t, Side side) const {
+std::vector<int> Constraints<Dim>::active(double t, Side side, bool slide) const {
     std::vector<int> ids;
     for (size_t k = 0; k < m_points.size(); ++k) {
-        if (m_timelines[m_points[k].handle].active(t, side)) ids.push_back(static_cast<int>(k));
+        if (m_points[k].slides == slide && m_timelines[m_points[k].handle].active(t, side))
+            ids.push_back(static_cast<int>(k));
     }
     return ids;
+}
+
+template <int Dim>
+std::vector<int> Constraints<Dim>::activePoints(double t, Side side) const {
+    return active(t, side, false);
+}
+
+template <int Dim>
+std::vector<int> Constraints<Dim>::activeSliders(double t, Side side) const {
+    return active(t, side, true);
 }
 
 template <int Dim>
@@ -222,10 +258,12 @@ void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Ancho
         const HandleTimeline<Dim>& timeline = m_timelines[handle];
         const bool wasActive = timeline.active(t, Side::Before),
                    staysActive = timeline.active(t, Side::After);
-        if (wasActive && staysActive) {
+        // What slid begins the next motion where it is.
+        if (wasActive && staysActive && !m_points[k].slides) {
             if (timeline.motionAt(t, Side::Before) == timeline.motionAt(t, Side::After)) continue;
             anchors[k] = place(before[handle], k, anchors[k]);  // a motion begins with the identity
-        } else {
+        } else if (!(wasActive && staysActive) ||
+                   timeline.motionAt(t, Side::Before) != timeline.motionAt(t, Side::After)) {
             anchors[k] = anchorAt(after[handle], k, m_points[k].in<Dim>(shape));
         }
     }
@@ -244,7 +282,8 @@ auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const 
         const auto [first, last] = known.equal_range(m_points[k].terms);
         for (auto it = first; it != last; ++it) {
             const Vec<Dim> p = place(after[m_points[k].handle], k, theirs[it->second]);
-            if ((p - m_points[k].in<Dim>(shape)).norm() <= kSameTrajectory) result[k] = theirs[it->second];
+            const Vec<Dim> off = deviation(static_cast<int>(k), p - m_points[k].in<Dim>(shape));
+            if (off.norm() <= kSameTrajectory) result[k] = theirs[it->second];
             if (others[it->second].handle == m_points[k].handle) break;
         }
     }
@@ -265,6 +304,8 @@ void Constraints<Dim>::evaluate(const std::vector<int>& ids, const Anchors& anch
         velocities.col(column) = own.map.velocity(anchors[id]);
         if (own.map.shareRate != 0)
             velocities.col(column) += own.map.shareRate * displacement(id, own.motion);
+        if (m_points[id].slides)
+            velocities.col(column) = heldPart(m_points[id].handle, velocities.col(column));
     }
 }
 

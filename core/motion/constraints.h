@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@ namespace wend {
 struct ConstrainedPoint {
     int handle = 0;
     std::vector<std::pair<int, double>> terms;
+    bool slides = false;  // it is held in some directions only, see Constraints::heldPart()
 
     template <int Dim>
     Vec<Dim> in(const Points<Dim>& shape) const {
@@ -60,10 +62,22 @@ class Constraints {
     Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
                 const Normalization<Dim>& units = {});
 
+    /// Those that slide come last.
     const std::vector<ConstrainedPoint>& points() const { return m_points; }
-    /// Returns the vertices of sliding handles (Handle::slides), which are not among the points, with the
-    /// coordinates in which they are held: bit k is coordinate k.
-    const std::vector<std::pair<int, unsigned>>& sliders() const { return m_sliders; }
+    /// How the points of a handle are held: along `normal` (of length 1) if there is one, else in the
+    /// coordinates whose bits are set in `held`. Of points that do not slide that is all of them.
+    struct Hold {
+        unsigned held = 0;
+        std::optional<Vec<Dim>> normal;
+    };
+    const Hold& hold(int handle) const { return m_holds[static_cast<size_t>(handle)]; }
+    /// The part of a vector along the directions in which the points of a handle are held.
+    Vec<Dim> heldPart(int handle, const Vec<Dim>& v) const;
+    /// What counts of a difference between a point's place or velocity and the prescribed one.
+    Vec<Dim> deviation(int id, const Vec<Dim>& difference) const {
+        const ConstrainedPoint& point = m_points[static_cast<size_t>(id)];
+        return point.slides ? heldPart(point.handle, difference) : difference;
+    }
     const HandleTimeline<Dim>& timeline(int handle) const { return m_timelines[handle]; }
     /// `handle "name"`, or by number if it has none.
     const std::string& handleName(int handle) const { return m_names[handle]; }
@@ -75,7 +89,9 @@ class Constraints {
     /// The last breakpoint up to t, or −infinity.
     double lastBreakpoint(double t) const;
 
+    /// Those that are held in all directions, and those that slide (vertices).
     std::vector<int> activePoints(double t, Side side) const;
+    std::vector<int> activeSliders(double t, Side side) const;
     /// Returns whether any active handle moves.
     bool moving(double t, Side side) const;
 
@@ -90,7 +106,8 @@ class Constraints {
     Anchors adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
                   const Points<Dim>& shape, double t) const;
 
-    /// Positions and velocities of some points at time t, one column each.
+    /// Positions and velocities of some points at time t, one column each; of points that slide, the velocity
+    /// is its held part, and only the held part of the position counts.
     void evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
@@ -100,8 +117,9 @@ class Constraints {
         MovingMap<Dim> map;
         int motion = -1;
     };
-    void take(std::vector<ConstrainedPoint> points, unsigned slides);
-    void takeFields(const Handle<Dim>& handle, size_t firstPoint);
+    void take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle);
+    std::vector<int> active(double t, Side side, bool slide) const;
+    void takeFields(const std::vector<Handle<Dim>>& handles);
     std::vector<HandleMap> maps(double t, Side side) const;
     Vec<Dim> displacement(size_t id, int motion) const;
     Vec<Dim> place(const HandleMap& map, size_t id, const Vec<Dim>& anchor) const;
@@ -110,7 +128,7 @@ class Constraints {
     std::vector<ConstrainedPoint> m_points;
     /// Per point the displacements by FieldMotions, by the number of the motion; empty without any.
     std::vector<std::vector<Vec<Dim>>> m_displacements;
-    std::vector<std::pair<int, unsigned>> m_sliders;
+    std::vector<Hold> m_holds;  // per handle
     std::vector<HandleTimeline<Dim>> m_timelines;
     std::vector<std::string> m_names;
     std::vector<double> m_breakpoints;

@@ -110,6 +110,8 @@ struct Handle {
     double activeTo = std::numeric_limits<double>::infinity();
     Extras extras = {};
     unsigned slides = 0;  // bit k: the points are free along coordinate k, and held along the others
+    std::optional<Vec<Dim>> normal = {};  // the points are held along this direction only
+    bool isPartlyHeld() const { return slides != 0 || normal; }
     HandleTraits traits = {};
 };
 

@@ -41,14 +41,12 @@ class HeldSimilarities {
     static constexpr int kModes = Dim + Dim * (Dim - 1) / 2 + 1;
 
     /// p relative to the middle of the shape, in terms of its size.
+    void add(const Vec<Dim>& p, const Mat<Dim>& projector) {
+        const Velocities velocities = velocitiesAt(p);
+        m_square += velocities.transpose() * projector * velocities;
+    }
     void add(const Vec<Dim>& p, unsigned held) {
-        Eigen::Matrix<double, Dim, kModes> velocities;
-        velocities.setZero();
-        velocities.template leftCols<Dim>().setIdentity();
-        int mode = Dim;
-        for (int a = 0; a < Dim; ++a)
-            for (int b = a + 1; b < Dim; ++b, ++mode) velocities(a, mode) = -p[b], velocities(b, mode) = p[a];
-        velocities.col(mode) = p;
+        const Velocities velocities = velocitiesAt(p);
         for (int k = 0; k < Dim; ++k)
             if (held >> k & 1U) m_square += velocities.row(k).transpose() * velocities.row(k);
     }
@@ -59,6 +57,17 @@ class HeldSimilarities {
     }
 
   private:
+    using Velocities = Eigen::Matrix<double, Dim, kModes>;
+    static Velocities velocitiesAt(const Vec<Dim>& p) {
+        Velocities velocities;
+        velocities.setZero();
+        velocities.template leftCols<Dim>().setIdentity();
+        int mode = Dim;
+        for (int a = 0; a < Dim; ++a)
+            for (int b = a + 1; b < Dim; ++b, ++mode) velocities(a, mode) = -p[b], velocities(b, mode) = p[a];
+        velocities.col(mode) = p;
+        return velocities;
+    }
     Mat<kModes> m_square = Mat<kModes>::Zero();
 };
 
@@ -113,7 +122,7 @@ std::vector<int> cellComponents(const SimplicialMesh<Dim>& mesh) {
 
 template <int Dim>
 std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
-                                  const std::vector<ConstraintRow>& rows, const Sliders& sliders) {
+                                  const std::vector<ConstraintRow>& rows, const SliderSet<Dim>& sliders) {
     const int count = components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
     const auto ofVertex = componentsOfVertices(mesh, components);
     std::vector<std::vector<Vec<Dim>>> points(count);
@@ -128,9 +137,9 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     std::vector<HeldSimilarities<Dim>> held(count);
     for (int i = 0; i < count; ++i)
         for (const Vec<Dim>& p : points[i]) held[i].add((p - middle) / size, ~0U);
-    for (const auto& [vertex, coordinates] : sliders)
-        for (int component : ofVertex[vertex])
-            held[component].add((mesh.points.col(vertex) - middle) / size, coordinates);
+    for (const auto& slider : sliders.vertices())
+        for (int component : ofVertex[slider.vertex])
+            held[component].add((mesh.points.col(slider.vertex) - middle) / size, slider.projector);
     for (int i = 0; i < count; ++i) result[i] = result[i] || held[i].all();
     return result;
 }
@@ -138,7 +147,7 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
 #define WEND_INSTANTIATE(Dim)                                                                       \
     template std::vector<int> cellComponents(const SimplicialMesh<Dim>&);                           \
     template std::vector<bool> wellConstrained(const SimplicialMesh<Dim>&, const std::vector<int>&, \
-                                               const std::vector<ConstraintRow>&, const Sliders&);
+                                               const std::vector<ConstraintRow>&, const SliderSet<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

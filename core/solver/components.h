@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
-#include "core/solver/constraint_rows.h"
+#include "core/solver/slider_set.h"
 
 namespace wend {
 
@@ -17,6 +17,6 @@ std::vector<int> cellComponents(const SimplicialMesh<Dim>& mesh);
 /// its vertices. Vertices that slide count by the coordinates in which they are held.
 template <int Dim>
 std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
-                                  const std::vector<ConstraintRow>& rows, const Sliders& sliders = {});
+                                  const std::vector<ConstraintRow>& rows, const SliderSet<Dim>& sliders = {});
 
 }  // namespace wend

@@ -58,6 +58,8 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
     double start = 0, before = 0, rzBefore = 0;
     while (result.iterations < goal.most && !links.decide(goal.stop.stop_requested())) {
         if (!precondition(flat<Dim>(m_r), flat<Dim>(m_z))) break;
+        // Preconditioners know no held directions but the axes.
+        if (!system.sliders().areAlongAxes()) system.release(m_z);
         ++result.iterations;
         const double size = largest(m_z.leftCols(own), links), rz = dot<Dim>(m_r, m_z, links);
         if (size == 0) {

@@ -67,7 +67,7 @@ DependentRow dependencyOf(const WorkingRow& work) {
 class Reducer {
   public:
     explicit Reducer(const Sliders& sliders) {
-        for (const auto& [vertex, held] : sliders) m_sliding.insert(vertex);
+        for (const Slider& slider : sliders) m_sliding.insert(slider.vertex);
     }
 
     void add(const ConstraintRow& row, int index) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <utility>
 #include <vector>
 
@@ -11,9 +12,19 @@ struct ConstraintRow {
     std::vector<std::pair<int, double>> terms;
 };
 
-/// Vertices that are held in some coordinates, and slide along the others: bit k stands for coordinate k, in
-/// which the velocity is 0. Where a row makes a vertex a pivot, the row counts.
-using Sliders = std::vector<std::pair<int, unsigned>>;
+/// A vertex that is held in some directions, and slides across them: along `normal` (of length 1; in the
+/// plane its third coordinate is 0) if that is not zero, else in the coordinates whose bits are set in
+/// `held`. In these directions its velocity is prescribed. A vertex may have several. Where a row makes it a
+/// pivot, the row counts.
+struct Slider {
+    int vertex = -1;
+    unsigned held = 0;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+
+    bool hasNormal() const { return !normal.isZero(0); }
+    bool operator==(const Slider&) const = default;
+};
+using Sliders = std::vector<Slider>;
 
 /// The same rows with one term per vertex, none of weight 0, by vertex.
 std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows);

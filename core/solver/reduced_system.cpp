@@ -17,11 +17,22 @@ struct Target {
 template <int Dim>
 ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination,
                                   const Sliders& sliders)
-    : m_elimination(elimination) {
+    : m_elimination(elimination), m_sliders(sliders) {
     numberUnknowns(plan);
-    if (!sliders.empty()) m_held.assign(m_unknowns.size(), 0);
-    for (const auto& [vertex, held] : sliders)
-        if (m_unknownOf[vertex] >= 0) m_held[static_cast<std::size_t>(m_unknownOf[vertex])] |= held;
+    std::vector<int> pivots;
+    for (const auto& pivot : m_elimination.pivots) pivots.push_back(pivot.vertex);
+    std::ranges::sort(pivots);
+    m_sliders.erase(pivots);
+    if (!m_sliders.empty()) m_held.assign(m_unknowns.size(), 0);
+    if (!m_sliders.areAlongAxes()) m_projectors.assign(m_unknowns.size(), Mat<Dim>::Zero());
+    for (const auto& slider : m_sliders.vertices()) {
+        if (m_unknownOf[slider.vertex] < 0) continue;
+        const auto unknown = static_cast<std::size_t>(m_unknownOf[slider.vertex]);
+        if (slider.isAlongAxes)
+            m_held[unknown] = slider.held;
+        else
+            m_projectors[unknown] = slider.projector;
+    }
     if (!plan.columnStart.empty()) buildPattern(plan);
 }
 
@@ -31,6 +42,10 @@ void ReducedSystem<Dim>::release(std::size_t row, std::size_t column, Mat<Dim>& 
     for (int i = 0; i < Dim; ++i)
         for (int j = 0; j < Dim; ++j)
             if ((holds(row, i) || holds(column, j)) && !(row == column && i == j)) K(i, j) = 0;
+    if (m_projectors.empty()) return;
+    const Mat<Dim>&left = m_projectors[row], &right = m_projectors[column];
+    const Mat<Dim> free = K - left * K - K * right + left * K * right;
+    K = row == column ? Mat<Dim>(free + left * K * right) : free;
 }
 
 template <int Dim>
@@ -38,6 +53,10 @@ void ReducedSystem<Dim>::release(Points<Dim>& y) const {
     for (std::size_t P = 0; P < m_held.size(); ++P)
         for (int k = 0; k < Dim; ++k)
             if (holds(P, k)) y(k, static_cast<Eigen::Index>(P)) = 0;
+    for (std::size_t P = 0; P < m_projectors.size(); ++P) {
+        const Vec<Dim> own = y.col(static_cast<Eigen::Index>(P));
+        y.col(static_cast<Eigen::Index>(P)) = own - m_projectors[P] * own;
+    }
 }
 
 /// Unknown are the vertices that have a cell and are no pivot, in their order.
@@ -126,6 +145,16 @@ void ReducedSystem<Dim>::particular(const Points<Dim>& prescribed, Points<Dim>& 
     v.setZero(Dim, static_cast<Eigen::Index>(m_unknownOf.size()));
     for (const auto& pivot : m_elimination.pivots)
         for (const auto& [row, value] : pivot.values) v.col(pivot.vertex) += value * prescribed.col(row);
+    const Eigen::Index first = rowCount();
+    if (m_sliders.empty() || prescribed.cols() < first + m_sliders.count()) return;
+    for (const auto& slider : m_sliders.vertices()) v.col(slider.vertex) = slider.valueOf(prescribed, first);
+    for (const auto& pivot : m_elimination.pivots)
+        for (const auto& [other, weight] : pivot.free) v.col(pivot.vertex) -= weight * v.col(other);
+}
+
+template <int Dim>
+Eigen::Index ReducedSystem<Dim>::rowCount() const {
+    return static_cast<Eigen::Index>(m_elimination.pivots.size() + m_elimination.dependent.size());
 }
 
 template <int Dim>

@@ -4,16 +4,18 @@
 
 #include "core/assembly/assembly_plan.h"
 #include "core/solver/constraint_rows.h"
+#include "core/solver/slider_set.h"
 
 namespace wend {
 
 /// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A contributes, with which
 /// coefficient, to which block of K, decided once where the plan lists blocks. Without barycentric rows K is
-/// a part of A. In a coordinate in which a vertex is held y is 0: K has nothing there but its diagonal.
+/// a part of A. In a direction in which a vertex is held y is 0: K has nothing there but its diagonal.
 template <int Dim>
 class ReducedSystem {
   public:
     ReducedSystem() = default;
+    /// Sliders that are pivots are as if they were not there.
     ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination, const Sliders& sliders = {});
 
     /// The vertex of every block of unknowns.
@@ -35,7 +37,8 @@ class ReducedSystem {
 
     /// The values of K in that pattern, from the blocks of A in the plan's order.
     void gather(std::span<const double> blocksOfA, std::span<double> values) const;
-    /// v_p: the constrained vertices with all free ones at rest; prescribed has a column per row.
+    /// v_p: the constrained vertices with all free ones at rest; prescribed has a column per row, and after
+    /// them may have one per slider, of which the held part counts.
     void particular(const Points<Dim>& prescribed, Points<Dim>& v) const;
     /// v = Z y + v_p with y from another field: v is v_p on entry.
     void adopt(const Points<Dim>& field, Points<Dim>& v) const;
@@ -43,6 +46,9 @@ class ReducedSystem {
     void expand(const Points<Dim>& y, Points<Dim>& v) const;
     /// Zᵀ f, one column per unknown vertex.
     void restrict(const Points<Dim>& f, Points<Dim>& reduced) const;
+    const SliderSet<Dim>& sliders() const { return m_sliders; }
+    /// Takes out of a field of unknowns what lies in held directions.
+    void release(Points<Dim>& y) const;
 
   private:
     struct Term {  // K_PQ += coefficient · A_block, or its transpose
@@ -51,18 +57,20 @@ class ReducedSystem {
         double coefficient;
     };
     void numberUnknowns(const AssemblyPlan<Dim>& plan);
+    Eigen::Index rowCount() const;
     void buildPattern(const AssemblyPlan<Dim>& plan);
     bool holds(std::size_t unknown, int coordinate) const {
         return !m_held.empty() && (m_held[unknown] >> coordinate & 1U) != 0;
     }
     void release(std::size_t row, std::size_t column, Mat<Dim>& K) const;
-    void release(Points<Dim>& y) const;
 
     Elimination m_elimination;
     std::vector<int> m_unknowns, m_unknownOf, m_pivotOf;  // the last two per vertex, −1: none
     std::vector<unsigned> m_held;                         // per unknown; empty: none slides
-    std::vector<int> m_columnStart, m_row;                // scalar
-    std::vector<int> m_blockStart, m_termStart;           // block columns; terms per block
+    std::vector<Mat<Dim>> m_projectors;     // per unknown, onto held directions across the axes; empty: none
+    SliderSet<Dim> m_sliders;               // that are no pivots
+    std::vector<int> m_columnStart, m_row;  // scalar
+    std::vector<int> m_blockStart, m_termStart;  // block columns; terms per block
     std::vector<Term> m_terms;
 };
 

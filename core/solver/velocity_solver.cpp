@@ -83,9 +83,10 @@ template <int Dim>
 double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
     Points<Dim> gradient;
     m_impl->rested().gradient(shape, gradient, m_impl->backEnd->workers());
-    for (const auto& [vertex, held] : m_impl->sliders)
-        for (int k = 0; k < Dim; ++k)
-            if (held >> k & 1U) gradient(k, vertex) = 0;
+    for (const auto& slider : m_impl->system.sliders().vertices()) {
+        const Vec<Dim> own = gradient.col(slider.vertex);
+        gradient.col(slider.vertex) = own - slider.projector * own;
+    }
     project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_impl->rows.size())));
     return gradient.norm();
 }
@@ -152,16 +153,20 @@ CopiedBytes VelocitySolver<Dim>::copied() const {
 
 template <int Dim>
 void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets) const {
-    Points<Dim> sliding(Dim, static_cast<Eigen::Index>(m_impl->sliders.size()));
-    Eigen::Index next = 0;
-    for (const auto& [vertex, held] : m_impl->sliders) sliding.col(next++) = shape.col(vertex);
-    m_impl->projection.apply(shape, targets);
-    next = 0;
-    for (const auto& [vertex, held] : m_impl->sliders) {
-        for (int k = 0; k < Dim; ++k)
-            if (held >> k & 1U) shape(k, vertex) = sliding(k, next);
-        ++next;
+    const SliderSet<Dim>& sliders = m_impl->system.sliders();
+    const auto rows = static_cast<Eigen::Index>(m_impl->rows.size());
+    Points<Dim> all = targets;
+    if (all.cols() < rows + sliders.count()) {  // sliders stay where they are
+        all.conservativeResize(Eigen::NoChange, rows + sliders.count());
+        for (std::size_t i = 0; i < m_impl->givenSliders.size(); ++i)
+            all.col(rows + static_cast<Eigen::Index>(i)) = shape.col(m_impl->givenSliders[i].vertex);
     }
+    const auto slide = [&] {
+        for (const auto& slider : sliders.vertices()) slider.place(all, rows, shape.col(slider.vertex));
+    };
+    slide();
+    m_impl->projection.apply(shape, targets);
+    slide();
 }
 
 template <int Dim>

@@ -91,10 +91,11 @@ class VelocitySolver {
     /// stopped (setStop()).
     bool analyze();
 
-    /// v̂ at a shape; `prescribed` has one column per row. `velocity` is defined only if done. Vertices
-    /// without cells that no row names stay put. Parts with too few constrained points (2D: fewer than two
-    /// distinct ones, 3D: than three that are not on a line) take the velocity of least ∫|v|² among those of
-    /// least energy; without any constraint that is 0.
+    /// v̂ at a shape; `prescribed` has one column per row, and after them one per slider, or none for sliders
+    /// that are held still. `velocity` is defined only if done. Vertices without cells that no row names stay
+    /// put. Parts with too few constrained points (2D: fewer than two distinct ones, 3D: than three that are
+    /// not on a line) take the velocity of least ∫|v|² among those of least energy; without any constraint
+    /// that is 0.
     ///
     /// With a velocity tolerance the factor of an earlier shape serves again while that is the least work,
     /// and a `guess` (of any kind: only its unconstrained part counts, see VelocityHistory) saves iterations;
@@ -151,7 +152,8 @@ class VelocitySolver {
     void turn(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields);
 
     /// Moves the shape by the least-norm correction that puts the constrained points on `targets` (one column
-    /// per row), to rounding: rows of one vertex set it exactly.
+    /// per row, and maybe after them one per slider, which without one stays where it is in its held
+    /// directions), to rounding: rows of one vertex set it exactly.
     void project(Points<Dim>& shape, const Points<Dim>& targets) const;
 
     /// For tests: K of the last factorization, dense, and the unknown vertices in the order of its blocks.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/mesh/error.h"
@@ -48,13 +47,6 @@ void requireRow(const ConstraintRow& row, int vertexCount) {
 
 bool sameTerms(const ConstraintRow& a, const ConstraintRow& b) {
     return a.terms == b.terms;
-}
-
-Sliders withoutPivots(Sliders sliders, const Elimination& elimination) {
-    std::set<int> pivots;
-    for (const auto& pivot : elimination.pivots) pivots.insert(pivot.vertex);
-    std::erase_if(sliders, [&](const auto& slider) { return pivots.contains(slider.first); });
-    return sliders;
 }
 
 /// Whether factors of this material last.
@@ -109,11 +101,10 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     rows = std::move(newRows);
     givenSliders = std::move(newSliders);
     elimination = eliminate(rows, givenSliders);
-    sliders = withoutPivots(givenSliders, elimination);
     projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
-    system = ReducedSystem<Dim>(*plan, elimination, sliders);
+    system = ReducedSystem<Dim>(*plan, elimination, givenSliders);
 
-    const auto held = wellConstrained(*rest, components, rows, sliders);
+    const auto held = wellConstrained(*rest, components, rows, system.sliders());
     std::vector<double> massRegularization;
     if (std::find(held.begin(), held.end(), false) != held.end())
         for (int component : components)
@@ -184,6 +175,7 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveReduced(Points<Dim>& v) {
         y.resize(Dim, right.cols());
         ++statistics.iterations;
         if (!cache->solve(flat<Dim>(right), flat<Dim>(y))) return {SolveOutcome::Kind::NotFinite, -1};
+        system.release(y);
         system.expand(y, v);
     }
     return v.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
@@ -229,7 +221,7 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
     const double lag = cache->lag();
     // Sliding is along fixed directions.
-    const bool turned = turns && lag > 0 && sliders.empty();
+    const bool turned = turns && lag > 0 && givenSliders.empty();
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = isMultigrid() ? std::max(tolerance, kMultigridTolerance) : tolerance;
     goal.cautious = isMultigrid();

@@ -21,7 +21,6 @@ struct VelocitySolver<Dim>::Impl {
 
     std::vector<ConstraintRow> rows;
     Sliders givenSliders;
-    Sliders sliders;           // without those that are pivots
     bool constrained = false;  // rows were set
     Elimination elimination;
     Projection<Dim> projection;

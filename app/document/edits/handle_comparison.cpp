@@ -144,7 +144,7 @@ bool sameTime(double a, double b) {
 
 template <int Dim>
 bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b) {
-    return same(a.at, b.at) && a.slides == b.slides;
+    return same(a.at, b.at) && a.slides == b.slides && a.normal == b.normal;
 }
 
 template <int Dim>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/design.h"
+#include "app/document/file/matrix_numbers.h"
 #include "app/document/file/named_places.h"
 #include "app/document/file/rgb_text.h"
 #include "app/document/file/setting_json.h"
@@ -156,19 +157,57 @@ MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
     return region;
 }
 
-/// A symmetric positive definite matrix, given row by row.
+/// The numbers of a matrix: in one list, or in a list of its rows.
 template <int Dim>
-Mat<Dim> readAnisotropy(const JsonValue& value) {
-    const std::vector<double> numbers = value.numbers();
-    if (numbers.size() != Dim * Dim)
+std::vector<double> readMatrixNumbers(const JsonValue& value) {
+    if (!value.json().is_array() || value.json().empty() || !value.json().front().is_array())
+        return value.numbers();
+    std::vector<double> numbers;
+    for (const JsonValue& row : value.elements()) {
+        const std::vector<double> own = row.numbers();
+        if (own.size() != Dim)
+            row.fail("has " + std::to_string(own.size()) + " numbers where a row has " + std::to_string(Dim));
+        numbers.insert(numbers.end(), own.begin(), own.end());
+    }
+    return numbers;
+}
+
+/// A symmetric positive definite matrix: see matrixFrom().
+template <int Dim>
+Mat<Dim> checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& value) {
+    if (numbers.size() != Dim * Dim && numbers.size() != kSymmetricNumbers<Dim>)
         value.fail("has " + std::to_string(numbers.size()) + " numbers where a matrix needs " +
-                   std::to_string(Dim * Dim));
-    const Mat<Dim> B = Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(numbers.data());
+                   std::to_string(Dim * Dim) + ", or " + std::to_string(kSymmetricNumbers<Dim>) +
+                   " as it is symmetric");
+    const Mat<Dim> B = matrixFrom<Dim>(numbers);
     if ((B - B.transpose()).cwiseAbs().maxCoeff() > 1e-12 * B.cwiseAbs().maxCoeff())
         value.fail("B is not symmetric");
     const double least = symmetricEigenvalues<Dim>(B).minCoeff();
     if (!(least > 0)) value.fail("B is not positive definite: its least eigenvalue is " + shortNumber(least));
     return B;
+}
+
+/// One matrix per cell, each a list or a list of rows; or the numbers of all of them in one list, so many for
+/// each as a matrix has if that can be, else as a symmetric one has.
+template <int Dim>
+std::vector<Mat<Dim>> readAnisotropies(const JsonValue& value) {
+    std::vector<Mat<Dim>> all;
+    const bool isPlain = value.json().is_array() && !value.json().empty() && value.json().front().is_number();
+    if (!isPlain) {
+        for (const JsonValue& element : value.elements())
+            all.push_back(checkedAnisotropy<Dim>(readMatrixNumbers<Dim>(element), element));
+        return all;
+    }
+    const std::vector<double> numbers = value.numbers();
+    const std::size_t each = numbers.size() % (Dim * Dim) == 0 ? Dim * Dim : kSymmetricNumbers<Dim>;
+    if (numbers.size() % each != 0)
+        value.fail("has " + std::to_string(numbers.size()) + " numbers, which is no multiple of " +
+                   std::to_string(Dim * Dim) + " or " + std::to_string(kSymmetricNumbers<Dim>));
+    for (std::size_t i = 0; i < numbers.size(); i += each)
+        all.push_back(checkedAnisotropy<Dim>({numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                                              numbers.begin() + static_cast<std::ptrdiff_t>(i + each)},
+                                             value));
+    return all;
 }
 
 // --- Handles ---
@@ -182,6 +221,31 @@ std::vector<int> readVertexIds(const JsonValue& value) {
     }
     if (ids.empty()) value.fail("names no vertex");
     return ids;
+}
+
+/// "all", a list of axes, or {"normal": […]}.
+template <int Dim>
+void readHold(const JsonValue& value, Handle<Dim>& handle) {
+    constexpr std::string_view kAxes = "xyz";
+    if (value.json().is_string()) {
+        if (value.text() != "all")
+            value.fail("unknown value \"" + value.text() + "\"; known are all, a list of axes, and a normal");
+    } else if (value.json().is_array()) {
+        unsigned held = 0;
+        for (const JsonValue& element : value.elements()) {
+            const std::string axis = element.text();
+            const auto place = axis.size() == 1 ? kAxes.find(axis) : std::string_view::npos;
+            if (place >= Dim) element.fail("\"" + axis + "\" is not an axis of this project");
+            held |= 1U << place;
+        }
+        if (held == 0) value.fail("names no axis");
+        handle.slides = ((1U << Dim) - 1) & ~held;
+    } else {
+        JsonObject object(value);
+        object.oneOf({"normal"});
+        handle.normal = readDirection<Dim>(object.require("normal"));
+        object.finish();
+    }
 }
 
 /// A place that is named is found later.
@@ -416,9 +480,7 @@ template <int Dim>
 void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
     if (auto phi = object.find("phi"))
         for (const JsonValue& element : phi->elements()) spec.cellPhi.push_back(readPhi(element, Dim));
-    if (auto matrices = object.find("B"))
-        for (const JsonValue& element : matrices->elements())
-            spec.cellB.push_back(readAnisotropy<Dim>(element));
+    if (auto matrices = object.find("B")) spec.cellB = readAnisotropies<Dim>(*matrices);
     object.finish();
 }
 
@@ -450,6 +512,7 @@ Handle<Dim> readHandle(const JsonValue& value, double end) {
     handle.at = readPlacement<Dim>(object.require("at"), handle.extras);
     if (auto active = object.find("active")) readActive(*active, handle);
     if (auto motion = object.find("motion")) handle.motions = readMotions<Dim>(*motion, end);
+    if (auto hold = object.find("hold")) readHold(*hold, handle);
     handle.traits = readTraits(object);
     object.finish();
     return handle;

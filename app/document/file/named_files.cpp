@@ -7,6 +7,7 @@
 
 #include "app/document/file/design_reader.h"
 #include "app/document/file/json_text.h"
+#include "app/document/file/matrix_numbers.h"
 #include "app/document/file/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -25,24 +26,27 @@ std::string pathIn(const std::string& folder, const std::string& file) {
 
 namespace {
 
-/// The values per cell of that name; empty if there are none.
-std::vector<double> cellField(const MeshFile& file, const std::string& name, int components) {
+/// The values per cell of that name, with one of these numbers of components; null if there are none.
+const MeshField* cellField(const MeshFile& file, const std::string& name,
+                           const std::vector<int>& components) {
     for (const MeshField& field : fieldsOf(file))
         if (field.perCell && field.name == name) {
-            if (field.components == components) return field.values;
+            if (std::ranges::count(components, field.components) > 0) return &field;
             throw InputError("field " + name + ": has " + std::to_string(field.components) +
-                             " components instead of " + std::to_string(components));
+                             " components instead of " + std::to_string(components.front()));
         }
-    return {};
+    return nullptr;
 }
 
 template <int Dim>
 void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
-    spec.cellPhi = cellField(file, "phi", 1);
-    const std::vector<double> B = cellField(file, "B", Dim * Dim);
+    const MeshField* phi = cellField(file, "phi", {1});
+    const MeshField* B = cellField(file, "B", {Dim * Dim, static_cast<int>(kSymmetricNumbers<Dim>)});
+    spec.cellPhi = phi ? phi->values : std::vector<double>();
     spec.cellB.clear();
-    for (std::size_t i = 0; i < B.size(); i += Dim * Dim)
-        spec.cellB.push_back(Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(&B[i]));
+    for (auto at = B ? B->values.begin() : std::vector<double>::const_iterator(); B && at < B->values.end();
+         at += B->components)
+        spec.cellB.push_back(matrixFrom<Dim>({at, at + B->components}));
     if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
 }
 

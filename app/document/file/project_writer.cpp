@@ -304,6 +304,15 @@ std::string colourText(unsigned colour) {
     return text;
 }
 
+template <int Dim>
+Json holdJson(const Handle<Dim>& handle) {
+    if (handle.normal) return {{"normal", point(*handle.normal)}};
+    Json axes = Json::array();
+    for (int k = 0; k < Dim; ++k)
+        if ((handle.slides >> k & 1U) == 0) axes.push_back(std::string(1, "xyz"[k]));
+    return axes;
+}
+
 void addTraits(Json& json, const HandleTraits& traits) {
     if (traits.locked) json["locked"] = true;
     if (traits.hidden) json["hidden"] = true;
@@ -321,6 +330,7 @@ Json handleJson(const Handle<Dim>& handle) {
     if (std::isfinite(handle.activeFrom) || std::isfinite(handle.activeTo))
         json["active"] = activeJson(handle.activeFrom, handle.activeTo);
     for (const auto& motion : handle.motions) json["motion"].push_back(motionJson(motion));
+    if (handle.isPartlyHeld()) json["hold"] = holdJson(handle);
     addTraits(json, handle.traits);
     Extras unknown = handle.extras;  // without the name of the place
     std::erase_if(unknown, [](const auto& extra) { return extra.first == "/at"; });

@@ -117,7 +117,7 @@ class CoarseBody<Dim>::Holding {
         const std::vector<ConstrainedPoint> points = m_placer.place(handle.at, number);
         m_held.handles.push_back(handle);
         const bool single = static_cast<int>(points.size()) <= Dim || points.front().terms.size() > 1;
-        if (single && handle.slides == 0) return takePoints(points, m_held.handles.back());
+        if (single && !handle.isPartlyHeld()) return takePoints(points, m_held.handles.back());
         std::vector<int>& vertices = m_wholes.emplace_back(number, std::vector<int>()).second;
         for (const ConstrainedPoint& point : points) vertices.push_back(point.terms.front().first);
         claim(vertices, number);
@@ -130,8 +130,8 @@ class CoarseBody<Dim>::Holding {
             for (std::size_t v = 0; v < m_owner.size(); ++v)
                 if (m_owner[v] == number) own.push_back(static_cast<int>(v));
             Handle<Dim>& handle = m_held.handles[static_cast<std::size_t>(number)];
-            if (own.empty() || (handle.slides == 0 && !spans(own))) return false;
-            if (handle.slides == 0) m_held.parts.push_back({std::move(vertices), own});
+            if (own.empty() || (!handle.isPartlyHeld() && !spans(own))) return false;
+            if (!handle.isPartlyHeld()) m_held.parts.push_back({std::move(vertices), own});
             handle.at = std::move(own);
         }
         return isFree();
@@ -142,7 +142,7 @@ class CoarseBody<Dim>::Holding {
   private:
     /// Assigns vertices to the handle; sliding handles only get vertices that no other handle needs.
     void claim(const std::vector<int>& vertices, int number) {
-        const bool slides = m_held.handles[static_cast<std::size_t>(number)].slides != 0;
+        const bool slides = m_held.handles[static_cast<std::size_t>(number)].isPartlyHeld();
         std::map<int, double> wanted;
         for (const int vertex : vertices)
             for (const auto& [v, weight] : m_body.m_shapeInBody.weights(*m_body.m_rest, vertex))

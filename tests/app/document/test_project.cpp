@@ -381,6 +381,33 @@ class TestProject : public QObject {
         QCOMPARE(toJson(*again.project), once);
     }
 
+    /// One B, however it is written.
+    void anisotropiesOfCells() {
+        const auto read = [](const std::string& B) {
+            return planar(*parseProject(withMaterial("'cells': {'B': " + B + "}"), "p.wend").project)
+                .material.cellB;
+        };
+        const std::vector<Mat<2>> expected = read("[[1, 0, 0, 1], [2, 0.5, 0.5, 3]]");
+        QCOMPARE(expected.size(), std::size_t(2));
+        QCOMPARE(expected[1](0, 1), 0.5);
+        for (const char* other : {"[[1, 1, 0], [2, 3, 0.5]]", "[[[1, 0], [0, 1]], [[2, 0.5], [0.5, 3]]]",
+                                  "[1, 0, 0, 1, 2, 0.5, 0.5, 3]", "[1, 1, 0, 2, 3, 0.5]"})
+            QVERIFY2(read(other) == expected, other);
+        const auto solid =
+            parseProject(projectText("'domain': {'surface': 's.obj'}, 'material': {'cells': {'B': [[1, "
+                                     "2, 3, 0.1, 0.2, 0.3]]}}"),
+                         "p.wend");
+        Mat<3> B;
+        B << 1, 0.1, 0.3, 0.1, 2, 0.2, 0.3, 0.2, 3;
+        QCOMPARE(std::get<Design<3>>(solid.project->design).material.cellB.at(0), B);
+        QVERIFY(reasonFor(withMaterial("'cells': {'B': [[1, 0, 0]]}")).contains("is not positive definite"));
+        QVERIFY(reasonFor(withMaterial("'cells': {'B': [[1, 0]]}"))
+                    .contains("has 2 numbers where a matrix needs 4, or 3"));
+        QVERIFY(reasonFor(withMaterial("'cells': {'B': [[[1, 0], [0]]]}"))
+                    .contains("has 1 numbers where a row has 2"));
+        QVERIFY(reasonFor(withMaterial("'cells': {'B': [1, 0, 0, 1, 1]}")).contains("no multiple of 4 or 3"));
+    }
+
     /// Whichever key is misspelt, the message names it and the one that was meant.
     void misspeltKeys() {
         const QJsonObject full = QJsonDocument::fromJson(QByteArray::fromStdString(kFull)).object();
@@ -587,7 +614,7 @@ class TestProject : public QObject {
             "material.cells.B[1]: B is not symmetric");
         row("B definite", withMaterial("'cells': {'B': [[1, 2, 2, 1]]}"),
             "material.cells.B[0]: B is not positive definite");
-        row("B size", withMaterial("'cells': {'B': [[1, 2, 2]]}"), "3 numbers where a matrix needs 4");
+        row("B size", withMaterial("'cells': {'B': [[1, 2]]}"), "2 numbers where a matrix needs 4");
         row("cell phi", withMaterial("'cells': {'phi': [1, 9]}"),
             "material.cells.phi[1]: phi = 9 is outside");
         row("no at", withHandle("{'name': 'x'}"), "handles[0]: the key `at` is missing");
