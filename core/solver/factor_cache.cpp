@@ -106,14 +106,13 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
 /// The back end is at that shape.
 template <int Dim>
 Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop) {
-    using Status = typename IterativeSolver<Dim>::Status;
     const Stopwatch watch(m_statistics.factor);
     switch (m_multigrid->build(shape, stop)) {
-        case Status::Stopped:
+        case BuildStatus::Stopped:
             return Factor::Status::Stopped;
-        case Status::NotPositiveDefinite:
+        case BuildStatus::NotPositiveDefinite:
             return Factor::Status::NotPositiveDefinite;
-        case Status::Done:
+        case BuildStatus::Done:
             break;
     }
     return Factor::Status::Done;

@@ -11,12 +11,14 @@
 
 namespace wend {
 
+/// How building levels of multigrid ended.
+enum class BuildStatus { Done, NotPositiveDefinite, Stopped };
+
 /// Conjugate gradients with multigrid for the systems of one mesh, one set of constraints after another: in
 /// this process, or divided among several. One thread uses it at a time.
 template <int Dim>
 class IterativeSolver {
   public:
-    enum class Status { Done, NotPositiveDefinite, Stopped };
     using Goal = typename ConjugateGradients<Dim>::Goal;
     using Result = typename ConjugateGradients<Dim>::Result;
 
@@ -28,7 +30,7 @@ class IterativeSolver {
     /// which gets it.
     virtual void analyze(std::vector<double> epsilon) = 0;
     /// Builds all levels at a shape, which is the back end's.
-    virtual Status build(Nodal<Dim> shape, const std::stop_token& stop) = 0;
+    virtual BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop) = 0;
     /// ConjugateGradients::run() with these levels, at the back end's shape.
     virtual Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) = 0;
 };

@@ -307,7 +307,7 @@ struct TwoLevels : Fine<Dim> {
         }
         coarseMotions =
             P.build(aggregatesOf(graphOf<Dim>(*this->plan, this->system)), motions, K, smoother, workers);
-        coarse = coarseMatrix<Dim, kModes>(K, P, workers, {});
+        coarse = coarseMatrix<kModes>(coarseShare<Dim, kModes>(K, P, workers, {}));
     }
 };
 

@@ -18,16 +18,21 @@ double dotProduct(const Points<Size>& a, const Points<Size>& b) {
     return a.leftCols(b.cols()).cwiseProduct(b).sum();
 }
 
-/// Numbers in [−1, 1[ without a pattern, the same every time: splitmix64 of the row and the coordinate.
+/// A number in [−1, 1[ by splitmix64.
+double rough(std::uint64_t number) {
+    std::uint64_t bits = number * 0x9E3779B97F4A7C15ULL;
+    bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9ULL;
+    bits = (bits ^ bits >> 27) * 0x94D049BB133111EBULL;
+    return static_cast<double>((bits ^ bits >> 31) >> 11) * 0x1p-52 - 1;
+}
+
+/// Numbers without a pattern, the same every time and however the system is divided.
 template <int Size>
-void makeRough(Points<Size>& x) {
-    std::uint64_t number = 0;
-    for (double& value : x.reshaped()) {
-        std::uint64_t bits = ++number * 0x9E3779B97F4A7C15ULL;
-        bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9ULL;
-        bits = (bits ^ bits >> 27) * 0x94D049BB133111EBULL;
-        value = static_cast<double>((bits ^ bits >> 31) >> 11) * 0x1p-52 - 1;
-    }
+void makeRough(Points<Size>& x, const PartLinks& links) {
+    for (Eigen::Index i = 0; i < x.cols(); ++i)
+        for (int k = 0; k < Size; ++k)
+            x(k, i) = rough(static_cast<std::uint64_t>(links.number(static_cast<int>(i))) * Size +
+                            static_cast<unsigned>(k) + 1);
 }
 
 template <int Size>
@@ -80,13 +85,13 @@ bool Chebyshev<Size>::invertDiagonal(const BlockRows<Size>& K, const std::vector
 template <int Size>
 bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsigned>& held,
                               const PartLinks& links, WorkerPool& workers) {
-    if (!invertDiagonal(K, held)) return false;
+    if (!links.all(invertDiagonal(K, held))) return false;
     const auto applyInverse = [&](const Points<Size>& r, Points<Size>& z) {
         for (int i = 0; i < K.rows(); ++i)
             z.col(i).noalias() = m_inverse[i].template cast<double>() * r.col(i);
     };
     Points<Size> r(Size, K.rows()), z(Size, K.columns()), p, Kp;
-    makeRough<Size>(r);
+    makeRough<Size>(r, links);
     applyInverse(r, z);
     update<Size>(z, links);
     multiply<Size>(K, z, r, workers);  // smooth parts count less in K z

@@ -1,6 +1,7 @@
 #include "core/solver/multigrid/coarse_matrix.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "core/solver/multigrid/numbering.h"
@@ -9,13 +10,6 @@ namespace wend {
 namespace {
 
 constexpr int kAggregateGrain = 16;  // aggregates
-
-/// Rows of the lower triangle: of every row the number of its blocks, their columns, ascending, and values.
-template <int Modes>
-struct Lower {
-    std::vector<int> count, columns;
-    std::vector<Eigen::Matrix<float, Modes, Modes>> blocks;
-};
 
 /// C += A B, column by column.
 template <class Left, class Right, class Sum>
@@ -34,16 +28,18 @@ class LowerRow {
   public:
     LowerRow(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P) : m_K(K), m_P(P) {}
 
-    void append(int aggregate, Lower<Modes>& part) {
+    void append(int aggregate, CoarseShare<Modes>& part) {
         multiplyLeft(aggregate);
         multiplyRight(aggregate);
         m_order.resize(m_columns.size());
         std::iota(m_order.begin(), m_order.end(), 0);
         std::sort(m_order.begin(), m_order.end(),
                   [&](int a, int b) { return m_columns.keys()[a] < m_columns.keys()[b]; });
+        part.rows.push_back(m_P.number(aggregate));
+        part.missing.push_back(m_P.missing(aggregate));
         part.count.push_back(m_columns.size());
         for (int i : m_order) {
-            part.columns.push_back(m_columns.keys()[i]);
+            part.columns.push_back(m_P.number(m_columns.keys()[i]));
             part.blocks.push_back(m_sums[i].template cast<float>());
         }
     }
@@ -86,70 +82,123 @@ class LowerRow {
 };
 
 template <int Modes, typename Visit>
-void forBlocks(const std::vector<Lower<Modes>>& parts, Visit&& visit) {
-    int row = 0;
-    for (const auto& part : parts) {
-        std::size_t next = 0;
-        for (int count : part.count) {
-            for (int i = 0; i < count; ++i, ++next) visit(row, part.columns[next], part.blocks[next]);
-            ++row;
-        }
-    }
+void forBlocks(const CoarseShare<Modes>& share, Visit&& visit) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < share.rows.size(); ++i)
+        for (int k = 0; k < share.count[i]; ++k, ++next)
+            visit(share.rows[i], share.columns[next], share.blocks[next]);
 }
 
 /// All rows, the upper triangle from the lower one: in a row that comes first.
 template <int Modes>
-BlockRows<Modes> whole(const std::vector<Lower<Modes>>& parts, int rows) {
-    std::vector<int> start(static_cast<std::size_t>(rows) + 1, 0);
-    forBlocks(parts, [&](int row, int column, const auto&) {
+BlockRows<Modes> whole(const CoarseShare<Modes>& share) {
+    const int rows = static_cast<int>(share.rows.size());
+    std::vector<int> start(share.rows.size() + 1, 0);
+    forBlocks(share, [&](int row, int column, const auto&) {
         ++start[row + 1];
         if (column != row) ++start[column + 1];
     });
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<int> columns(start.back());
     auto next = start;
-    forBlocks(parts, [&](int row, int column, const auto&) {
+    forBlocks(share, [&](int row, int column, const auto&) {
         columns[next[row]++] = column;
         if (column != row) columns[next[column]++] = row;
     });
     next = start;
     BlockRows<Modes> A;
     A.setPattern(std::move(start), std::move(columns), rows);
-    forBlocks(parts, [&](int row, int column, const auto& block) {
+    forBlocks(share, [&](int row, int column, const auto& block) {
         A.block(next[row]++) = block;
         if (column != row) A.block(next[column]++) = block.transpose();
     });
     return A;
 }
 
+template <class List>
+void append(List& list, List& more) {
+    list.insert(list.end(), more.begin(), more.end());
+    more = {};
+}
+
 }  // namespace
 
 template <int Size, int Modes>
-BlockRows<Modes> coarseMatrix(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
-                              WorkerPool& workers, const std::stop_token& stop) {
-    std::vector<Lower<Modes>> parts((P.aggregates() + kAggregateGrain - 1) / kAggregateGrain);
+CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
+                               WorkerPool& workers, const std::stop_token& stop) {
+    std::vector<CoarseShare<Modes>> pieces((P.aggregates() + kAggregateGrain - 1) / kAggregateGrain);
     workers.forPieces(P.aggregates(), kAggregateGrain, [&](int begin, int end) {
         LowerRow<Size, Modes> maker(K, P);
         for (int a = begin; a < end && !stop.stop_requested(); ++a)
-            maker.append(a, parts[begin / kAggregateGrain]);
+            maker.append(a, pieces[begin / kAggregateGrain]);
     });
-    if (stop.stop_requested()) return {};
-    auto A = whole<Modes>(parts, P.aggregates());
+    CoarseShare<Modes> share;
+    share.own = P.ownAggregates();
+    for (auto& piece : pieces) {
+        append(share.rows, piece.rows);
+        append(share.count, piece.count);
+        append(share.columns, piece.columns);
+        append(share.missing, piece.missing);
+        append(share.blocks, piece.blocks);
+    }
+    return share;
+}
+
+template <int Modes>
+CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares) {
+    using Block = Eigen::Matrix<float, Modes, Modes>;
+    CoarseShare<Modes> result;
+    int rows = 0;
+    for (const auto& share : shares)
+        if (!share.rows.empty()) rows = std::max(rows, share.rows.back() + 1);
+    std::vector<std::size_t> row(shares.size(), 0), entry(shares.size(), 0);
+    std::map<int, Block> sums;
+    for (int number = 0; number < rows; ++number) {
+        sums.clear();
+        unsigned missing = 0;
+        for (std::size_t s = 0; s < shares.size(); ++s) {
+            const auto& share = shares[s];
+            if (row[s] == share.rows.size() || share.rows[row[s]] != number) continue;
+            missing |= share.missing[row[s]];
+            for (int i = 0; i < share.count[row[s]]; ++i, ++entry[s]) {
+                const auto [at, isNew] = sums.try_emplace(share.columns[entry[s]], share.blocks[entry[s]]);
+                if (!isNew) at->second += share.blocks[entry[s]];
+            }
+            ++row[s];
+        }
+        result.rows.push_back(number);
+        result.missing.push_back(missing);
+        result.count.push_back(static_cast<int>(sums.size()));
+        for (const auto& [column, block] : sums) {
+            result.columns.push_back(column);
+            result.blocks.push_back(block);
+        }
+    }
+    return result;
+}
+
+template <int Modes>
+BlockRows<Modes> coarseMatrix(const CoarseShare<Modes>& share) {
+    auto A = whole<Modes>(share);
     for (int a = 0; a < A.rows(); ++a) {
         auto block = A.block(A.entryOf(a, a));
         block = (0.5F * (block + block.transpose())).eval();
         for (int k = 0; k < Modes; ++k)
-            if (P.missing(a) >> k & 1U) block(k, k) = 1;
+            if (share.missing[a] >> k & 1U) block(k, k) = 1;
     }
     return A;
 }
 
-#define WEND_INSTANTIATE(Size, Modes)                                                                \
-    template BlockRows<Modes> coarseMatrix(const BlockRows<Size>&, const Prolongation<Size, Modes>&, \
-                                           WorkerPool&, const std::stop_token&);
+#define WEND_INSTANTIATE(Size, Modes)                                                                 \
+    template CoarseShare<Modes> coarseShare(const BlockRows<Size>&, const Prolongation<Size, Modes>&, \
+                                            WorkerPool&, const std::stop_token&);
 WEND_INSTANTIATE(2, 6)
 WEND_INSTANTIATE(6, 6)
 WEND_INSTANTIATE(3, 12)
 WEND_INSTANTIATE(12, 12)
+template CoarseShare<6> merged(const std::vector<CoarseShare<6>>&);
+template CoarseShare<12> merged(const std::vector<CoarseShare<12>>&);
+template BlockRows<6> coarseMatrix(const CoarseShare<6>&);
+template BlockRows<12> coarseMatrix(const CoarseShare<12>&);
 
 }  // namespace wend

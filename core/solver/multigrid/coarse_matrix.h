@@ -1,15 +1,35 @@
 #pragma once
 
 #include <stop_token>
+#include <vector>
 
 #include "core/solver/multigrid/prolongation.h"
 
 namespace wend {
 
-/// Pᵀ K P, exactly symmetric; motions that are missing have a 1 on the diagonal. Row by row: the same bits
-/// for any number of threads. Empty once `stop` is requested.
+/// What the rows of K of a part add to Pᵀ K P, its lower triangle: of every row the number of its blocks,
+/// their columns, ascending, and values. Rows and columns are numbers of aggregates in the whole.
+template <int Modes>
+struct CoarseShare {
+    std::vector<int> rows, count, columns;
+    std::vector<unsigned> missing;  // per row: see Prolongation
+    std::vector<Eigen::Matrix<float, Modes, Modes>> blocks;
+    // The aggregates that have no rows in other parts, and what Prolongation::build() returns of them.
+    std::vector<int> own;
+    std::vector<Eigen::Matrix<double, Modes, Modes>> motions;
+};
+
+/// Row by row: the same bits for any number of threads. Incomplete once `stop` is requested.
 template <int Size, int Modes>
-BlockRows<Modes> coarseMatrix(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
-                              WorkerPool& workers, const std::stop_token& stop);
+CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
+                               WorkerPool& workers, const std::stop_token& stop);
+
+/// The sum of the shares of all parts, in their order, without motions.
+template <int Modes>
+CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares);
+
+/// Pᵀ K P, exactly symmetric, of the share of the whole; motions that are missing have a 1 on the diagonal.
+template <int Modes>
+BlockRows<Modes> coarseMatrix(const CoarseShare<Modes>& share);
 
 }  // namespace wend

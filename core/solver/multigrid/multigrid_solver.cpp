@@ -8,7 +8,6 @@ namespace {
 template <int Dim>
 class MultigridSolver final : public IterativeSolver<Dim> {
   public:
-    using typename IterativeSolver<Dim>::Status;
     using typename IterativeSolver<Dim>::Goal;
     using typename IterativeSolver<Dim>::Result;
 
@@ -16,16 +15,20 @@ class MultigridSolver final : public IterativeSolver<Dim> {
         : m_plan(task.plan),
           m_system(task.system),
           m_backEnd(makeCpuBackEnd<Dim>(task.plan, *task.rest, task.material, task.threads)),
-          m_multigrid(*m_backEnd, m_system) {}
+          m_coarse(m_backEnd->workers()),
+          m_multigrid(*m_backEnd, m_system, m_links, m_coarse) {}
 
     BackEnd<Dim>& backEnd() override { return *m_backEnd; }
 
     void analyze(std::vector<double> epsilon) override {
-        m_multigrid.analyze(*m_plan);
+        const Graph graph = graphOf<Dim>(*m_plan, m_system);
+        auto aggregates = aggregatesOf(graph);
+        m_coarse.analyze(quotient(graph, aggregates));
+        m_multigrid.analyze(*m_plan, std::move(aggregates));
         m_backEnd->setMassRegularization(std::move(epsilon));
     }
 
-    Status build(Nodal<Dim> shape, const std::stop_token& stop) override {
+    BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop) override {
         return m_multigrid.build(*shape, stop);
     }
 
@@ -40,6 +43,8 @@ class MultigridSolver final : public IterativeSolver<Dim> {
     std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
     const ReducedSystem<Dim>& m_system;
     std::unique_ptr<BackEnd<Dim>> m_backEnd;
+    PartLinks m_links;
+    CoarseLevels<Multigrid<Dim>::kModes> m_coarse;
     Multigrid<Dim> m_multigrid;
     ConjugateGradients<Dim> m_iteration;
 };

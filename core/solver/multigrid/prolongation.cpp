@@ -14,6 +14,16 @@ constexpr double kDamping = 4.0 / 3;  // of the inverse of the largest eigenvalu
 // A motion of an aggregate that is so nearly a sum of others, relative to its size squared, is left out.
 constexpr double kDependent = 1e-10;
 
+void sortUnique(std::vector<int>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// The place of a number in an ascending list that has it.
+int placeIn(const std::vector<int>& list, int number) {
+    return static_cast<int>(std::lower_bound(list.begin(), list.end(), number) - list.begin());
+}
+
 /// G = L Lᵀ; columns without a pivot are 0, and their bits set.
 template <class Square>
 unsigned factorize(const Square& G, Square& L) {
@@ -51,13 +61,17 @@ Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
 template <int Size, int Modes>
 auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions)
     -> std::vector<Square> {
-    std::vector<Square> G(aggregates.count, Square::Zero());
-    for (std::size_t i = 0; i < motions.size(); ++i)
-        G[aggregates.of[i]] += motions[i].transpose() * motions[i];
-    m_missing.resize(G.size());
+    m_own = aggregates.of;
+    sortUnique(m_own);
+    std::vector<int> place;
+    place.reserve(motions.size());
+    for (int number : aggregates.of) place.push_back(placeIn(m_own, number));
+    std::vector<Square> G(m_own.size(), Square::Zero());
+    for (std::size_t i = 0; i < motions.size(); ++i) G[place[i]] += motions[i].transpose() * motions[i];
+    m_ownMissing.resize(G.size());
     for (std::size_t a = 0; a < G.size(); ++a) {
         Square L;
-        m_missing[a] = factorize(G[a], L);
+        m_ownMissing[a] = factorize(G[a], L);
         G[a] = L;
     }
     m_start.resize(motions.size() + 1);
@@ -65,8 +79,8 @@ auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const 
     m_aggregate = aggregates.of;
     m_blocks.resize(motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) {
-        const int a = aggregates.of[i];
-        m_blocks[i] = orthonormal(motions[i], G[a], m_missing[a]).template cast<float>();
+        const int a = place[i];
+        m_blocks[i] = orthonormal(motions[i], G[a], m_ownMissing[a]).template cast<float>();
     }
     for (Square& L : G) L.transposeInPlace();
     return G;
@@ -81,7 +95,7 @@ void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
         std::vector<Block> blocks;
     };
     std::vector<Piece> pieces((K.rows() + kProlongationGrain - 1) / kProlongationGrain);
-    std::vector<int> start(m_start.size(), 0);
+    std::vector<int> start(static_cast<std::size_t>(K.rows()) + 1, 0);
     workers.forPieces(K.rows(), kProlongationGrain, [&](int begin, int end) {
         Piece& piece = pieces[begin / kProlongationGrain];
         Numbering places;
@@ -130,14 +144,36 @@ void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
 }
 
 template <int Size, int Modes>
-void Prolongation<Size, Modes>::listUsers() {
-    m_usersStart.assign(m_missing.size() + 1, 0);
-    for (int a : m_aggregate) ++m_usersStart[a + 1];
+void Prolongation<Size, Modes>::addCopies(const PartLinks& links) {
+    constexpr int kNumbers = Size * Modes;
+    const std::span<const float> values(m_blocks.empty() ? nullptr : m_blocks.front().data(),
+                                        m_blocks.size() * kNumbers);
+    const PartLinks::Rows rows = links.copiedRows(m_start, m_aggregate, values, kNumbers);
+    for (int count : rows.count) m_start.push_back(m_start.back() + count);
+    m_aggregate.insert(m_aggregate.end(), rows.columns.begin(), rows.columns.end());
+    for (std::size_t i = 0; i < rows.columns.size(); ++i)
+        m_blocks.push_back(Eigen::Map<const Block>(rows.values.data() + i * kNumbers));
+}
+
+/// From numbers in the whole to those of the aggregates that the rows have.
+template <int Size, int Modes>
+void Prolongation<Size, Modes>::renumber() {
+    m_numbers = m_aggregate;
+    sortUnique(m_numbers);
+    for (int& a : m_aggregate) a = placeIn(m_numbers, a);
+    m_missing.assign(m_numbers.size(), 0);
+    for (std::size_t i = 0; i < m_own.size(); ++i) m_missing[placeIn(m_numbers, m_own[i])] = m_ownMissing[i];
+}
+
+template <int Size, int Modes>
+void Prolongation<Size, Modes>::listUsers(int rows) {
+    m_usersStart.assign(m_numbers.size() + 1, 0);
+    for (int e = 0; e < m_start[rows]; ++e) ++m_usersStart[m_aggregate[e] + 1];
     std::partial_sum(m_usersStart.begin(), m_usersStart.end(), m_usersStart.begin());
-    m_users.resize(m_aggregate.size());
-    m_userEntries.resize(m_aggregate.size());
+    m_users.resize(m_start[rows]);
+    m_userEntries.resize(m_start[rows]);
     auto next = m_usersStart;
-    for (int row = 0; row < rows(); ++row)
+    for (int row = 0; row < rows; ++row)
         for (int e = m_start[row]; e < m_start[row + 1]; ++e) {
             const int place = next[m_aggregate[e]]++;
             m_users[place] = row;
@@ -148,10 +184,14 @@ void Prolongation<Size, Modes>::listUsers() {
 template <int Size, int Modes>
 auto Prolongation<Size, Modes>::build(const Aggregates& aggregates, const std::vector<Motions>& motions,
                                       const BlockRows<Size>& K, const Chebyshev<Size>& smoother,
-                                      WorkerPool& workers) -> std::vector<Square> {
+                                      WorkerPool& workers, const PartLinks& links) -> std::vector<Square> {
+    m_rows = K.rows();
     auto coarse = makeMotions(aggregates, motions);
+    addCopies(links);
     smooth(kDamping / smoother.largest(), K, smoother, workers);
-    listUsers();
+    addCopies(links);
+    renumber();
+    listUsers(m_rows);
     return coarse;
 }
 
@@ -174,7 +214,7 @@ void Prolongation<Size, Modes>::restrict(const Points<Size>& r, Points<Modes>& c
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::prolong(const Points<Modes>& coarse, Points<Size>& z,
                                         WorkerPool& workers) const {
-    workers.forPieces(rows(), kProlongationGrain, [&](int begin, int end) {
+    workers.forPieces(m_rows, kProlongationGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             Vec<Size> sum = Vec<Size>::Zero();
             for (int e = m_start[i]; e < m_start[i + 1]; ++e)

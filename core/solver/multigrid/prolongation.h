@@ -18,24 +18,31 @@ class Prolongation {
     using Motions = Eigen::Matrix<double, Size, Modes>;
     using Square = Eigen::Matrix<double, Modes, Modes>;
 
-    /// Makes P; returns the motions as coarse fields.
+    /// Makes P; returns the motions as coarse fields: of the aggregates that have rows of K, ascending. In a
+    /// part of a divided matrix those have no rows in other parts.
     std::vector<Square> build(const Aggregates& aggregates, const std::vector<Motions>& motions,
-                              const BlockRows<Size>& K, const Chebyshev<Size>& smoother, WorkerPool& workers);
+                              const BlockRows<Size>& K, const Chebyshev<Size>& smoother, WorkerPool& workers,
+                              const PartLinks& links = {});
 
+    /// Those of K, and behind them those of its other columns.
     int rows() const { return static_cast<int>(m_start.size()) - 1; }
-    int aggregates() const { return static_cast<int>(m_missing.size()); }
+    /// All that the rows have, and the number of each in the whole: ascending.
+    int aggregates() const { return static_cast<int>(m_numbers.size()); }
+    int number(int aggregate) const { return m_numbers[aggregate]; }
+    /// The numbers of those that have rows of K.
+    const std::vector<int>& ownAggregates() const { return m_own; }
     /// The entries of a row are [begin(row), begin(row + 1)), their aggregates ascending.
     int begin(int row) const { return m_start[row]; }
     int aggregate(int entry) const { return m_aggregate[entry]; }
     const Block& block(int entry) const { return m_blocks[entry]; }
-    /// Of an aggregate: the rows that have it, ascending, and their entries.
+    /// Of an aggregate: the rows of K that have it, ascending, and their entries.
     int usersBegin(int aggregate) const { return m_usersStart[aggregate]; }
     int user(int place) const { return m_users[place]; }
     int userEntry(int place) const { return m_userEntries[place]; }
-    /// Motions that an aggregate of too few rows does not have: bit k.
+    /// Motions that an aggregate of too few rows does not have: bit k. None of another part's.
     unsigned missing(int aggregate) const { return m_missing[aggregate]; }
 
-    /// Pᵀ r and P c.
+    /// Pᵀ r and P c, in the rows of K.
     void restrict(const Points<Size>& r, Points<Modes>& coarse, WorkerPool& workers) const;
     void prolong(const Points<Modes>& coarse, Points<Size>& z, WorkerPool& workers) const;
 
@@ -43,9 +50,14 @@ class Prolongation {
     std::vector<Square> makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions);
     void smooth(double damping, const BlockRows<Size>& K, const Chebyshev<Size>& smoother,
                 WorkerPool& workers);
-    void listUsers();
+    void addCopies(const PartLinks& links);
+    void renumber();
+    void listUsers(int rows);
 
-    std::vector<int> m_start, m_aggregate;
+    int m_rows = 0;                         // of K
+    std::vector<int> m_own, m_numbers;      // numbers of aggregates
+    std::vector<unsigned> m_ownMissing;     // of the first
+    std::vector<int> m_start, m_aggregate;  // while it is built by their numbers
     std::vector<Block> m_blocks;
     std::vector<int> m_usersStart, m_users, m_userEntries;
     std::vector<unsigned> m_missing;

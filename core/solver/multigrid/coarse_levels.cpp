@@ -1,0 +1,77 @@
+#include "core/solver/multigrid/coarse_levels.h"
+
+namespace wend {
+namespace {
+
+constexpr int kFactored = 2000;  // unknowns; of more a coarser level is made
+
+}  // namespace
+
+template <int Modes>
+void CoarseLevels<Modes>::analyze(Graph graph) {
+    m_stages.clear();
+    while (graph.size() * Modes > kFactored) {
+        auto aggregates = aggregatesOf(graph);
+        if (aggregates.count == graph.size()) break;
+        graph = quotient(graph, aggregates);
+        m_stages.emplace_back().aggregates = std::move(aggregates);
+    }
+}
+
+template <int Modes>
+BuildStatus CoarseLevels<Modes>::build(CoarseShare<Modes> share, const std::stop_token& stop) {
+    for (Stage& stage : m_stages) {
+        stage.matrix = coarseMatrix<Modes>(share);
+        const auto motions = std::move(share.motions);
+        share = {};
+        const auto status =
+            stage.level.build(stage.matrix, stage.aggregates, motions, {}, m_links, m_workers, stop, share);
+        if (status != BuildStatus::Done) return status;
+    }
+    return factorize(coarseMatrix<Modes>(share), stop);
+}
+
+template <int Modes>
+BuildStatus CoarseLevels<Modes>::factorize(const BlockRows<Modes>& A, const std::stop_token& stop) {
+    std::vector<int> start{0}, row;
+    for (int j = 0; j < A.rows(); ++j)
+        for (int k = 0; k < Modes; ++k) {
+            for (int e = A.entryOf(j, j); e < A.begin(j + 1); ++e)
+                for (int i = 0; i < Modes; ++i) row.push_back(A.column(e) * Modes + i);
+            start.push_back(static_cast<int>(row.size()));
+        }
+    if (!m_factor.analyze(start, row, Modes, Ordering::NestedDissection, stop)) return BuildStatus::Stopped;
+    auto value = m_factor.values().begin();
+    for (int j = 0; j < A.rows(); ++j)
+        for (int k = 0; k < Modes; ++k)
+            for (int e = A.entryOf(j, j); e < A.begin(j + 1); ++e)
+                for (int i = 0; i < Modes; ++i) *value++ = A.block(e)(k, i);  // the block of (j, column)
+    switch (m_factor.factorize(FactorKind::Double, m_workers, stop)) {
+        case Factor::Status::Done:
+            return BuildStatus::Done;
+        case Factor::Status::Stopped:
+            return BuildStatus::Stopped;
+        default:
+            return BuildStatus::NotPositiveDefinite;
+    }
+}
+
+template <int Modes>
+bool CoarseLevels<Modes>::cycle(std::size_t level, Points<Modes>& r, Points<Modes>& z) {
+    z.resizeLike(r);
+    if (level == m_stages.size()) {
+        const auto size = static_cast<std::size_t>(r.size());
+        return m_factor.solve({r.data(), size}, {z.data(), size}, m_workers);
+    }
+    Stage& stage = m_stages[level];
+    const auto solve = [&](const Points<Modes>& right, Points<Modes>& result) {
+        stage.r = right;
+        return cycle(level + 1, stage.r, result);
+    };
+    return stage.level.cycle(stage.matrix, r, z, solve, m_links, m_workers);
+}
+
+template class CoarseLevels<6>;
+template class CoarseLevels<12>;
+
+}  // namespace wend
