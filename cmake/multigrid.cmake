@@ -1,5 +1,5 @@
-# The multigrid solver is built where PETSc is; -DWEND_MULTIGRID=ON insists on it, OFF leaves it out.
-set(WEND_MULTIGRID AUTO CACHE STRING "Build the multigrid solver: AUTO, ON or OFF")
+# wend-mpi, multigrid in many processes, is built where PETSc is; -DWEND_MULTIGRID=ON insists on it, OFF leaves it out.
+set(WEND_MULTIGRID AUTO CACHE STRING "Build multigrid in many processes, wend-mpi: AUTO, ON or OFF")
 set_property(CACHE WEND_MULTIGRID PROPERTY STRINGS AUTO ON OFF)
 set(WEND_HAS_MULTIGRID OFF)
 if(WEND_MULTIGRID STREQUAL "ON")
@@ -10,4 +10,4 @@ endif()
 if(PETSc_FOUND)
     set(WEND_HAS_MULTIGRID ON)
 endif()
-message(STATUS "Multigrid solver: ${WEND_HAS_MULTIGRID}")
+message(STATUS "Multigrid in many processes: ${WEND_HAS_MULTIGRID}")

@@ -37,6 +37,7 @@ const QMap<QString, QStringList> kAllowed = {
     {"app/session", {"core/*", "kernels", "warp", "app/document"}},
     {"app/bench", {"core/*", "kernels", "warp", "app/document", "app/session", "app/view"}},
     {"app/cli", {"core/*", "kernels", "warp", "app/document", "app/session", "app/bench"}},
+    {"app/mpi", {"core/*", "kernels", "warp", "app/session", "app/cli"}},
     {"app/tools", {"core/*", "warp", "app/document", "app/session"}},
     {"app/panels", {"core/*", "warp", "app/document", "app/session"}},
     {"app/view", {"core/*", "warp", "app/document", "app/session", "app/tools", "app/panels"}},

@@ -1,23 +1,12 @@
 #include "app/cli/cli.h"
 
-#include <unistd.h>
-
 #include <array>
-#include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <functional>
-#include <new>
 #include <system_error>
 
 #include "app/bench/bench.h"
 #include "app/cli/commands.h"
-#include "app/cli/terminal.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/printable.h"
-#include "core/mesh/safe_file.h"
+#include "app/cli/guarded.h"
 
 namespace wend {
 namespace {
@@ -88,7 +77,8 @@ std::string helpFor(const Command& command) {
         text +=
             "\nA file named - is standard output (one of them). Either all outputs are written, or none; if "
             "the\n"
-            "deformation stops early, only the report is, with the last good time (see --partial).\n";
+            "deformation stops early, only the report is, with the last good time (see --partial).\n"
+            "`mpirun -q -n N wend-mpi run …` divides a large solid among N processes.\n";
     return text;
 }
 
@@ -103,78 +93,7 @@ ExitCode dispatch(const std::vector<std::string>& words) {
     return command->run(Arguments(command->name, rest));
 }
 
-[[noreturn]] void noMemory() {
-    Terminal::lastWord("there is not enough memory", static_cast<int>(ExitCode::Machine));
-}
-
-/// What threads throw comes here, and what is thrown while there is no memory to throw it.
-void endInOneLine() {
-    try {
-        if (const auto error = std::current_exception()) std::rethrow_exception(error);
-    } catch (const std::bad_alloc&) {
-        noMemory();
-    } catch (const std::system_error&) {
-        noMemory();
-    } catch (const std::exception& error) {
-        Terminal::lastWord(error.what(), static_cast<int>(ExitCode::Internal));
-    }
-    Terminal::lastWord("internal error", static_cast<int>(ExitCode::Internal));
-}
-
-/// What the system says of a folder or a link.
-std::string said(const std::filesystem::filesystem_error& error) {
-    const char* folder = std::getenv("TMPDIR");
-    const std::string place = error.path1().string();
-    if (folder && (place.empty() || place == folder))
-        return std::string(folder) + ": cannot take the temporary files (TMPDIR): " + error.code().message();
-    return place + ": " + error.code().message();
-}
-
-/// Runs, and turns whatever is thrown into its one line and exit code.
-ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } catch (const UsageError& error) {
-    Terminal::error(error.what());
-    return ExitCode::Usage;
-} catch (const DiskFull& error) {
-    Terminal::error(messageOf(error));
-    return ExitCode::Machine;
-} catch (const InputError& error) {
-    Terminal::error(messageOf(error));
-    return ExitCode::Input;
-} catch (const Cancelled&) {
-    Terminal::error(kCancelled);
-    return ExitCode::Incomplete;
-} catch (const std::filesystem::filesystem_error& error) {
-    Terminal::error(said(error));
-    return error.code() == std::errc::no_space_on_device ? ExitCode::Machine : ExitCode::Input;
-} catch (const OutOfMemory& error) {
-    Terminal::error(error.what());
-    return ExitCode::Machine;
-} catch (const std::bad_alloc&) {
-    noMemory();
-} catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again) noMemory();  // a thread
-    Terminal::error("internal error: " + std::string(error.what()));
-    return ExitCode::Internal;
-} catch (const std::exception& error) {
-    Terminal::error("internal error: " + std::string(error.what()));
-    return ExitCode::Internal;
-}
-
 }  // namespace
-
-ExitCode print(const std::string& text) {
-    const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-    if (!written) throw InputError("-", "standard output cannot be written");
-    return ExitCode::Done;
-}
-
-std::string onlyFile(const Arguments& arguments, const std::string& what) {
-    if (arguments.files().empty()) throw UsageError("no " + what + " is named");
-    if (arguments.files().size() > 1)
-        throw UsageError("only one " + what + " can be named, but there is also " + arguments.files()[1]);
-    Terminal::setFile(arguments.files()[0]);
-    return arguments.files()[0];
-}
 
 bool isCommand(const std::string& word) {
     if (word.starts_with("--") || word == "-h" || findCommand(word)) return true;
@@ -184,13 +103,8 @@ bool isCommand(const std::string& word) {
 }
 
 int runCommand(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like a full disk
-    std::set_terminate(endInOneLine);
     const std::vector<std::string> words(argv + 1, argv + argc);
-    const ExitCode code = guarded([&] { return dispatch(words); });
-    // Not exit(): the libraries wait there for threads that, without memory, never began.
-    std::fflush(nullptr);
-    _exit(static_cast<int>(code));
+    return runToTheEnd([&] { return dispatch(words); });
 }
 
 }  // namespace wend

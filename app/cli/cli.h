@@ -1,8 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace wend {
+
+struct RunSolvers;
 
 /// Exit codes of the command line. Machine: it has not the memory or the disk that is needed.
 enum class ExitCode { Done = 0, Internal = 1, Usage = 2, Input = 3, Incomplete = 4, Machine = 5 };
@@ -12,5 +15,9 @@ bool isCommand(const std::string& word);
 
 /// Runs a subcommand; needs no display. Returns the exit code.
 int runCommand(int argc, char** argv);
+
+/// The program of many processes, in the first of them: `run` alone, with these solvers. `finish` is called
+/// before the process ends. Returns the exit code.
+int runDividedCommand(int argc, char** argv, const RunSolvers& solvers, const std::function<void()>& finish);
 
 }  // namespace wend

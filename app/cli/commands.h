@@ -5,7 +5,11 @@
 
 namespace wend {
 
+struct RunSolvers;
+
 ExitCode runRun(const Arguments& arguments);
+/// The same by multigrid with these solvers.
+ExitCode runDivided(const Arguments& arguments, const RunSolvers& solvers);
 ExitCode runMesh(const Arguments& arguments);
 ExitCode runConvert(const Arguments& arguments);
 ExitCode runInfo(const Arguments& arguments);

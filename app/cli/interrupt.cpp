@@ -14,8 +14,6 @@
 namespace wend {
 namespace {
 
-constexpr int kPatience = 330;  // milliseconds from a wish to stop to the end of the process
-
 // A signal handler reaches nothing but globals, and may do little more than write to a pipe.
 std::atomic<int> interruptPipe = -1;
 std::atomic<int> interruptCount = 0;
@@ -29,7 +27,8 @@ extern "C" void onInterrupt(int) {
 
 }  // namespace
 
-Interrupt::Interrupt(std::function<void()> sayCancelled) : m_sayCancelled(std::move(sayCancelled)) {
+Interrupt::Interrupt(std::function<void()> sayCancelled, std::chrono::milliseconds patience)
+    : m_sayCancelled(std::move(sayCancelled)), m_patience(patience) {
     if (pipe(m_pipe) != 0) throw std::runtime_error("no pipe could be opened");
     interruptPipe = m_pipe[1];
     m_waiter = std::thread([this] { wait(); });
@@ -47,7 +46,7 @@ void Interrupt::wait() {
     while (why == 's') {
         m_source.request_stop();
         pollfd signal{m_pipe[0], POLLIN, 0};
-        const bool late = poll(&signal, 1, kPatience) == 0;
+        const bool late = poll(&signal, 1, static_cast<int>(m_patience.count())) == 0;
         if (late && abandonPendingFiles()) {
             m_sayCancelled();
             _exit(static_cast<int>(ExitCode::Incomplete));

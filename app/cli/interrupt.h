@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <stop_token>
 #include <thread>
@@ -7,13 +8,14 @@
 namespace wend {
 
 /// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request while it lives: work ends at the next good place and
-/// leaves nothing half-written. Work that has not ended a third of a second later, as within a library that
-/// cannot be stopped, ends with the process, which leaves nothing half-written either. The third signal ends
-/// the process at once. One at a time.
+/// leaves nothing half-written. Work that has not ended after a while, as within a library that cannot be
+/// stopped, ends with the process, which leaves nothing half-written either. The third signal ends the
+/// process at once. One at a time.
 class Interrupt {
   public:
-    /// `sayCancelled` is called, from another thread, before the process ends.
-    explicit Interrupt(std::function<void()> sayCancelled);
+    /// `sayCancelled` is called, from another thread, before the process ends, `patience` after the signal.
+    explicit Interrupt(std::function<void()> sayCancelled,
+                       std::chrono::milliseconds patience = std::chrono::milliseconds(330));
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
@@ -24,6 +26,7 @@ class Interrupt {
     void wait();
 
     std::function<void()> m_sayCancelled;
+    std::chrono::milliseconds m_patience;
     std::stop_source m_source;
     int m_pipe[2] = {-1, -1};
     std::thread m_waiter;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 
 #include "app/cli/commands.h"
@@ -19,6 +20,10 @@
 
 namespace wend {
 namespace {
+
+// From a wish to stop to the end of the process. The processes of a team end together if they can; mpirun
+// kills them after a second.
+constexpr std::chrono::milliseconds kPatience(330), kPatienceWithMany(800);
 
 RunOutputs outputsFrom(const Arguments& arguments) {
     RunOutputs outputs;
@@ -112,11 +117,18 @@ void override(Project& project, const Arguments& arguments) {
     if (arguments.has("--settle")) appendSettling(project, project.end);
 }
 
-}  // namespace
+/// Multigrid alone is divided, and every process takes one thread unless the line says otherwise.
+void divide(IntegrationOptions& integration) {
+    if (integration.solver == SolverKind::Direct)
+        throw UsageError("only multigrid is divided among processes: take wend run for --solver direct");
+    integration.solver = SolverKind::Multigrid;
+    if (integration.threads == 0) integration.threads = 1;
+}
 
-ExitCode runRun(const Arguments& arguments) {
+ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chrono::milliseconds patience) {
     const std::string path = onlyFile(arguments, "project");
     RunOptions options = optionsFrom(arguments);
+    options.solvers = solvers;
     const auto shown =
         arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
     Terminal terminal(shown, arguments.has("--quiet"));
@@ -124,6 +136,7 @@ ExitCode runRun(const Arguments& arguments) {
     Project& project = *loaded.project;
     std::vector<std::string> notices = loaded.warnings;
     override(project, arguments);
+    if (solvers.space) divide(project.integration);
     paint(project, folderOf(path), arguments);
     std::vector<OwnInput> inputs = inputsOf(project.domain, project.design, path, folderOf(path));
     // Its own states go on growing.
@@ -149,7 +162,7 @@ ExitCode runRun(const Arguments& arguments) {
                         : "cancelled; " + options.outputs.states.front() + " has the states up to time " +
                               shortNumber(kept) + ", nothing else was written";
     };
-    Interrupt interrupt([&] { terminal.end(cancelled()); });
+    Interrupt interrupt([&] { terminal.end(cancelled()); }, patience);
     RunWatch watch;
     watch.stop = interrupt.token();
     watch.notice = notice;
@@ -167,6 +180,16 @@ ExitCode runRun(const Arguments& arguments) {
         return error.isOfShape() ? ExitCode::Incomplete : ExitCode::Input;
     }
     return ExitCode::Incomplete;
+}
+
+}  // namespace
+
+ExitCode runRun(const Arguments& arguments) {
+    return runWith(arguments, {}, kPatience);
+}
+
+ExitCode runDivided(const Arguments& arguments, const RunSolvers& solvers) {
+    return runWith(arguments, solvers, kPatienceWithMany);
 }
 
 }  // namespace wend

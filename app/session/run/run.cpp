@@ -64,9 +64,10 @@ class Run {
           m_notices(options.notices),
           m_watch(listening(watch)),
           m_start(start),
-          m_deformer(m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape),
-                     integrationOf(project),
-                     backEndFactory<Dim>(options.backEnd, {}, m_watch.notice, m_device)) {}
+          m_deformer(
+              m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape), integrationOf(project),
+              backEndFactory<Dim>(options.backEnd, {}, m_watch.notice, m_device), options.solvers.of<Dim>()) {
+    }
 
     AdvanceResult run() {
         openStates();

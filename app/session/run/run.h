@@ -14,6 +14,7 @@
 #include "core/assembly/back_end.h"
 #include "core/mesh/mesh_write_options.h"
 #include "core/mesh/used_vertices.h"
+#include "core/solver/iterative_solver.h"
 #include "warp/image.h"
 #include "warp/sampling.h"
 
@@ -59,12 +60,27 @@ struct CanvasChoice {
     PixelRect part;  // of Canvas::Part
 };
 
+/// What solves for velocity fields by multigrid; empty: this process.
+struct RunSolvers {
+    IterativeSolverFactory<2> plane;
+    IterativeSolverFactory<3> space;
+
+    template <int Dim>
+    const IterativeSolverFactory<Dim>& of() const {
+        if constexpr (Dim == 2)
+            return plane;
+        else
+            return space;
+    }
+};
+
 struct RunOptions {
     RunOutputs outputs;
     std::optional<double> at;    // instead of the project's end
     std::string from;            // a file of states to go on from
     std::optional<Shard> shard;  // of the frames: then nothing else is written, and all comes from the states
     BackEndKind backEnd = BackEndKind::Automatic;
+    RunSolvers solvers;
     Filter filter = Filter::Ewa;
     CanvasChoice canvas;
     std::optional<PixelType> depth;  // of pictures; without: the source's

@@ -1,11 +1,6 @@
 #include "core/solver/multigrid/coarse_levels.h"
 
 namespace wend {
-namespace {
-
-constexpr int kFactored = 2000;  // unknowns; of more a coarser level is made
-
-}  // namespace
 
 template <int Modes>
 void CoarseLevels<Modes>::analyze(Graph graph) {

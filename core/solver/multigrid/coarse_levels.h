@@ -24,6 +24,8 @@ class CoarseSolver {
 template <int Modes>
 class CoarseLevels final : public CoarseSolver<Modes> {
   public:
+    static constexpr int kFactored = 2000;  // unknowns; of more a coarser level is made
+
     /// The threads outlive it.
     explicit CoarseLevels(WorkerPool& workers) : m_workers(workers) {}
 

@@ -41,6 +41,9 @@ class LowerRow {
         for (int i : m_order) {
             part.columns.push_back(m_P.number(m_columns.keys()[i]));
             part.blocks.push_back(m_sums[i].template cast<float>());
+            if (m_K.columns() > m_K.rows())
+                part.rests.push_back(
+                    (m_sums[i] - part.blocks.back().template cast<double>()).template cast<float>());
         }
     }
 
@@ -140,19 +143,20 @@ CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size
         append(share.columns, piece.columns);
         append(share.missing, piece.missing);
         append(share.blocks, piece.blocks);
+        append(share.rests, piece.rests);
     }
     return share;
 }
 
 template <int Modes>
 CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares) {
-    using Block = Eigen::Matrix<float, Modes, Modes>;
+    using Square = Eigen::Matrix<double, Modes, Modes>;
     CoarseShare<Modes> result;
     int rows = 0;
     for (const auto& share : shares)
         if (!share.rows.empty()) rows = std::max(rows, share.rows.back() + 1);
     std::vector<std::size_t> row(shares.size(), 0), entry(shares.size(), 0);
-    std::map<int, Block> sums;
+    std::map<int, Square> sums;
     for (int number = 0; number < rows; ++number) {
         sums.clear();
         unsigned missing = 0;
@@ -161,8 +165,9 @@ CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares) {
             if (row[s] == share.rows.size() || share.rows[row[s]] != number) continue;
             missing |= share.missing[row[s]];
             for (int i = 0; i < share.count[row[s]]; ++i, ++entry[s]) {
-                const auto [at, isNew] = sums.try_emplace(share.columns[entry[s]], share.blocks[entry[s]]);
-                if (!isNew) at->second += share.blocks[entry[s]];
+                Square& sum = sums.try_emplace(share.columns[entry[s]], Square::Zero()).first->second;
+                sum += share.blocks[entry[s]].template cast<double>();
+                if (!share.rests.empty()) sum += share.rests[entry[s]].template cast<double>();
             }
             ++row[s];
         }
@@ -171,7 +176,7 @@ CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares) {
         result.count.push_back(static_cast<int>(sums.size()));
         for (const auto& [column, block] : sums) {
             result.columns.push_back(column);
-            result.blocks.push_back(block);
+            result.blocks.push_back(block.template cast<float>());
         }
     }
     return result;

@@ -14,12 +14,15 @@ struct CoarseShare {
     std::vector<int> rows, count, columns;
     std::vector<unsigned> missing;  // per row: see Prolongation
     std::vector<Eigen::Matrix<float, Modes, Modes>> blocks;
+    // What single precision leaves of the blocks, where the sum over the parts is to be that of the whole.
+    std::vector<Eigen::Matrix<float, Modes, Modes>> rests;
     // The aggregates that have no rows in other parts, and what Prolongation::build() returns of them.
     std::vector<int> own;
     std::vector<Eigen::Matrix<double, Modes, Modes>> motions;
 };
 
-/// Row by row: the same bits for any number of threads. Incomplete once `stop` is requested.
+/// Row by row: the same bits for any number of threads. Incomplete once `stop` is requested. With rests, if
+/// there are other parts.
 template <int Size, int Modes>
 CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
                                WorkerPool& workers, const std::stop_token& stop);

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/mpi/divided_coarse.h"
+#include "app/mpi/divided_level.h"
+#include "app/mpi/division.h"
+#include "app/mpi/packet.h"
+#include "app/mpi/team.h"
+#include "core/solver/iterative_solver.h"
+#include "core/solver/multigrid/multigrid.h"
+
+namespace wend {
+
+/// A part of a system with what its process needs to work on it.
+template <int Dim>
+struct PartTask {
+    Part<Dim> part;
+    Points<Dim> rest;
+    Material<Dim> material;
+    std::vector<double> epsilon;  // of BackEnd::setMassRegularization()
+    Aggregates aggregates;        // of its own unknowns
+    // Where the first coarse level is divided, too: the part of every aggregate of the whole, and the next
+    // level's aggregates of its own ones. Else empty.
+    std::vector<int> ownerOf;
+    Aggregates groups;
+    Graph gathered;  // of the first part: the aggregates of the first level that is not divided
+    int threads = 1;
+
+    void put(Packet& packet) const;
+    static PartTask from(Packet& packet);
+};
+
+/// What a process does for its part. All processes call the same functions in the same order, the constructor
+/// excepted. Vectors have a column for every vertex of the part.
+template <int Dim>
+class PartSolver {
+  public:
+    using Goal = typename IterativeSolver<Dim>::Goal;
+    using Result = typename IterativeSolver<Dim>::Result;
+
+    PartSolver(const Team& team, PartTask<Dim> task);
+
+    int own() const { return m_own; }
+    int vertices() const { return m_plan->vertexCount; }
+
+    /// As BackEnd::setShape(), with the cell's number in the whole mesh.
+    int setShape(Points<Dim> shape);
+    /// As IterativeSolver; the stop and the goal's functions count in the first process.
+    BuildStatus build(const std::stop_token& stop);
+    Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v);
+    /// As BackEnd::energy(), of the whole.
+    double energy(const Points<Dim>& v);
+
+  private:
+    CoarseSolver<Multigrid<Dim>::kModes>& coarse(PartTask<Dim>& task);
+
+    const Team& m_team;
+    int m_own;
+    std::vector<int> m_cells;      // their numbers in the whole mesh
+    std::vector<int> m_followers;  // see Part
+    std::vector<double> m_epsilon;
+    TeamLinks m_links;
+    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;
+    std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
+    ReducedSystem<Dim> m_system;
+    std::unique_ptr<BackEnd<Dim>> m_backEnd;
+    DividedCoarse<Multigrid<Dim>::kModes> m_gathered;
+    std::optional<DividedLevel<Multigrid<Dim>::kModes>> m_coarse;
+    Multigrid<Dim> m_multigrid;
+    ConjugateGradients<Dim> m_iteration;
+    Nodal<Dim> m_shape;
+};
+
+}  // namespace wend
