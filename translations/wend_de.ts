@@ -1528,6 +1528,10 @@
         <source>Cut-out, holes filled</source>
         <translation>Ausschnitt, Löcher gefüllt</translation>
     </message>
+    <message>
+        <source>Change solver</source>
+        <translation>Löser ändern</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -4519,10 +4523,6 @@
         <source>Let go to open “%1”</source>
         <translation>Loslassen, um „%1“ zu öffnen</translation>
     </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -5443,6 +5443,21 @@
     <message>
         <source>No pins yet</source>
         <translation>Noch keine Pins</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ProblemRemedies</name>
+    <message>
+        <source>Use Multigrid</source>
+        <translation>Mehrgitter verwenden</translation>
+    </message>
+    <message>
+        <source>Half as Many Vertices</source>
+        <translation>Halb so viele Punkte</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 <context>

@@ -1528,6 +1528,10 @@
         <source>Cut-out, holes filled</source>
         <translation>Recorte, huecos rellenos</translation>
     </message>
+    <message>
+        <source>Change solver</source>
+        <translation>Cambiar solucionador</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -4519,10 +4523,6 @@
         <source>Let go to open “%1”</source>
         <translation>Suelte para abrir «%1»</translation>
     </message>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -5443,6 +5443,21 @@
     <message>
         <source>No pins yet</source>
         <translation>Aún no hay alfileres</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ProblemRemedies</name>
+    <message>
+        <source>Use Multigrid</source>
+        <translation>Usar multimalla</translation>
+    </message>
+    <message>
+        <source>Half as Many Vertices</source>
+        <translation>La mitad de vértices</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
 </context>
 <context>

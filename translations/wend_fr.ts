@@ -1528,6 +1528,10 @@
         <source>Cut-out, holes filled</source>
         <translation>Détourage, trous remplis</translation>
     </message>
+    <message>
+        <source>Change solver</source>
+        <translation>Changer le solveur</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -4519,10 +4523,6 @@
         <source>Let go to open “%1”</source>
         <translation>Relâchez pour ouvrir «&#x202f;%1&#x202f;»</translation>
     </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -5443,6 +5443,21 @@
     <message>
         <source>No pins yet</source>
         <translation>Pas encore d’épingles</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ProblemRemedies</name>
+    <message>
+        <source>Use Multigrid</source>
+        <translation>Utiliser le multigrille</translation>
+    </message>
+    <message>
+        <source>Half as Many Vertices</source>
+        <translation>Deux fois moins de sommets</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>

@@ -1528,6 +1528,10 @@
         <source>Cut-out, holes filled</source>
         <translation>切り抜き（穴を埋める）</translation>
     </message>
+    <message>
+        <source>Change solver</source>
+        <translation>ソルバーを変更</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -4512,10 +4516,6 @@
         <source>Let go to open “%1”</source>
         <translation>離すと「%1」を開きます</translation>
     </message>
-    <message>
-        <source>Undo</source>
-        <translation>取り消す</translation>
-    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -5435,6 +5435,21 @@
     <message>
         <source>No pins yet</source>
         <translation>ピンはまだありません</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ProblemRemedies</name>
+    <message>
+        <source>Use Multigrid</source>
+        <translation>マルチグリッドを使う</translation>
+    </message>
+    <message>
+        <source>Half as Many Vertices</source>
+        <translation>頂点を半分にする</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
     </message>
 </context>
 <context>

@@ -1528,6 +1528,10 @@
         <source>Cut-out, holes filled</source>
         <translation>抠图，填充孔洞</translation>
     </message>
+    <message>
+        <source>Change solver</source>
+        <translation>更改求解器</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -4512,10 +4516,6 @@
         <source>Let go to open “%1”</source>
         <translation>松开以打开“%1”</translation>
     </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -5435,6 +5435,21 @@
     <message>
         <source>No pins yet</source>
         <translation>还没有图钉</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ProblemRemedies</name>
+    <message>
+        <source>Use Multigrid</source>
+        <translation>使用多重网格</translation>
+    </message>
+    <message>
+        <source>Half as Many Vertices</source>
+        <translation>顶点减半</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
     </message>
 </context>
 <context>

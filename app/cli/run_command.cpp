@@ -107,7 +107,6 @@ void override(Project& project, const Arguments& arguments) {
     takeSettings(project, arguments);
     IntegrationOptions& integration = project.integration;
     integration.threads = arguments.integer("--threads");
-    integration.solver = arguments.values().choice<SolverKind>("--solver");
     if (integration.solver == SolverKind::Multigrid &&
         arguments.values().choice<BackEndKind>("--backend") == BackEndKind::OpenCl)
         throw UsageError("--solver multigrid computes on the processor: leave --backend opencl out");

@@ -120,12 +120,13 @@ void ShapeMotion::takeFinished(double time, const QString& problem) {
     showTime();
 }
 
-void ShapeMotion::takeFailure(int revision, const QString& reason, bool shapeless) {
+void ShapeMotion::takeFailure(int revision, const QString& reason, ComputeFailure failure) {
     if (revision != m_revision) return;  // result of an outdated request
     m_failed = true;
+    m_lacksMemory = failure == ComputeFailure::Memory;
     emit failing();
     m_preview.reset();
-    if (shapeless) {
+    if (failure == ComputeFailure::Shapeless) {
         dropShape();
         show({}, false);
     }

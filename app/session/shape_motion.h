@@ -10,6 +10,7 @@
 namespace wend {
 
 class ComputeThread;
+enum class ComputeFailure;
 class Playback;
 class Selection;
 
@@ -31,6 +32,7 @@ class ShapeMotion : public QObject {
     }
     bool isStale() const { return m_stale; }
     bool hasFailed() const { return m_failed; }
+    bool lacksMemory() const { return m_failed && m_lacksMemory; }
     bool isBusy() const { return m_busy; }
     bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
     double pixel() const;
@@ -81,7 +83,7 @@ class ShapeMotion : public QObject {
     void takeFrame(const FramePtr& frame);
     void takeLive(const FramePtr& frame);
     void takeFinished(double time, const QString& problem);
-    void takeFailure(int revision, const QString& reason, bool shapeless);
+    void takeFailure(int revision, const QString& reason, ComputeFailure failure);
     void takeField(int number, const VelocityPtr& field);
     void takeTime(double time);
     void dropShape();
@@ -112,7 +114,7 @@ class ShapeMotion : public QObject {
     FramePtr m_frame;          // shown
     FramePtr m_preview;        // the last frame of a drag, until the exact motion is there
     FramePtr m_previewBefore;  // of the current drag
-    bool m_stale = false, m_busy = false, m_failed = false;
+    bool m_stale = false, m_busy = false, m_failed = false, m_lacksMemory = false;
     bool m_changeMovesNothing = false;
     bool m_sameShape = false;                   // the current request does not make the shown frame stale
     std::shared_ptr<const Project> m_complete;  // whose motion was computed to its end

@@ -43,6 +43,8 @@ class ShapeSession : public QObject {
     bool isStale() const { return m_motion.isStale(); }
     /// Returns true if the project cannot be computed: an older shape is shown.
     bool hasFailed() const { return m_motion.hasFailed(); }
+    /// Returns true if that is for want of memory.
+    bool lacksMemory() const { return m_motion.lacksMemory(); }
     /// Returns true while something is being computed.
     bool isBusy() const { return m_motion.isBusy(); }
     /// Returns true while the shape or its material is being made, rather than its motion.

@@ -47,6 +47,7 @@
 #include "app/view/notices/border_offer.h"
 #include "app/view/notices/info_banner.h"
 #include "app/view/notices/line_art_offer.h"
+#include "app/view/notices/problem_remedies.h"
 #include "app/view/notices/shape_notices.h"
 #include "app/view/notices/soft_edge_offer.h"
 #include "app/view/notices/work_note.h"
@@ -245,10 +246,7 @@ void MainWindow::connectFiles() {
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
     connect(&m_session, &ShapeSession::problem, this, [this](const QString& text) {
-        QUndoStack* steps = m_session.document().undoStack();
-        m_banner->tell(Topic::Shape, text,
-                       steps->canUndo() ? QList<InfoBanner::Remedy>{{tr("Undo"), [steps] { steps->undo(); }}}
-                                        : QList<InfoBanner::Remedy>());
+        m_banner->tell(Topic::Shape, text, problemRemedies(m_session));
     });
     connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::showMessage);
 }

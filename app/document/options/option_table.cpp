@@ -252,6 +252,10 @@ constexpr std::array kOptions{
     Option{"integration.smallestStep", "", Number, "", kSmallestStep, "time spans", "", "",
            "length of a step below which the deformation stops",
            Field{AT(integration.smallestStep), nullptr, Makes::Motion}},
+    Option{"integration.solver", "--solver", Choice, "", kAny, "", "auto|direct|multigrid", "run",
+           "how velocities are solved for: by factors, or by iterations with multigrid, whose memory grows "
+           "with the number of vertices only; auto: by size and the machine's memory",
+           Field{AT(integration.solver), nullptr, Makes::Motion}, Row{.undo = Options::tr("Change solver")}},
     Option{"", "--image", Output, "", kAny, "", "", "run",
            "write the warped picture (png, tif, exr, jpg, webp …)"},
     Option{
@@ -352,9 +356,6 @@ constexpr std::array kOptions{
         "the reason, 4 if the deformed shape is"},
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",
            "what assembles the matrices"},
-    Option{"", "--solver", Choice, "auto", kAny, "", "auto|direct|multigrid", "run",
-           "how velocities are solved for: by factors, or by iterations with multigrid, whose memory grows "
-           "with the number of vertices only; auto: by size and the machine's memory"},
     Option{"", "--threads", Integer, "0", kThreads, "", "", "run", "number of threads; 0: one per core"},
     Option{"", "--output", File, "", kAny, "", "", "mesh bench",
            "the mesh, or the table as JSON, to write; also -o"},

@@ -25,21 +25,21 @@ void ComputeThread::loop(std::stop_token stop) {
             else if (!idle)
                 m_engine->work(m_mailbox.interruption());
         } catch (const SurfaceError& error) {
-            giveUp(error, true);
+            giveUp(error, ComputeFailure::Shapeless);
         } catch (const NotEnoughMemory& error) {
             giveUp(InputError("the shape needs about " + byteText(error.needed()) + " of memory; " +
                               byteText(error.free()) + " are free; fewer vertices need less"),
-                   false);
+                   ComputeFailure::Memory);
         } catch (const std::exception& error) {
-            giveUp(error, false);
+            giveUp(error, ComputeFailure::Invalid);
         }
     }
 }
 
-void ComputeThread::giveUp(const std::exception& error, bool shapeless) {
+void ComputeThread::giveUp(const std::exception& error, ComputeFailure failure) {
     if (m_engine) m_engine->giveUp();
-    m_out.call([this, revision = m_revision, reason = said(error), shapeless] {
-        emit failed(revision, reason, shapeless);
+    m_out.call([this, revision = m_revision, reason = said(error), failure] {
+        emit failed(revision, reason, failure);
     });
 }
 

@@ -9,6 +9,10 @@
 
 namespace wend {
 
+/// Why a project cannot be computed: its content is invalid; its surface bounds no volume; or the machine
+/// lacks the memory.
+enum class ComputeFailure { Invalid, Shapeless, Memory };
+
 /// The thread that meshes and solves for the window. Requests enter through a mailbox; frames leave as
 /// signals in the thread of this object.
 class ComputeThread : public QObject {
@@ -28,14 +32,13 @@ class ComputeThread : public QObject {
     void progress(double time, double end);
     /// Emitted at the end of the motion; `problem` says what could not be completed, or is empty.
     void finished(double time, QString problem);
-    /// Emitted if the project is invalid. The last shape stays, unless `shapeless`: the surface bounds no
-    /// volume.
-    void failed(int revision, QString reason, bool shapeless);
+    /// Emitted if the project cannot be computed. The last shape stays, unless the failure is Shapeless.
+    void failed(int revision, QString reason, wend::ComputeFailure failure);
 
   private:
     void loop(std::stop_token stop);
     void handle(const Request& request);
-    void giveUp(const std::exception& error, bool shapeless);
+    void giveUp(const std::exception& error, ComputeFailure failure);
     void requireEngine(int dimension);
     ShapeEngine::Sink sink();
 

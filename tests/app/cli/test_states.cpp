@@ -25,6 +25,8 @@ class TestStates : public QObject {
     void shardsMakeTheWhole_data();
     void shardsMakeTheWhole();
     void farmNamesLostShards();
+    void farmJobsMakeTheWhole_data();
+    void farmJobsMakeTheWhole();
     void statesOfAnotherRunAreRefused_data();
     void statesOfAnotherRunAreRefused();
     void damagedStatesAreRefused();
@@ -296,6 +298,42 @@ void TestStates::farmNamesLostShards() {
     QVERIFY2(result.code == 0, qPrintable(result.out + result.error));
     for (int k = 0; k < 10; ++k)
         QCOMPARE(bytes(QString("farm_0%1.obj").arg(k)), bytes(QString("alone_0%1.obj").arg(k)));
+}
+
+void TestStates::farmJobsMakeTheWhole_data() {
+    QTest::addColumn<QStringList>("start");
+    const QString scripts = QStringLiteral(WEND_SOURCE_DIR "/scripts/farm/");
+    const QString node = QStringLiteral(WEND_SOURCE_DIR "/tests/support/slurm_node.sh");
+    QTest::newRow("on this machine") << QStringList{scripts + "parallel.sh"};
+    QTest::newRow("Slurm") << QStringList{node, m_folder.filePath("slurm"), scripts + "slurm.sh"};
+}
+
+/// One node of Slurm with its controller is started for this. All names have blanks; options reach `wend
+/// run`.
+void TestStates::farmJobsMakeTheWhole() {
+    QFETCH(QStringList, start);
+    const QString folder = m_folder.filePath("a folder");
+    QDir(folder).removeRecursively();
+    QVERIFY(QDir().mkpath(folder) && QFile::copy(path() + "/long.wend", folder + "/a strip.wend") &&
+            QFile::copy(path() + "/disc.png", folder + "/disc.png"));
+    const QStringList canvas{"--canvas", "fit"};
+    const CliResult whole = runCli(
+        folder, QStringList{"run", "a strip.wend", "--frames", "whole ##.png", "--count", "7"} + canvas);
+    QVERIFY2(whole.code == 0, qPrintable(whole.error));
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("WEND", WEND_BINARY);
+    const CliResult jobs =
+        runCli(folder, start.mid(1) + QStringList{"a strip.wend", "part ##.png", "7", "3"} + canvas,
+               environment, start[0]);
+    if (jobs.code == 77) QSKIP("Slurm cannot be started here");
+    QVERIFY2(jobs.code == 0, qPrintable(jobs.out + jobs.error));
+    const auto read = [&](const QString& name) {
+        QFile file(folder + "/" + name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("not there");
+    };
+    for (int k = 0; k < 7; ++k)
+        QCOMPARE(read(QString("part 0%1.png").arg(k)), read(QString("whole 0%1.png").arg(k)));
+    if (start.size() > 1) QCOMPARE(read("wend-missing.txt"), QByteArray());
 }
 
 void TestStates::statesOfAnotherRunAreRefused_data() {

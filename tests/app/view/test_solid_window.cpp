@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+#include <unistd.h>
 #include <xcb/xcb.h>
 #include <QCheckBox>
 #include <QComboBox>
@@ -8,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
@@ -54,6 +57,7 @@ class TestSolidWindow : public QObject {
     void escapeRestoresAndUndoTakesBack();
     void typedNumbersAreExact();
     void longWorkIsToldAndCancelled();
+    void whereMemoryIsShortLessIsOffered();
     void surfaceIsRefinedByTheSwitch();
     void turningTwistsTheBar();
     void areasAreOneHandle();
@@ -99,6 +103,27 @@ QPoint placeOf(const QWidget& window) {
         xcb_get_geometry_reply(screenServer(), request, nullptr), &std::free);
     return reply ? QPoint(reply->x, reply->y) : QPoint(-1, -1);
 }
+
+/// No more addresses than are in use and so many megabytes.
+class AddressLimit {
+  public:
+    explicit AddressLimit(int megabytes) {
+        getrlimit(RLIMIT_AS, &m_before);
+        std::ifstream pages("/proc/self/statm");
+        rlim_t used = 0;
+        pages >> used;
+        rlimit limit = m_before;
+        limit.rlim_cur =
+            used * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + static_cast<rlim_t>(megabytes) * 1000000;
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    ~AddressLimit() { setrlimit(RLIMIT_AS, &m_before); }
+    AddressLimit(const AddressLimit&) = delete;
+    AddressLimit& operator=(const AddressLimit&) = delete;
+
+  private:
+    rlimit m_before{};
+};
 
 }  // namespace
 
@@ -268,6 +293,40 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
         QVERIFY(m_f->session().frame<3>()->rest == rest);
         QVERIFY(m_f->window().work().isHidden());
     }
+}
+
+/// The factor of so many vertices takes about 550 MB, and what comes before it less than a third of that.
+void TestSolidWindow::whereMemoryIsShortLessIsOffered() {
+#ifdef __SANITIZE_ADDRESS__
+    QSKIP("takes all addresses itself");
+#endif
+    QVERIFY(m_f->openProject(3, 16000));
+    QVERIFY(settle(m_f->session()));
+    Document& document = m_f->session().document();
+    test::addPin<3>(document, {-2, 0, 0}, "held");
+    test::addPin<3>(document, {2, 0, 0}, "moved");
+    QVERIFY(settle(m_f->session()));
+    m_f->session().selection().set({1});
+    const auto buttons = [this] {
+        QStringList texts;
+        for (const auto* button : m_f->window().banner().findChildren<QPushButton*>())
+            texts << button->text();
+        return texts;
+    };
+    {
+        const AddressLimit limit(450);
+        m_f->session().moveSelected<3>({}, {0, 0, 0.3});
+        QVERIFY(QTest::qWaitFor([&] { return m_f->session().lacksMemory(); }, 60000));
+    }
+    QVERIFY(m_f->window().banner().text().contains(QStringLiteral("memory")));
+    const QStringList offered{QStringLiteral("Use Multigrid"), QStringLiteral("Half as Many Vertices"),
+                              QStringLiteral("Undo")};
+    QCOMPARE(buttons(), offered);
+    for (auto* button : m_f->window().banner().findChildren<QPushButton*>())
+        if (button->text() == offered[0]) button->click();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(!m_f->session().hasFailed() && m_f->window().banner().text().isEmpty());
+    QCOMPARE(document.project()->integration.solver, SolverKind::Multigrid);
 }
 
 void TestSolidWindow::surfaceIsRefinedByTheSwitch() {
