@@ -2,7 +2,7 @@
 # app/session/program_files.cpp): the folder can be moved, and the sources may go.
 set(resources ${PROJECT_SOURCE_DIR}/resources)
 install(TARGETS wend DESTINATION bin)
-install(TARGETS wend-tetgen wend-cage wend-pictures DESTINATION lib/wend)
+install(TARGETS wend-tetgen wend-cage wend-picture wend-pictures DESTINATION lib/wend)
 if(WEND_HAS_MULTIGRID)
     install(TARGETS wend-mpi DESTINATION bin)
 endif()

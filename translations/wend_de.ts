@@ -323,22 +323,6 @@
         <translation>ist schreibgeschützt: erst beschreibbar machen oder einen anderen Namen wählen</translation>
     </message>
     <message>
-        <source>a GIF picture</source>
-        <translation>ein GIF-Bild</translation>
-    </message>
-    <message>
-        <source>a HEIC picture</source>
-        <translation>ein HEIC-Bild</translation>
-    </message>
-    <message>
-        <source>an AVIF picture</source>
-        <translation>ein AVIF-Bild</translation>
-    </message>
-    <message>
-        <source>a JPEG 2000 picture</source>
-        <translation>ein JPEG-2000-Bild</translation>
-    </message>
-    <message>
         <source>a JPEG XL picture</source>
         <translation>ein JPEG-XL-Bild</translation>
     </message>
@@ -711,14 +695,6 @@
         <translation>ist kein Projekt von Wend; die sind JSON und beginnen mit {</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
-        <translation>ist %1. Wend öffnet Bilder in PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA und PNM</translation>
-    </message>
-    <message>
-        <source>a Photoshop file</source>
-        <translation>eine Photoshop-Datei</translation>
-    </message>
-    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>enthält %1 Bilder (Seiten, Einzelbilder oder Teile): gelesen wird das erste</translation>
     </message>
@@ -749,6 +725,46 @@
     <message>
         <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
         <translation>%1 Pixel sind keine endlichen Zahlen (NaN oder unendlich), das erste bei x %2, y %3</translation>
+    </message>
+    <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>ist %1. Wend öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder</translation>
+    </message>
+    <message>
+        <source>its reader failed inside (signal %1)</source>
+        <translation>das Leseprogramm ist abgestürzt (Signal %1)</translation>
+    </message>
+    <message>
+        <source>its reader was ended (signal %1)</source>
+        <translation>das Leseprogramm wurde beendet (Signal %1)</translation>
+    </message>
+    <message>
+        <source>its reader failed (exit code %1)</source>
+        <translation>das Leseprogramm ist gescheitert (Ende mit %1)</translation>
+    </message>
+    <message>
+        <source>its reader has done nothing for %1 s</source>
+        <translation>das Leseprogramm hat %1 s lang nichts getan</translation>
+    </message>
+    <message>
+        <source>its reader has not come to an end</source>
+        <translation>das Leseprogramm ist nicht fertig geworden</translation>
+    </message>
+    <message>
+        <source>it needs more than the %1 MB of memory that reading may take</source>
+        <translation>es braucht mehr als die %1 MB Speicher, die das Lesen belegen darf</translation>
+    </message>
+    <message>
+        <source>has %1 layers: opened flattened</source>
+        <translation>hat %1 Ebenen: zusammengefasst geöffnet</translation>
+    </message>
+    <message>
+        <source>holds no picture of all its layers (%1): save it with one</source>
+        <translation>enthält kein Bild aller Ebenen (%1): mit einem speichern</translation>
+    </message>
+    <message>
+        <source>has a damaged %1</source>
+        <translation>hat eine beschädigte Datei %1</translation>
     </message>
 </context>
 <context>

@@ -323,22 +323,6 @@
         <translation>es de solo lectura: hágalo antes modificable o elija otro nombre</translation>
     </message>
     <message>
-        <source>a GIF picture</source>
-        <translation>una imagen GIF</translation>
-    </message>
-    <message>
-        <source>a HEIC picture</source>
-        <translation>una imagen HEIC</translation>
-    </message>
-    <message>
-        <source>an AVIF picture</source>
-        <translation>una imagen AVIF</translation>
-    </message>
-    <message>
-        <source>a JPEG 2000 picture</source>
-        <translation>una imagen JPEG 2000</translation>
-    </message>
-    <message>
         <source>a JPEG XL picture</source>
         <translation>una imagen JPEG XL</translation>
     </message>
@@ -711,14 +695,6 @@
         <translation>no es un proyecto de Wend, que es JSON y empieza con {</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
-        <translation>es %1. Wend abre imágenes PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA y PNM</translation>
-    </message>
-    <message>
-        <source>a Photoshop file</source>
-        <translation>un archivo de Photoshop</translation>
-    </message>
-    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>contiene %1 imágenes (páginas, fotogramas o partes): se lee la primera</translation>
     </message>
@@ -749,6 +725,46 @@
     <message>
         <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
         <translation>%1 píxeles no son números finitos (NaN o infinito), el primero en x %2, y %3</translation>
+    </message>
+    <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>es %1. Wend abre PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, RAW de cámara y otras imágenes</translation>
+    </message>
+    <message>
+        <source>its reader failed inside (signal %1)</source>
+        <translation>el lector falló (señal %1)</translation>
+    </message>
+    <message>
+        <source>its reader was ended (signal %1)</source>
+        <translation>el lector fue terminado (señal %1)</translation>
+    </message>
+    <message>
+        <source>its reader failed (exit code %1)</source>
+        <translation>el lector falló (código de salida %1)</translation>
+    </message>
+    <message>
+        <source>its reader has done nothing for %1 s</source>
+        <translation>el lector no ha hecho nada durante %1 s</translation>
+    </message>
+    <message>
+        <source>its reader has not come to an end</source>
+        <translation>el lector no llegó a terminar</translation>
+    </message>
+    <message>
+        <source>it needs more than the %1 MB of memory that reading may take</source>
+        <translation>necesita más de los %1 MB de memoria que puede ocupar la lectura</translation>
+    </message>
+    <message>
+        <source>has %1 layers: opened flattened</source>
+        <translation>tiene %1 capas: abierto acoplado</translation>
+    </message>
+    <message>
+        <source>holds no picture of all its layers (%1): save it with one</source>
+        <translation>no contiene una imagen de todas sus capas (%1): guárdelo con ella</translation>
+    </message>
+    <message>
+        <source>has a damaged %1</source>
+        <translation>tiene dañado %1</translation>
     </message>
 </context>
 <context>

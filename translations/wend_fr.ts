@@ -323,22 +323,6 @@
         <translation>est en lecture seule&#x202f;: rendez-le d’abord modifiable, ou choisissez un autre nom</translation>
     </message>
     <message>
-        <source>a GIF picture</source>
-        <translation>une image GIF</translation>
-    </message>
-    <message>
-        <source>a HEIC picture</source>
-        <translation>une image HEIC</translation>
-    </message>
-    <message>
-        <source>an AVIF picture</source>
-        <translation>une image AVIF</translation>
-    </message>
-    <message>
-        <source>a JPEG 2000 picture</source>
-        <translation>une image JPEG 2000</translation>
-    </message>
-    <message>
         <source>a JPEG XL picture</source>
         <translation>une image JPEG XL</translation>
     </message>
@@ -711,14 +695,6 @@
         <translation>n’est pas un projet de Wend, qui est du JSON et commence par {</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
-        <translation>est %1. Wend ouvre les images PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA et PNM</translation>
-    </message>
-    <message>
-        <source>a Photoshop file</source>
-        <translation>un fichier Photoshop</translation>
-    </message>
-    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>contient %1 images (pages, vues ou parties) : la première est lue</translation>
     </message>
@@ -749,6 +725,46 @@
     <message>
         <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
         <translation>%1 pixels ne sont pas des nombres finis (NaN ou infini), le premier en x %2, y %3</translation>
+    </message>
+    <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>est %1. Wend ouvre PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, RAW d’appareil photo et d’autres images</translation>
+    </message>
+    <message>
+        <source>its reader failed inside (signal %1)</source>
+        <translation>le lecteur a planté (signal %1)</translation>
+    </message>
+    <message>
+        <source>its reader was ended (signal %1)</source>
+        <translation>le lecteur a été arrêté (signal %1)</translation>
+    </message>
+    <message>
+        <source>its reader failed (exit code %1)</source>
+        <translation>le lecteur a échoué (code de sortie %1)</translation>
+    </message>
+    <message>
+        <source>its reader has done nothing for %1 s</source>
+        <translation>le lecteur n’a rien fait pendant %1 s</translation>
+    </message>
+    <message>
+        <source>its reader has not come to an end</source>
+        <translation>le lecteur n’est pas arrivé au bout</translation>
+    </message>
+    <message>
+        <source>it needs more than the %1 MB of memory that reading may take</source>
+        <translation>il faut plus que les %1 Mo de mémoire permis à la lecture</translation>
+    </message>
+    <message>
+        <source>has %1 layers: opened flattened</source>
+        <translation>a %1 calques : ouvert aplati</translation>
+    </message>
+    <message>
+        <source>holds no picture of all its layers (%1): save it with one</source>
+        <translation>ne contient pas d’image de tous ses calques (%1) : l’enregistrer avec une</translation>
+    </message>
+    <message>
+        <source>has a damaged %1</source>
+        <translation>a un fichier %1 endommagé</translation>
     </message>
 </context>
 <context>

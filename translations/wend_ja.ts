@@ -323,22 +323,6 @@
         <translation>は読み取り専用です。先に書き込み可能にするか、別の名前を選んでください</translation>
     </message>
     <message>
-        <source>a GIF picture</source>
-        <translation>GIF 画像</translation>
-    </message>
-    <message>
-        <source>a HEIC picture</source>
-        <translation>HEIC 画像</translation>
-    </message>
-    <message>
-        <source>an AVIF picture</source>
-        <translation>AVIF 画像</translation>
-    </message>
-    <message>
-        <source>a JPEG 2000 picture</source>
-        <translation>JPEG 2000 画像</translation>
-    </message>
-    <message>
         <source>a JPEG XL picture</source>
         <translation>JPEG XL 画像</translation>
     </message>
@@ -711,14 +695,6 @@
         <translation>は Wend のプロジェクトではありません(JSON で、{ から始まります)</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
-        <translation>は%1です。Wend で開けるのは PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA、PNM の画像です</translation>
-    </message>
-    <message>
-        <source>a Photoshop file</source>
-        <translation>Photoshop ファイル</translation>
-    </message>
-    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>%1 枚の画像（ページ、フレームまたはパート）を含みます。最初のものを読み込みます</translation>
     </message>
@@ -749,6 +725,46 @@
     <message>
         <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
         <translation>%1 個のピクセルが有限の数ではありません（NaN または無限大）。最初の位置 x %2、y %3</translation>
+    </message>
+    <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>は%1です。Wend は PNG、JPEG、TIFF、EXR、WebP、GIF、PSD、OpenRaster、Krita、HEIC、AVIF、JPEG 2000、カメラ RAW などの画像を開けます</translation>
+    </message>
+    <message>
+        <source>its reader failed inside (signal %1)</source>
+        <translation>読み込みプログラムが異常終了しました (シグナル %1)</translation>
+    </message>
+    <message>
+        <source>its reader was ended (signal %1)</source>
+        <translation>読み込みプログラムが終了させられました (シグナル %1)</translation>
+    </message>
+    <message>
+        <source>its reader failed (exit code %1)</source>
+        <translation>読み込みプログラムが失敗しました (終了コード %1)</translation>
+    </message>
+    <message>
+        <source>its reader has done nothing for %1 s</source>
+        <translation>読み込みプログラムが %1 秒間何もしていません</translation>
+    </message>
+    <message>
+        <source>its reader has not come to an end</source>
+        <translation>読み込みプログラムが終わりませんでした</translation>
+    </message>
+    <message>
+        <source>it needs more than the %1 MB of memory that reading may take</source>
+        <translation>読み込みに許される %1 MB を超えるメモリが必要です</translation>
+    </message>
+    <message>
+        <source>has %1 layers: opened flattened</source>
+        <translation>にはレイヤーが %1 枚あります: 統合して開きました</translation>
+    </message>
+    <message>
+        <source>holds no picture of all its layers (%1): save it with one</source>
+        <translation>には全レイヤーを統合した画像 (%1) がありません: 付けて保存し直してください</translation>
+    </message>
+    <message>
+        <source>has a damaged %1</source>
+        <translation>の中の %1 が壊れています</translation>
     </message>
 </context>
 <context>

@@ -323,22 +323,6 @@
         <translation>是只读的：请先使其可写，或选择其他名称</translation>
     </message>
     <message>
-        <source>a GIF picture</source>
-        <translation>GIF 图片</translation>
-    </message>
-    <message>
-        <source>a HEIC picture</source>
-        <translation>HEIC 图片</translation>
-    </message>
-    <message>
-        <source>an AVIF picture</source>
-        <translation>AVIF 图片</translation>
-    </message>
-    <message>
-        <source>a JPEG 2000 picture</source>
-        <translation>JPEG 2000 图片</translation>
-    </message>
-    <message>
         <source>a JPEG XL picture</source>
         <translation>JPEG XL 图片</translation>
     </message>
@@ -711,14 +695,6 @@
         <translation>不是 Wend 的项目(项目是 JSON,以 { 开头)</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM pictures</source>
-        <translation>是%1。Wend 可打开 PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA 和 PNM 图片</translation>
-    </message>
-    <message>
-        <source>a Photoshop file</source>
-        <translation>Photoshop 文件</translation>
-    </message>
-    <message>
         <source>has %1 pictures (pages, frames or parts): the first one is read</source>
         <translation>包含 %1 幅图像（页面、帧或部分）：读取第一幅</translation>
     </message>
@@ -749,6 +725,46 @@
     <message>
         <source>%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3</source>
         <translation>%1 个像素不是有限数（NaN 或无穷大），第一个位于 x %2，y %3</translation>
+    </message>
+    <message>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>是%1。Wend 可打开 PNG、JPEG、TIFF、EXR、WebP、GIF、PSD、OpenRaster、Krita、HEIC、AVIF、JPEG 2000、相机 RAW 等图像</translation>
+    </message>
+    <message>
+        <source>its reader failed inside (signal %1)</source>
+        <translation>读取程序崩溃（信号 %1）</translation>
+    </message>
+    <message>
+        <source>its reader was ended (signal %1)</source>
+        <translation>读取程序被终止（信号 %1）</translation>
+    </message>
+    <message>
+        <source>its reader failed (exit code %1)</source>
+        <translation>读取程序失败（退出代码 %1）</translation>
+    </message>
+    <message>
+        <source>its reader has done nothing for %1 s</source>
+        <translation>读取程序已有 %1 秒没有反应</translation>
+    </message>
+    <message>
+        <source>its reader has not come to an end</source>
+        <translation>读取程序未能完成</translation>
+    </message>
+    <message>
+        <source>it needs more than the %1 MB of memory that reading may take</source>
+        <translation>所需内存超过读取允许的 %1 MB</translation>
+    </message>
+    <message>
+        <source>has %1 layers: opened flattened</source>
+        <translation>有 %1 个图层：已合并打开</translation>
+    </message>
+    <message>
+        <source>holds no picture of all its layers (%1): save it with one</source>
+        <translation>不含所有图层的合并图像（%1）：请连同它一起保存</translation>
+    </message>
+    <message>
+        <source>has a damaged %1</source>
+        <translation>其中的 %1 已损坏</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,35 @@ constexpr std::array kRead{
     Mark<PictureFormat>{8, "WEBP"sv, PictureFormat::Webp},
     Mark<PictureFormat>{0, "#?RADIANCE"sv, PictureFormat::Hdr},
     Mark<PictureFormat>{0, "#?RGBE"sv, PictureFormat::Hdr},
+    Mark<PictureFormat>{4, "jP  \r\n"sv, PictureFormat::Jpeg2000},
+    Mark<PictureFormat>{0, "\xff\x4f\xff\x51"sv, PictureFormat::Jpeg2000},
+    Mark<PictureFormat>{0, "GIF8"sv, PictureFormat::Gif},
+    Mark<PictureFormat>{0, "8BPS"sv, PictureFormat::Psd},
+    Mark<PictureFormat>{4, "ftyphei"sv, PictureFormat::Heif},
+    Mark<PictureFormat>{4, "ftyphev"sv, PictureFormat::Heif},
+    Mark<PictureFormat>{4, "ftypmif1"sv, PictureFormat::Heif},
+    Mark<PictureFormat>{4, "ftypmsf1"sv, PictureFormat::Heif},
+    Mark<PictureFormat>{4, "ftypavi"sv, PictureFormat::Heif},
+    Mark<PictureFormat>{4, "ftypcrx "sv, PictureFormat::Raw},  // of Canon, Fujifilm, Olympus, Panasonic …
+    Mark<PictureFormat>{0, "FUJIFILMCCD-RAW"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "IIRO"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "IIRS"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "MMOR"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "IIU\0"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "\0MRM"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "FOVb"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{6, "HEAPCCDR"sv, PictureFormat::Raw},
+    Mark<PictureFormat>{0, "DDS "sv, PictureFormat::Dds},
+    Mark<PictureFormat>{0, "SDPX"sv, PictureFormat::Dpx},
+    Mark<PictureFormat>{0, "XPDS"sv, PictureFormat::Dpx},
+    Mark<PictureFormat>{0, "\x80\x2a\x5f\xd7"sv, PictureFormat::Cineon},
+    Mark<PictureFormat>{0, "\x01\xda"sv, PictureFormat::Sgi},
+    Mark<PictureFormat>{8, "CIMG"sv, PictureFormat::Iff},
+    Mark<PictureFormat>{0, "\0\0\1\0"sv, PictureFormat::Ico},
+    Mark<PictureFormat>{0, "SIMPLE  ="sv, PictureFormat::Fits},
+    Mark<PictureFormat>{128, "DICM"sv, PictureFormat::Dicom},
+    Mark<PictureFormat>{38, "image/openraster"sv, PictureFormat::OpenRaster},
+    Mark<PictureFormat>{38, "application/x-krita"sv, PictureFormat::Krita},
     Mark<PictureFormat>{0, "BM"sv, PictureFormat::Bmp},
     Mark<PictureFormat>{0, "P1"sv, PictureFormat::Pnm},
     Mark<PictureFormat>{0, "P2"sv, PictureFormat::Pnm},
@@ -44,37 +73,20 @@ constexpr std::array kRead{
 
 /// The more exact ones first.
 constexpr std::array kNotRead{
-    Mark<const char*>{0, "GIF8"sv, "a GIF picture"},
-    Mark<const char*>{0, "8BPS"sv, "a Photoshop file"},
-    Mark<const char*>{4, "ftyphei"sv, "a HEIC picture"},
-    Mark<const char*>{4, "ftyphev"sv, "a HEIC picture"},
-    Mark<const char*>{4, "ftypmif1"sv, "a HEIC picture"},
-    Mark<const char*>{4, "ftypmsf1"sv, "a HEIC picture"},
-    Mark<const char*>{4, "ftypavi"sv, "an AVIF picture"},
     Mark<const char*>{4, "ftyp"sv, "a film"},
     Mark<const char*>{0, "\x1a\x45\xdf\xa3"sv, "a film"},
     Mark<const char*>{8, "AVI "sv, "a film"},
     Mark<const char*>{0, "FORM"sv, "an IFF file"},
     Mark<const char*>{0, "FOR4"sv, "an IFF file"},
-    Mark<const char*>{4, "jP  \r\n"sv, "a JPEG 2000 picture"},
-    Mark<const char*>{0, "\xff\x4f\xff\x51"sv, "a JPEG 2000 picture"},
     Mark<const char*>{4, "JXL \r\n"sv, "a JPEG XL picture"},
     Mark<const char*>{0, "\xff\x0a"sv, "a JPEG XL picture"},
-    Mark<const char*>{0, "DDS "sv, "a DDS texture"},
     Mark<const char*>{0, "\xabKTX "sv, "a KTX texture"},
     Mark<const char*>{0, "%PDF"sv, "a PDF document"},
     Mark<const char*>{0, "%!PS"sv, "a PostScript document"},
     Mark<const char*>{0, "<svg"sv, "an SVG drawing"},
     Mark<const char*>{0, "gimp xcf"sv, "a GIMP picture (XCF)"},
     Mark<const char*>{0, "P7"sv, "a PAM picture"},
-    Mark<const char*>{0, "\0\0\1\0"sv, "a Windows icon"},
     Mark<const char*>{0, "\0\0\2\0"sv, "a Windows cursor"},
-    Mark<const char*>{0, "SDPX"sv, "a DPX picture"},
-    Mark<const char*>{0, "XPDS"sv, "a DPX picture"},
-    Mark<const char*>{0, "\x80\x2a\x5f\xd7"sv, "a Cineon picture"},
-    Mark<const char*>{0, "\x01\xda"sv, "an SGI picture"},
-    Mark<const char*>{0, "SIMPLE  ="sv, "a FITS file"},
-    Mark<const char*>{128, "DICM"sv, "a DICOM file"},
     Mark<const char*>{0, "qoif"sv, "a QOI picture"},
     Mark<const char*>{0, "PK\3\4"sv, "a ZIP archive"},
 };
@@ -85,6 +97,23 @@ auto marked(const Marks& marks, std::string_view head) {
         return head.size() >= mark.at && head.substr(mark.at).starts_with(mark.bytes);
     };
     return std::ranges::find_if(marks, fits);
+}
+
+/// A name within the file counts only in the container that it is of.
+bool isInItsContainer(PictureFormat format, std::string_view head) {
+    switch (format) {
+        case PictureFormat::Webp:
+            return head.starts_with("RIFF");
+        case PictureFormat::Iff:
+            return head.starts_with("FOR");
+        case PictureFormat::Ico:  // of 1 to 255 pictures
+            return head.size() > 5 && head[4] != 0 && head[5] == 0;
+        case PictureFormat::OpenRaster:
+        case PictureFormat::Krita:
+            return head.starts_with("PK\3\4");
+        default:
+            return true;
+    }
 }
 
 bool isSvg(std::string_view head) {
@@ -114,19 +143,20 @@ PictureFormat pictureFormat(const InputFile& file) {
     if (file.size() == 0) throw InputError(file.path(), "is empty");
     const std::string head = file.bytes(0, 512);
     const auto known = marked(kRead, head);
-    // The name of the chunk counts only in the container that it is of.
-    if (known != kRead.end() && (known->what != PictureFormat::Webp || head.starts_with("RIFF")))
-        return known->what;
+    if (known != kRead.end() && isInItsContainer(known->what, head)) return known->what;
     if (isTga(head, static_cast<double>(file.size()))) return PictureFormat::Tga;
     throw InputError(file.path(), "is " + kindOfOther(head) +
-                                      ". Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM "
-                                      "pictures");
+                                      ". Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, "
+                                      "Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures");
 }
 
 const std::vector<std::string>& pictureFileExtensions() {
-    static const std::vector<std::string> extensions{".png", ".jpg",  ".jpeg", ".tif", ".tiff",
-                                                     ".exr", ".webp", ".hdr",  ".bmp", ".tga",
-                                                     ".pnm", ".ppm",  ".pgm",  ".pbm", ".pfm"};
+    static const std::vector<std::string> extensions{
+        ".png",  ".jpg",  ".jpeg", ".tif", ".tiff", ".exr",  ".webp", ".hdr", ".bmp", ".tga", ".pnm",
+        ".ppm",  ".pgm",  ".pbm",  ".pfm", ".gif",  ".apng", ".psd",  ".psb", ".ora", ".kra", ".heic",
+        ".heif", ".avif", ".jp2",  ".j2k", ".dds",  ".dpx",  ".cin",  ".sgi", ".rgb", ".iff", ".ico",
+        ".fits", ".dcm",  ".dng",  ".cr2", ".cr3",  ".crw",  ".nef",  ".nrw", ".arw", ".srf", ".sr2",
+        ".orf",  ".raf",  ".rw2",  ".pef", ".srw",  ".x3f",  ".mrw",  ".3fr", ".iiq", ".erf", ".kdc"};
     return extensions;
 }
 

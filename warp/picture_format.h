@@ -7,9 +7,33 @@
 
 namespace wend {
 
-/// The formats with accepted readers, each tested with damaged files (docs/reliability.md), and last a
-/// write-only one.
-enum class PictureFormat { Png, Jpeg, Tiff, Exr, Webp, Hdr, Bmp, Tga, Pnm, Jpeg2000 };
+/// The formats that are read: by OpenImageIO's readers, and last those of archives that hold a PNG.
+enum class PictureFormat {
+    Png,
+    Jpeg,
+    Tiff,
+    Exr,
+    Webp,
+    Hdr,
+    Bmp,
+    Tga,
+    Pnm,
+    Jpeg2000,
+    Gif,
+    Psd,
+    Heif,
+    Raw,
+    Dds,
+    Dpx,
+    Cineon,
+    Sgi,
+    Iff,
+    Ico,
+    Fits,
+    Dicom,
+    OpenRaster,
+    Krita
+};
 
 /// Returns the format of a file by its first bytes, never by its name or by trying readers. TGA has no
 /// signature; its whole header must be plausible. Throws InputError(path, reason), which names the actual

@@ -36,6 +36,17 @@ const PictureLibrary& pictureLibrary(const std::string& path) {
     return library;
 }
 
+std::jthread loadPictureLibrary() {
+    if (limitsAddresses()) return {};
+    return std::jthread([] {
+        try {
+            pictureLibrary({});
+        } catch (const std::exception&) {
+            // Whoever needs it fails in the same way.
+        }
+    });
+}
+
 void lookForNoPlugins() try {
     if (std::getenv("OIIO_LIBRARY_PATH") || std::getenv("LD_LIBRARY_PATH")) pictureLibrary({});
 } catch (const std::exception&) {

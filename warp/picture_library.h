@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "warp/colour_space.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
+#include "warp/picture_metadata.h"
 
 namespace wend {
 
@@ -18,6 +20,7 @@ struct PictureSource {
     PictureFormat format;
     std::string bytes = {};
     std::optional<ColourSpace> colours = {};  // that take the place of what the format's library says
+    std::vector<PictureLayer> layers = {};    // that the file says are merged in the picture
     bool namesExtraSamples = true;            // false of a TIFF that does not say what follows its colours
 };
 
@@ -33,6 +36,21 @@ struct StoredPicture {
 inline std::string severalPictures(unsigned long long count) {
     return "has " + std::to_string(count) + " pictures (pages, frames or parts): the first one is read";
 }
+
+/// What the user should know of a file with several layers.
+inline std::string flattenedLayers(std::size_t count) {
+    return "has " + std::to_string(count) + " layers: opened flattened";
+}
+
+/// Receives a picture's pixels while they are read.
+class PixelSink {
+  public:
+    virtual ~PixelSink() = default;
+    /// Before the pixels: the picture without them. Returns room for that many rows.
+    virtual std::byte* begin(const Image& header, int rows) = 0;
+    /// The next rows are in the room.
+    virtual void take(int rows) = 0;
+};
 
 /// Takes the rows from `top` on; false once no more are wanted.
 using TakeRows = std::function<bool(int top, const Image& strip)>;
@@ -66,18 +84,18 @@ class FilmEncoder {
     virtual void write(const std::string& temporary) = 0;
 };
 
-/// What is done by OpenImageIO. It brings two hundred other libraries along, and to link them takes ten times
-/// as long as to start all the rest of Wend: they stand below a module beside the program, which the first
-/// picture loads. No format is guessed, and nothing is asked of files but of those named.
+/// What is done by OpenImageIO: readers in wend-picture (readPicture()), writers in the program. It brings
+/// two hundred other libraries along, and to link them takes ten times as long as to start all the rest of
+/// Wend: they stand below a module beside the program, which the first picture loads. No format is guessed,
+/// and nothing is asked of files but of those named.
 class PictureLibrary {
   public:
     virtual ~PictureLibrary() = default;
 
     /// Without the pixels. Throws InputError.
     virtual StoredPicture readHeader(const PictureSource& source) const = 0;
-    /// `goOn` is called between strips and throws to stop. Throws InputError, and for more than
-    /// `maxMegapixels`.
-    virtual StoredPicture read(const PictureSource& source, double maxMegapixels, void (*goOn)()) const = 0;
+    /// The pixels go to `sink`. Throws InputError, and for more than `maxMegapixels`.
+    virtual StoredPicture read(const PictureSource& source, double maxMegapixels, PixelSink& sink) const = 0;
     /// Throws InputError(path, why) if the file is not what was handed over.
     virtual void write(const PictureToWrite& writing) const = 0;
     /// Throws InputError(path, why) for a rate that the format does not hold.
@@ -87,6 +105,10 @@ class PictureLibrary {
 /// Loads the module when it is asked for the first time, on behalf of the picture in `path`. Throws
 /// InputError and OutOfMemory with that name.
 const PictureLibrary& pictureLibrary(const std::string& path);
+
+/// Begins to load the module on another thread, for a picture that will be written soon: a failure is
+/// reported then. Does nothing under a limit on addresses, where others may need them first.
+std::jthread loadPictureLibrary();
 
 /// OpenImageIO looks for plug-ins once, where the environment says, and loads what it finds (already to learn
 /// whether an attribute's prefix is a format's name). The module makes it look nowhere, for which it changes

@@ -24,6 +24,7 @@
 #include "core/mesh/same_file.h"
 #include "core/mesh/segments.h"
 #include "warp/outline.h"
+#include "warp/picture_metadata.h"
 
 namespace wend {
 namespace {
@@ -44,6 +45,22 @@ Json outlineInfo(const Image& image) try {
     return {{"problem", error.reason()}};
 }
 
+/// Layers of which the picture is made, as far as they are known.
+Json layersInfo(const std::vector<PictureLayer>& layers) {
+    Json list = Json::array();
+    for (const PictureLayer& layer : layers) {
+        Json one{{"name", printable(layer.name)}, {"x", layer.x}, {"y", layer.y}};
+        if (layer.width > 0) one["width"] = layer.width, one["height"] = layer.height;
+        if (!layer.blend.empty()) {
+            one["opacity"] = layer.opacity;
+            one["blend"] = layer.blend;
+            one["visible"] = layer.visible;
+        }
+        list.push_back(one);
+    }
+    return list;
+}
+
 /// What of the file is not in the picture.
 void addFileInfo(const Image& image, Json& json) {
     const Image::Metadata& metadata = *image.metadata;
@@ -52,6 +69,8 @@ void addFileInfo(const Image& image, Json& json) {
     json["colourProfile"] = !metadata.iccProfile.empty();
     if (!metadata.leftOut.empty()) json["channelsLeftOut"] = metadata.leftOut;
     if (!metadata.pictures.empty()) json["pictures"] = metadata.pictures;
+    if (const auto& layers = fileMetadata(image)->layers; !layers.empty())
+        json["layers"] = layersInfo(layers);
 }
 
 Json pictureInfo(const std::string& path) {

@@ -3,11 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -17,29 +13,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/mesh/child_parts.h"
+
 extern char** environ;
 
 namespace wend {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// A file descriptor that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int fd = -1) : m_fd(fd) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { reset(); }
-    void reset(int fd = -1) {
-        if (m_fd >= 0) close(m_fd);
-        m_fd = fd;
-    }
-    int get() const { return m_fd; }
-
-  private:
-    int m_fd;
-};
 
 bool makePipe(Descriptor& readEnd, Descriptor& writeEnd) {
     std::array<int, 2> ends{};
@@ -67,31 +48,6 @@ class IgnoreBrokenPipe {
 
   private:
     sigset_t m_set{}, m_old{};
-};
-
-/// Detaches a child from the terminal (Ctrl-C reaches this program alone, which then stops the child), with
-/// no signal blocked or ignored.
-class Attributes {
-  public:
-    Attributes() {
-        sigset_t none, usual;
-        sigemptyset(&none);
-        sigemptyset(&usual);
-        for (int signal : {SIGPIPE, SIGXFSZ, SIGXCPU, SIGINT, SIGTERM}) sigaddset(&usual, signal);
-        posix_spawnattr_init(&m_attributes);
-        posix_spawnattr_setpgroup(&m_attributes, 0);
-        posix_spawnattr_setsigmask(&m_attributes, &none);
-        posix_spawnattr_setsigdefault(&m_attributes, &usual);
-        posix_spawnattr_setflags(&m_attributes,
-                                 POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    }
-    Attributes(const Attributes&) = delete;
-    Attributes& operator=(const Attributes&) = delete;
-    ~Attributes() { posix_spawnattr_destroy(&m_attributes); }
-    const posix_spawnattr_t* get() const { return &m_attributes; }
-
-  private:
-    posix_spawnattr_t m_attributes{};
 };
 
 class Child {
@@ -180,30 +136,18 @@ Pulse pulseOf(pid_t wanted) {
     return pulse;
 }
 
-/// Detects whether a child has become idle.
-class IdleWatch {
-  public:
-    IdleWatch(pid_t group, double seconds) : m_group(group), m_seconds(seconds) {}
-
-    bool isIdle(std::size_t said) {
-        const auto now = Clock::now();
-        if (m_seconds <= 0 || now < m_next) return false;
-        m_next = now + std::chrono::milliseconds(200);
-        const Pulse pulse = pulseOf(m_group);
-        const std::pair state(pulse.ticks, said);
-        if (state != m_state || pulse.awake) m_since = now;
-        m_state = state;
-        return std::chrono::duration<double>(now - m_since).count() > m_seconds;
-    }
-
-  private:
-    pid_t m_group;
-    double m_seconds;
-    std::pair<unsigned long, std::size_t> m_state;
-    Clock::time_point m_since = Clock::now(), m_next = m_since;
-};
-
 }  // namespace
+
+bool IdleWatch::isIdle(std::size_t said) {
+    const auto now = Clock::now();
+    if (m_seconds <= 0 || now < m_next) return false;
+    m_next = now + std::chrono::milliseconds(200);
+    const Pulse pulse = pulseOf(m_group);
+    const std::pair state(pulse.ticks, said);
+    if (state != m_state || pulse.awake) m_since = now;
+    m_state = state;
+    return std::chrono::duration<double>(now - m_since).count() > m_seconds;
+}
 
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
                      const std::stop_token& stop, double processorSeconds, double idleSeconds) {

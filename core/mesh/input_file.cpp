@@ -61,11 +61,15 @@ InputFile::InputFile(std::string path) : m_path(std::move(path)) {
     throw InputError(m_path, kind);
 }
 
+InputFile::InputFile(std::string path, std::string content)
+    : m_path(std::move(path)), m_size(content.size()), m_content(std::move(content)) {}
+
 InputFile::~InputFile() {
-    close(m_descriptor);
+    if (m_descriptor >= 0) close(m_descriptor);
 }
 
 std::string InputFile::bytes(std::uint64_t offset, std::uint64_t count) const {
+    if (m_descriptor < 0) return offset < m_size ? m_content.substr(offset, count) : std::string();
     std::string bytes = room(std::min(count, m_size - std::min(offset, m_size)), m_path);
     std::uint64_t done = 0;
     while (done < bytes.size()) {

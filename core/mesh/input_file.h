@@ -24,6 +24,8 @@ class InputFile {
   public:
     /// Throws InputError(path, reason).
     explicit InputFile(std::string path);
+    /// A file of that content, which was part of the one at `path`.
+    InputFile(std::string path, std::string content);
     ~InputFile();
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
@@ -38,7 +40,8 @@ class InputFile {
   private:
     std::string m_path;
     std::uint64_t m_size = 0;
-    int m_descriptor = -1;
+    int m_descriptor = -1;  // none: the content is here
+    std::string m_content;
 };
 
 /// The whole of a regular file. Throws as InputFile does.

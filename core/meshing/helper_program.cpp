@@ -1,13 +1,17 @@
 #include "core/meshing/helper_program.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 namespace wend {
 namespace {
@@ -34,12 +38,41 @@ void limitTime(const char* seconds) {
     setrlimit(RLIMIT_CPU, &limit);
 }
 
+/// Ends the process as soon as the other end of a socket is closed. The signal of PR_SET_PDEATHSIG would come
+/// with the end of the thread that started it.
+void endWith(int socket) {
+    std::thread([socket] {
+        pollfd wait{socket, 0, 0};
+        while (poll(&wait, 1, -1) < 0) continue;
+        _exit(0);
+    }).detach();
+}
+
 }  // namespace
 
 void beginHelper(int argc, char** argv) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // the answer is useless once the parent has ended
     limitMemory(argc > 1 ? argv[1] : "4096");
     limitTime(argc > 2 ? argv[2] : "120");
+}
+
+int beginLinkedHelper(int argc, char** argv) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, STDOUT_FILENO);
+    if (!kIsSanitized) dup2(nowhere, STDERR_FILENO);
+    limitMemory(argc > 1 ? argv[1] : "4096");
+    endWith(STDIN_FILENO);
+    return STDIN_FILENO;
+}
+
+void allowTime(double seconds) {
+    rusage used{};
+    rlimit limit{};
+    getrusage(RUSAGE_SELF, &used);
+    getrlimit(RLIMIT_CPU, &limit);
+    const double before = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
+    limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(before + std::ceil(seconds) + 1));
+    setrlimit(RLIMIT_CPU, &limit);
 }
 
 std::string readAll(int fd) {

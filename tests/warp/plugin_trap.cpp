@@ -1,8 +1,15 @@
-// Stands where OpenImageIO looks for plug-ins: whoever loads it gives itself away.
+// Stands where OpenImageIO looks for plug-ins: a process that loads it leaves a file.
+#include <cstdio>
 #include <cstdlib>
 
 namespace {
 
-const int sprung = setenv("WEND_TEST_PLUGIN", "loaded", 1);
+bool spring() {
+    const char* path = std::getenv("WEND_TEST_PLUGIN");
+    std::FILE* file = path ? std::fopen(path, "w") : nullptr;
+    return file && std::fclose(file) == 0;
+}
+
+const bool sprung = spring();
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "warp/convert.h"
 #include "warp/image_formats.h"
 #include "warp/openimageio/image_metadata.h"
+#include "warp/picture_metadata.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -363,6 +364,28 @@ class TestImage : public QObject {
         }
     }
 
+    /// Numbers, several of them, texts and several of those: what is packed is unpacked.
+    void descriptionIsPacked() {
+        OIIO::ImageSpec spec(640, 480, 3, OIIO::TypeDesc::UINT8);
+        spec.x = -3, spec.full_y = 7, spec.full_width = 700;
+        const float matrix[16] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+        const char* texts[] = {"one", "", "three"};
+        spec.attribute("matrix", OIIO::TypeDesc::TypeMatrix, matrix);
+        spec.attribute("texts", OIIO::TypeDesc(OIIO::TypeDesc::STRING, 3), texts);
+        spec.attribute("text", "line\nline");
+        spec.attribute("number", -5);
+        const OIIO::ImageSpec read = unpacked(packed(spec));
+        QCOMPARE((std::array{read.x, read.full_y, read.full_width, read.width, read.height}),
+                 (std::array{-3, 7, 700, 640, 480}));
+        QCOMPARE(read.extra_attribs.size(), spec.extra_attribs.size());
+        for (const OIIO::ParamValue& value : spec.extra_attribs) {
+            const OIIO::ParamValue* found = read.find_attribute(value.name());
+            QVERIFY(found && found->type() == value.type());
+            QCOMPARE(found->get_string(), value.get_string());
+        }
+        QCOMPARE(unpacked("no description").extra_attribs.size(), std::size_t(0));
+    }
+
     /// What a camera wrote beside the pixels.
     void descriptionSurvives_data() {
         QTest::addColumn<QString>("extension");
@@ -372,16 +395,18 @@ class TestImage : public QObject {
     void descriptionSurvives() {
         QFETCH(QString, extension);
         Image image = smoothChart(16, 16, {PixelType::UInt8, 3, false, false});
-        auto metadata = std::make_shared<OpenImageIOMetadata>();
-        metadata->spec.attribute("Artist", "A. Painter");
-        metadata->spec.attribute("ImageDescription", "a small chart");
-        metadata->spec.attribute("DateTime", "2024:05:06 07:08:09");
+        OIIO::ImageSpec spec;
+        spec.attribute("Artist", "A. Painter");
+        spec.attribute("ImageDescription", "a small chart");
+        spec.attribute("DateTime", "2024:05:06 07:08:09");
+        auto metadata = std::make_shared<PictureMetadata>();
+        metadata->description = packed(spec);
         image.metadata = metadata;
         writeImage(path("told." + extension), image);
         const Image read = readImage(path("told." + extension));
         const auto told = [&](const char* name) {
-            return QString::fromStdString(std::string(
-                static_cast<const OpenImageIOMetadata&>(*read.metadata).spec.get_string_attribute(name)));
+            return QString::fromStdString(
+                std::string(unpacked(fileMetadata(read)->description).get_string_attribute(name)));
         };
         QVERIFY(told("Artist").startsWith("A. Painter"));
         QVERIFY(told("ImageDescription").startsWith("a small chart"));

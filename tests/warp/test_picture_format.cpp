@@ -66,21 +66,23 @@ class TestPictureFormat : public QObject {
 /// First of all: the library looks for plug-ins once, when it looks for a reader.
 void TestPictureFormat::pluginsAreNotLoaded() {
     const QByteArray folder = QFileInfo(WEND_TEST_TRAP).path().toLocal8Bit();
+    const QString sprung = m_folder.filePath("sprung");  // by a process that loads the plug-in
+    qputenv("WEND_TEST_PLUGIN", sprung.toLocal8Bit());
     qputenv("OIIO_LIBRARY_PATH", folder);
     qputenv("LD_LIBRARY_PATH", folder);
     const std::string text = put("text.png", "no picture");
     QVERIFY_THROWS_EXCEPTION(InputError, readImage(text));
     const Image picture = readImage(put("a.ppm", ppm()));
     QCOMPARE(picture.width, 3);
-    QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray());
+    QVERIFY(!QFile::exists(sprung));
     lookForNoPlugins();
     for (const char* name : {"a.png", "a.tif", "a.exr"}) writeImage(put(name, {}), picture);
-    QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray());
+    QVERIFY(!QFile::exists(sprung));
     QCOMPARE(qgetenv("OIIO_LIBRARY_PATH"), folder);  // as it was
     QCOMPARE(qgetenv("LD_LIBRARY_PATH"), folder);
     void* trap = dlopen(WEND_TEST_TRAP, RTLD_NOW);  // that it would have been heard
     QVERIFY2(trap, dlerror());
-    QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray("loaded"));
+    QVERIFY(QFile::exists(sprung));
 }
 
 void TestPictureFormat::nameHasNoSay_data() {
@@ -108,24 +110,15 @@ void TestPictureFormat::notRead_data() {
     QTest::addColumn<QString>("what");
     const auto row = [](const QByteArray& bytes, const char* what) { QTest::newRow(what) << bytes << what; };
     const QByteArray zeros(64, '\0');
-    row("GIF89a" + zeros, "a GIF picture");
-    row("8BPS" + QByteArray("\0\1", 2) + zeros, "a Photoshop file");
-    row(QByteArray("\0\0\0\x18", 4) + "ftypheic" + zeros, "a HEIC picture");
-    row(QByteArray("\0\0\0\x20", 4) + "ftypavif" + zeros, "an AVIF picture");
     row(QByteArray("\0\0\0\x20", 4) + "ftypisom" + zeros, "a film");
-    row("FORM" + QByteArray("\0\0\1\0", 4) + "CIMG" + zeros, "an IFF file");
-    row("FOR4" + QByteArray("\0\0\1\0", 4) + "CIMG" + zeros, "an IFF file");
-    row(QByteArray("\0\0\0\x0cjP  \r\n\x87\n", 12) + zeros, "a JPEG 2000 picture");
-    row("\xff\x4f\xff\x51" + zeros, "a JPEG 2000 picture");
-    row("DDS |" + zeros, "a DDS texture");
+    row("FORM" + QByteArray("\0\0\1\0", 4) + "ILBMBMHD" + zeros, "an IFF file");
+    row("PK\3\4" + QByteArray("\x14\0\0\0", 4) + zeros, "a ZIP archive");
     row("<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG drawing");
     row("<?xml version='1.0'?>\n<!-- drawn -->\n<svg/>", "an SVG drawing");
     row("%PDF-1.4\n" + zeros, "a PDF document");
     row("gimp xcf v011" + zeros, "a GIMP picture (XCF)");
     row("P7\nWIDTH 4\n", "a PAM picture");
-    row(QByteArray("\0\0\1\0\1\0\x10\x10\0\0\1\0\x18\0", 14) + zeros + zeros, "a Windows icon");
-    row(QByteArray("\x01\xda\x01\x01\0\3", 6) + zeros, "an SGI picture");
-    row("SDPX" + zeros, "a DPX picture");
+    row("qoif" + zeros, "a QOI picture");
     row("RIFF" + QByteArray("\0\0\1\0", 4) + "AVI LIST" + zeros, "a film");
     row("once upon a time\nthere was no picture", "a text file");
     row("0.5 1.25 -3e-2\n1 2 3\n", "a list of points without a surface");

@@ -2,22 +2,15 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include "warp/image.h"
+#include <string>
 
 namespace wend {
 
-/// OpenImageIO's description of a picture apart from its pixels.
-struct OpenImageIOMetadata final : Image::Metadata {
-    OIIO::ImageSpec spec;
+/// Packs OpenImageIO's description of a picture apart from its pixels, for PictureMetadata: its windows and
+/// attributes.
+std::string packed(const OIIO::ImageSpec& spec);
 
-    /// The picture's size, and its first pixel in the coordinates of its file.
-    int frameWidth() const { return hasWindow() ? spec.full_width : spec.width; }
-    int frameHeight() const { return hasWindow() ? spec.full_height : spec.height; }
-    int left() const { return hasWindow() ? spec.full_x : spec.x; }
-    int top() const { return hasWindow() ? spec.full_y : spec.y; }
-
-  private:
-    bool hasWindow() const { return stored.width > 0; }
-};
+/// Returns that description; one without attributes for anything else than packed bytes.
+OIIO::ImageSpec unpacked(const std::string& bytes);
 
 }  // namespace wend

@@ -42,8 +42,8 @@ class OpenImageIO final : public PictureLibrary {
         OIIO::is_imageio_format_name("png");
     }
     StoredPicture readHeader(const PictureSource& source) const override { return readStoredHeader(source); }
-    StoredPicture read(const PictureSource& source, double maxMegapixels, void (*goOn)()) const override {
-        return readStored(source, maxMegapixels, goOn);
+    StoredPicture read(const PictureSource& source, double maxMegapixels, PixelSink& sink) const override {
+        return readStored(source, maxMegapixels, sink);
     }
     void write(const PictureToWrite& writing) const override { writeStored(writing); }
     std::unique_ptr<FilmEncoder> film(const FilmToWrite& writing) const override {

@@ -13,7 +13,7 @@ OIIO_NAMESPACE_BEGIN
 // NOLINTBEGIN(readability-identifier-naming)
 OIIO_API ImageInput* png_input_imageio_create();
 OIIO_API ImageInput* jpeg_input_imageio_create();
-OIIO_API ImageInput* jpeg2000_input_imageio_create();  // only for files that Wend has written
+OIIO_API ImageInput* jpeg2000_input_imageio_create();
 OIIO_API ImageInput* tiff_input_imageio_create();
 OIIO_API ImageInput* openexr_input_imageio_create();
 OIIO_API ImageInput* webp_input_imageio_create();
@@ -21,6 +21,18 @@ OIIO_API ImageInput* hdr_input_imageio_create();
 OIIO_API ImageInput* bmp_input_imageio_create();
 OIIO_API ImageInput* targa_input_imageio_create();
 OIIO_API ImageInput* pnm_input_imageio_create();
+OIIO_API ImageInput* gif_input_imageio_create();
+OIIO_API ImageInput* psd_input_imageio_create();
+OIIO_API ImageInput* heif_input_imageio_create();
+OIIO_API ImageInput* raw_input_imageio_create();
+OIIO_API ImageInput* dds_input_imageio_create();
+OIIO_API ImageInput* dpx_input_imageio_create();
+OIIO_API ImageInput* cineon_input_imageio_create();
+OIIO_API ImageInput* sgi_input_imageio_create();
+OIIO_API ImageInput* iff_input_imageio_create();
+OIIO_API ImageInput* ico_input_imageio_create();
+OIIO_API ImageInput* fits_input_imageio_create();
+OIIO_API ImageInput* dicom_input_imageio_create();
 
 OIIO_API ImageOutput* png_output_imageio_create();
 OIIO_API ImageOutput* jpeg_output_imageio_create();
@@ -54,8 +66,20 @@ inline const PictureCodec& codecOf(PictureFormat format) {
         PictureCodec{OIIO::bmp_input_imageio_create, OIIO::bmp_output_imageio_create},
         PictureCodec{OIIO::targa_input_imageio_create, OIIO::targa_output_imageio_create, "rle"},
         PictureCodec{OIIO::pnm_input_imageio_create, OIIO::pnm_output_imageio_create},
-        PictureCodec{OIIO::jpeg2000_input_imageio_create, OIIO::jpeg2000_output_imageio_create}};
-    static_assert(codecs.size() == static_cast<std::size_t>(PictureFormat::Jpeg2000) + 1);
+        PictureCodec{OIIO::jpeg2000_input_imageio_create, OIIO::jpeg2000_output_imageio_create},
+        PictureCodec{OIIO::gif_input_imageio_create},
+        PictureCodec{OIIO::psd_input_imageio_create},
+        PictureCodec{OIIO::heif_input_imageio_create},
+        PictureCodec{OIIO::raw_input_imageio_create},
+        PictureCodec{OIIO::dds_input_imageio_create},
+        PictureCodec{OIIO::dpx_input_imageio_create},
+        PictureCodec{OIIO::cineon_input_imageio_create},
+        PictureCodec{OIIO::sgi_input_imageio_create},
+        PictureCodec{OIIO::iff_input_imageio_create},
+        PictureCodec{OIIO::ico_input_imageio_create},
+        PictureCodec{OIIO::fits_input_imageio_create},
+        PictureCodec{OIIO::dicom_input_imageio_create}};
+    static_assert(codecs.size() == static_cast<std::size_t>(PictureFormat::Dicom) + 1);
     return codecs[static_cast<std::size_t>(format)];
 }
 

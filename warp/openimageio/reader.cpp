@@ -18,6 +18,7 @@ namespace wend {
 namespace {
 
 constexpr double kFarthest = 1e9;         // in pixels
+constexpr int kStrip = 64;                // rows that are read at once
 constexpr int kCieLab = 8, kItuLab = 10;  // of TIFF's photometric interpretations, ICC's L*a*b* between them
 
 /// The first line, which is the cause; what follows repeats it.
@@ -29,9 +30,11 @@ bool isWebp(const OIIO::ImageInput& input) {
     return std::string_view(input.format_name()) == "webp";
 }
 
-/// The colours of a BMP are as in the file, whatever is asked for, and nothing says so.
-bool isBmp(const OIIO::ImageInput& input) {
-    return std::string_view(input.format_name()) == "bmp";
+/// Whether the reader gives the colours as they are in the file, not multiplied with alpha, and does not say
+/// so.
+bool keepsColours(const OIIO::ImageInput& input) {
+    constexpr std::array<std::string_view, 7> kThose{"bmp", "dds", "dpx", "ico", "jpeg2000", "psd", "sgi"};
+    return std::ranges::find(kThose, std::string_view(input.format_name())) != kThose.end();
 }
 
 /// A reader of the file, or of the bytes in its place.
@@ -164,26 +167,27 @@ StoredPicture header(const OIIO::ImageSpec& spec, const PictureSource& source) {
     image.width = spec.width, image.height = spec.height;
     image.type = pixelType(spec.format);
     chooseChannels(spec, source.namesExtraSamples, image);
-    auto metadata = std::make_shared<OpenImageIOMetadata>();
-    metadata->spec = spec;
+    auto metadata = std::make_shared<PictureMetadata>();
+    OIIO::ImageSpec described = spec;
     if (hasDisplayWindow(spec, source.format)) {
         image.width = spec.full_width, image.height = spec.full_height;
         metadata->stored = storedBox(spec);
     }
     const auto exrColours = chromaticitiesOf(spec);
     metadata->isOfExr = exrColours.has_value();
-    takeColours(source.colours ? source.colours : exrColours, image.colours(), metadata->spec);
-    if (const OIIO::ParamValue* profile = metadata->spec.find_attribute("ICCProfile")) {
+    takeColours(source.colours ? source.colours : exrColours, image.colours(), described);
+    if (const OIIO::ParamValue* profile = described.find_attribute("ICCProfile")) {
         const auto* bytes = static_cast<const std::byte*>(profile->data());
         if (profileFits(*profile, image.colours())) {
             metadata->iccProfile.assign(bytes, bytes + profile->datasize());
         } else {
-            metadata->spec.erase_attribute("ICCProfile");
+            described.erase_attribute("ICCProfile");
             stored.notices.push_back("has a colour profile that does not fit its colours: it is left out");
         }
     }
     metadata->leftOut = channelsLeftOut(spec, image.channels);
-    metadata->spec.attribute("Orientation", 1);
+    described.attribute("Orientation", 1);
+    metadata->description = packed(described);
     image.metadata = std::move(metadata);
     stored.orientation = spec.get_int_attribute("Orientation", 1);
     return stored;
@@ -198,13 +202,15 @@ std::string joined(const std::vector<std::string>& names) {
 
 /// What of the file is not in the picture, or had to be decided.
 void tellOfFile(const OIIO::ImageSpec& spec, bool namesExtraSamples, StoredPicture& stored) {
-    const Image::Metadata& metadata = *stored.image.metadata;
+    const PictureMetadata& metadata = *fileMetadata(stored.image);
     if (undeclaredAlpha(spec, namesExtraSamples) > 0)
         stored.notices.push_back("has a channel of no declared kind after its colours: it is taken as alpha");
     if (!metadata.leftOut.empty())
         stored.notices.push_back("has channels that are left out: " + joined(metadata.leftOut));
     if (const auto count = metadata.pictures.size(); count > 1)
         stored.notices.push_back(severalPictures(count));
+    if (const auto count = metadata.layers.size(); count > 1)
+        stored.notices.push_back(flattenedLayers(count));
     const PixelBox& box = metadata.stored;
     const PixelBox seen = box.within(stored.image.width, stored.image.height);
     if (box.width > 0 && (seen.width < box.width || seen.height < box.height))
@@ -250,39 +256,46 @@ void requireSuccess(const std::string& path, OIIO::ImageInput& input, bool succe
     throw InputError(path, "is truncated or corrupt" + (error.empty() ? error : ": " + error));
 }
 
-/// In strips, so that memory is taken only as real data comes.
-void readStrips(const std::string& path, OIIO::ImageInput& input, Image& image, void (*goOn)()) {
-    const OIIO::ImageSpec spec = input.spec();
-    const int strip = 64;
-    image.reservePixels();
-    for (int y = 0; y < image.height; y += strip) {
-        goOn();
-        const int end = std::min(y + strip, image.height);
-        image.data.resize(image.rowBytes() * static_cast<std::size_t>(end));
-        const bool success = input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, image.channels,
-                                                  typeDesc(image.type), image.row(y));
-        requireSuccess(path, input, success);
+/// Hands over a picture that was read as a whole.
+void handOver(const Image& image, PixelSink& sink) {
+    std::byte* const room = sink.begin(image, kStrip);
+    for (int y = 0; y < image.height; y += kStrip) {
+        const int rows = std::min(kStrip, image.height - y);
+        std::copy_n(image.row(y), image.rowBytes() * static_cast<std::size_t>(rows), room);
+        sink.take(rows);
     }
 }
 
-void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, void (*goOn)()) {
-    if (isWebp(input)) {
-        if (readWebp(path, image)) return;
-        image.unassociated = false;  // OpenImageIO's frames of animations are associated
+/// Reads rows from y on, of whole tiles if the file has any.
+bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Image& image, int y, int end,
+              void* pixels) {
+    const OIIO::TypeDesc type = typeDesc(image.type);
+    if (spec.tile_width == 0)
+        return input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, image.channels, type, pixels);
+    return input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z, spec.z + 1,
+                            0, image.channels, type, pixels);
+}
+
+/// In strips, so that memory is taken only as real data comes.
+void readStrips(const std::string& path, OIIO::ImageInput& input, const Image& image, PixelSink& sink) {
+    const OIIO::ImageSpec spec = input.spec();
+    const int strip = spec.tile_height > 0 ? spec.tile_height : kStrip;
+    std::byte* const room = sink.begin(image, strip);
+    for (int y = 0; y < image.height; y += strip) {
+        const int end = std::min(y + strip, image.height);
+        requireSuccess(path, input, readRows(input, spec, image, y, end, room));
+        sink.take(end - y);
     }
-    if (input.spec().tile_width == 0) return readStrips(path, input, image, goOn);
-    image.makePixels();
-    const bool success = input.read_image(0, 0, 0, image.channels, typeDesc(image.type), image.data.data());
-    requireSuccess(path, input, success);
 }
 
 /// The stored pixels in their display window.
-void readWindow(const std::string& path, OIIO::ImageInput& input, Image& image, void (*goOn)()) {
+void readWindow(const std::string& path, OIIO::ImageInput& input, Image& image, PixelSink& sink) {
     const PixelBox box = image.metadata->stored;
-    if (box.width == 0) return readPixels(path, input, image, goOn);
     Image stored = image;
     stored.width = box.width, stored.height = box.height;
-    readPixels(path, input, stored, goOn);
+    stored.makePixels();
+    const OIIO::ImageSpec spec = input.spec();
+    requireSuccess(path, input, readRows(input, spec, stored, 0, stored.height, stored.data.data()));
     image.makePixels();
     const PixelBox seen = box.within(image.width, image.height);
     const std::size_t bytes = image.pixelBytes();
@@ -290,49 +303,81 @@ void readWindow(const std::string& path, OIIO::ImageInput& input, Image& image, 
         std::copy_n(stored.row(y - box.y) + bytes * static_cast<std::size_t>(seen.x - box.x),
                     bytes * static_cast<std::size_t>(seen.width),
                     image.row(y) + bytes * static_cast<std::size_t>(seen.x));
+    handOver(image, sink);
+    image.data = {};
+}
+
+void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, PixelSink& sink) {
+    if (isWebp(input)) {
+        if (readWebp(path, image)) {
+            handOver(image, sink);
+            image.data = {};
+            return;
+        }
+        image.unassociated = false;  // OpenImageIO's frames of animations are associated
+    }
+    if (image.metadata->stored.width > 0)
+        readWindow(path, input, image, sink);
+    else
+        readStrips(path, input, image, sink);
 }
 
 /// What the file says, with what OpenImageIO leaves to us: WebP's metadata, and one name for the inch.
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
     if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
-    if (isBmp(input)) spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (keepsColours(input)) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!isWebp(input)) return spec;
     readWebpMetadata(path, spec);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     return spec;
 }
 
-/// "NAME: 640 x 480" of each picture in a TIFF or EXR file, if there are several. A damaged one ends the
-/// list.
-std::vector<std::string> picturesIn(const PictureSource& source) {
+/// What OpenImageIO says of each picture in a file. A damaged one ends the list.
+std::vector<OIIO::ImageSpec> specsIn(const PictureSource& source) {
     constexpr int kMost = 1000;
-    std::vector<std::string> list;
-    if (source.format != PictureFormat::Tiff && source.format != PictureFormat::Exr) return list;
+    std::vector<OIIO::ImageSpec> specs;
     const OpenPicture input(source);
-    for (int k = 0; k < kMost && input->seek_subimage(k, 0); ++k) {
-        const OIIO::ImageSpec& spec = input->spec();
-        const std::string name(spec.get_string_attribute("oiio:subimagename"));
-        list.push_back((name.empty() ? std::to_string(k + 1) : name) + ": " + std::to_string(spec.width) +
-                       " x " + std::to_string(spec.height));
-    }
+    for (int k = 0; k < kMost && input->seek_subimage(k, 0); ++k) specs.push_back(input->spec());
     input->geterror();  // which is of no interest
+    return specs;
+}
+
+/// "NAME: 640 x 480" of each picture, if there are several.
+std::vector<std::string> namesOf(const std::vector<OIIO::ImageSpec>& specs) {
+    std::vector<std::string> list;
+    for (const OIIO::ImageSpec& spec : specs) {
+        const std::string name(spec.get_string_attribute("oiio:subimagename"));
+        list.push_back((name.empty() ? std::to_string(list.size() + 1) : name) + ": " +
+                       std::to_string(spec.width) + " x " + std::to_string(spec.height));
+    }
     if (list.size() < 2) list.clear();
     return list;
 }
 
 std::vector<std::string> framesIn(const PictureSource& source) {
     std::vector<std::string> list;
-    if (source.format != PictureFormat::Webp) return list;
     for (int k = 1, count = webpFrames(source.path); count > 1 && k <= count; ++k)
         list.push_back("frame " + std::to_string(k));
     return list;
 }
 
 void setPictures(const PictureSource& source, Image& image) {
-    auto metadata =
-        std::make_shared<OpenImageIOMetadata>(static_cast<const OpenImageIOMetadata&>(*image.metadata));
-    metadata->pictures = source.format == PictureFormat::Webp ? framesIn(source) : picturesIn(source);
+    auto metadata = std::make_shared<PictureMetadata>(*fileMetadata(image));
+    switch (source.format) {
+        case PictureFormat::Webp:
+            metadata->pictures = framesIn(source);
+            break;
+        case PictureFormat::Tiff:
+        case PictureFormat::Exr:
+        case PictureFormat::Gif:
+        case PictureFormat::Heif:
+        case PictureFormat::Ico:
+            metadata->pictures = namesOf(specsIn(source));
+            break;
+        default:
+            metadata->layers = source.layers;
+    }
     image.metadata = std::move(metadata);
 }
 
@@ -343,13 +388,13 @@ StoredPicture readStoredHeader(const PictureSource& source) {
     return header(specOf(source.path, *input), source);
 }
 
-StoredPicture readStored(const PictureSource& source, double maxMegapixels, void (*goOn)()) {
+StoredPicture readStored(const PictureSource& source, double maxMegapixels, PixelSink& sink) {
     const std::string& path = source.path;
     const OpenPicture input(source);
     requireSensible(path, input->spec(), source.format, maxMegapixels);
     const OIIO::ImageSpec spec = specOf(path, *input);
     StoredPicture stored = header(spec, source);
-    readWindow(path, *input, stored.image, goOn);
+    readPixels(path, *input, stored.image, sink);
     setPictures(source, stored.image);
     tellOfFile(spec, source.namesExtraSamples, stored);
     return stored;

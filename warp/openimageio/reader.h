@@ -6,6 +6,6 @@ namespace wend {
 
 /// See PictureLibrary.
 StoredPicture readStoredHeader(const PictureSource& source);
-StoredPicture readStored(const PictureSource& source, double maxMegapixels, void (*goOn)());
+StoredPicture readStored(const PictureSource& source, double maxMegapixels, PixelSink& sink);
 
 }  // namespace wend

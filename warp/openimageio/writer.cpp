@@ -12,6 +12,7 @@
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
 #include "warp/openimageio/webp.h"
+#include "warp/picture_metadata.h"
 
 namespace wend {
 namespace {
@@ -43,16 +44,20 @@ bool isLarge(const Image& image) {
     return image.width * 1e-6 * image.height > 16;
 }
 
-/// Where the picture lies in its frame, in the coordinates of its source's file: EXR has a display window for
-/// the frame, PNG and TIFF have an offset (TIFF none to the left or above).
-void setPlace(PictureFormat format, const Image& image, const OpenImageIOMetadata* source,
+/// Where the picture lies in its frame, in the coordinates of its source's file (`source` describes it): EXR
+/// has a display window for the frame, PNG and TIFF have an offset (TIFF none to the left or above).
+void setPlace(PictureFormat format, const Image& image, const OIIO::ImageSpec& source,
               OIIO::ImageSpec& spec) {
     const CanvasPlace& place = image.place;
     const int frameWidth = place.isOwn() ? image.width : place.frameWidth,
               frameHeight = place.isOwn() ? image.height : place.frameHeight;
+    const bool hasWindow = image.metadata && image.metadata->stored.width > 0;
     int left = 0, top = 0;
-    if (source && source->frameWidth() == frameWidth && source->frameHeight() == frameHeight)
-        left = source->left(), top = source->top();
+    if ((hasWindow ? source.full_width : source.width) == frameWidth &&
+        (hasWindow ? source.full_height : source.height) == frameHeight) {
+        left = hasWindow ? source.full_x : source.x;
+        top = hasWindow ? source.full_y : source.y;
+    }
     spec.x = left + place.x, spec.y = top + place.y;
     if (format == PictureFormat::Exr) {
         spec.full_x = left, spec.full_y = top;
@@ -208,9 +213,9 @@ OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
     if (image.colours() == 1) spec.channelnames[0] = "Y";
     if (image.alpha) spec.channelnames.back() = "A";
     spec.alpha_channel = image.alpha ? image.channels - 1 : -1;
-    const auto* source =
-        static_cast<const OpenImageIOMetadata*>(image.metadata.get());  // nothing else makes any
-    if (source) takeAttributes(format, image, source->spec, spec);
+    const OIIO::ImageSpec source =
+        unpacked(image.metadata ? fileMetadata(image)->description : std::string());
+    takeAttributes(format, image, source, spec);
     setPlace(format, image, source, spec);
     if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string compression = codecOf(format).compression;

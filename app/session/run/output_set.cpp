@@ -8,6 +8,7 @@
 #include "app/document/file/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/stream_output.h"
 
 namespace wend {
@@ -30,6 +31,10 @@ void writeTo(const std::string& file, const std::string& path, const OutputSet::
     std::string reason = error.reason();
     if (const auto at = reason.find(file); at != std::string::npos) reason.replace(at, file.size(), path);
     throw InputError(path, reason);
+} catch (const OutOfMemory& error) {
+    const std::string what = error.what(), name = file + ": ";
+    if (!what.starts_with(name)) throw;
+    throw OutOfMemory(path, what.substr(name.size()));
 }
 
 }  // namespace

@@ -31,6 +31,7 @@
 #include "kernels/back_end_choice.h"
 #include "warp/film.h"
 #include "warp/image_formats.h"
+#include "warp/picture_library.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -535,6 +536,11 @@ class Run {
     OutputSet m_files;
 };
 
+bool writesPictures(const RunOutputs& outputs) {
+    return !outputs.image.empty() || !outputs.stMap.empty() ||
+           std::ranges::any_of(outputs.frames, canWriteImage);
+}
+
 }  // namespace
 
 AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
@@ -544,6 +550,7 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     for (const FileNames* pictures : {&options.outputs.image, &options.outputs.frames})
         for (const std::string& file : *pictures) requireDepth(file, options);
     if (watch.progress) watch.progress("reading", 0);
+    const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
     AnyShape shape = loadShape(project, folderOf(path), watch.stop);
     std::vector<std::string> notices = std::visit([](const auto& one) { return one.notices; }, shape);
     if (const std::string note = fallsShort(project); !note.empty() && !options.at) notices.push_back(note);

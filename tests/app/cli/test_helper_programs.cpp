@@ -5,8 +5,10 @@
 
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
+#include "tests/support/child_processes.h"
 
 using namespace wend;
+using namespace wend::test;
 
 class TestHelperPrograms : public QObject {
     Q_OBJECT
@@ -27,42 +29,6 @@ class TestHelperPrograms : public QObject {
     }
     QTemporaryDir m_folder;
 };
-
-namespace {
-
-/// The children of a process, by the system's own account.
-QList<pid_t> childrenOf(qint64 parent) {
-    QList<pid_t> children;
-    for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
-        QFile file("/proc/" + name + "/stat");
-        if (!name.at(0).isDigit() || !file.open(QIODevice::ReadOnly)) continue;
-        const QByteArray stat = file.readAll();
-        if (stat.mid(stat.lastIndexOf(')') + 4).split(' ').at(0).toLongLong() == parent)
-            children << name.toInt();
-    }
-    return children;
-}
-
-/// Waits until the process has such a child; 0 if it never has.
-pid_t childCalled(const QString& name, qint64 parent) {
-    pid_t found = 0;
-    const auto looksLikeIt = [&](pid_t child) {
-        return QFile::symLinkTarget(QString("/proc/%1/exe").arg(child)).endsWith('/' + name);
-    };
-    const auto look = [&] {
-        for (const pid_t child : childrenOf(parent))
-            if (looksLikeIt(child)) found = child;
-        return found > 0;
-    };
-    return QTest::qWaitFor(look, 60000) ? found : 0;
-}
-
-bool lives(pid_t process) {
-    QFile file(QString("/proc/%1/stat").arg(process));
-    return file.open(QIODevice::ReadOnly) && !file.readAll().contains(") Z ");
-}
-
-}  // namespace
 
 void TestHelperPrograms::initTestCase() {
     put(path(), "hanging.icd", WEND_TEST_DRIVER_FILE "\n");

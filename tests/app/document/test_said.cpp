@@ -142,10 +142,16 @@ void TestSaid::sentencesAreTakenApart_data() {
                                   << "/home/me: here/a b.png: ist abgeschnitten oder beschädigt";
     QTest::newRow("after a pin") << "handle \"x\": its region holds no vertex"
                                  << "Pin „x“: in seinem Bereich liegt kein Eckpunkt";
-    QTest::newRow("a kind") << "a.xcf: is a GIMP picture (XCF). Wend opens PNG, JPEG, TIFF, EXR, WebP, HDR, "
-                               "BMP, TGA and PNM pictures"
-                            << "a.xcf: ist ein GIMP-Bild (XCF). Wend öffnet Bilder in PNG, JPEG, TIFF, EXR, "
-                               "WebP, HDR, BMP, TGA und PNM";
+    QTest::newRow("a kind")
+        << "a.xcf: is a GIMP picture (XCF). Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, "
+           "PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures"
+        << "a.xcf: ist ein GIMP-Bild (XCF). Wend öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, "
+           "PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder";
+    QTest::newRow("layers") << "a.ora: has 5 layers: opened flattened"
+                            << "a.ora: hat 5 Ebenen: zusammengefasst geöffnet";
+    QTest::newRow("a reader that fell") << "a.png: cannot be read: its reader failed inside (signal 11)"
+                                        << "a.png: kann nicht gelesen werden: das Leseprogramm ist "
+                                           "abgestürzt (Signal 11)";
     QTest::newRow("a list in a reason")
         << "the surface is embedded in a cage of 1900 vertices, since it cannot be meshed as it is: the "
            "surface bounds no "

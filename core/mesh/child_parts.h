@@ -1,0 +1,119 @@
+#pragma once
+
+#include <signal.h>
+#include <spawn.h>
+#include <sys/shm.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+// What child processes of either kind are made of (child_process.h, child_link.h).
+
+namespace wend {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd = -1) : m_fd(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { reset(); }
+    void reset(int fd = -1) {
+        if (m_fd >= 0) close(m_fd);
+        m_fd = fd;
+    }
+    int get() const { return m_fd; }
+
+  private:
+    int m_fd;
+};
+
+/// Memory that two processes share, until neither has it. It is System V's, because a memory file would count
+/// against the limit of file sizes (ulimit -f).
+class SharedMemory {
+  public:
+    SharedMemory() = default;
+    SharedMemory(const SharedMemory&) = delete;
+    SharedMemory& operator=(const SharedMemory&) = delete;
+    ~SharedMemory() { reset(); }
+
+    void reset() {
+        if (m_at) shmdt(m_at);
+        m_at = nullptr;
+    }
+    /// Throws bad_alloc.
+    std::byte* make(std::size_t size) {
+        const int made = shmget(IPC_PRIVATE, size, 0600);
+        if (made < 0) throw std::bad_alloc();
+        try {
+            attach(made);
+        } catch (...) {
+            shmctl(made, IPC_RMID, nullptr);
+            throw;
+        }
+        shmctl(made, IPC_RMID, nullptr);  // as soon as nobody has it; Linux lets others attach it until then
+        return static_cast<std::byte*>(m_at);
+    }
+    /// Attaches what another process has made. Throws bad_alloc.
+    std::byte* attach(int id) {
+        reset();
+        void* at = shmat(id, nullptr, 0);
+        if (at == reinterpret_cast<void*>(-1)) throw std::bad_alloc();
+        m_at = at, m_id = id;
+        return static_cast<std::byte*>(m_at);
+    }
+    int id() const { return m_id; }
+
+  private:
+    void* m_at = nullptr;
+    int m_id = -1;
+};
+
+/// Detaches a child from the terminal (Ctrl-C reaches this program alone, which then stops the child), with
+/// no signal blocked or ignored.
+class Attributes {
+  public:
+    Attributes() {
+        sigset_t none, usual;
+        sigemptyset(&none);
+        sigemptyset(&usual);
+        for (int signal : {SIGPIPE, SIGXFSZ, SIGXCPU, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+        posix_spawnattr_init(&m_attributes);
+        posix_spawnattr_setpgroup(&m_attributes, 0);
+        posix_spawnattr_setsigmask(&m_attributes, &none);
+        posix_spawnattr_setsigdefault(&m_attributes, &usual);
+        posix_spawnattr_setflags(&m_attributes,
+                                 POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    }
+    Attributes(const Attributes&) = delete;
+    Attributes& operator=(const Attributes&) = delete;
+    ~Attributes() { posix_spawnattr_destroy(&m_attributes); }
+    const posix_spawnattr_t* get() const { return &m_attributes; }
+
+  private:
+    posix_spawnattr_t m_attributes{};
+};
+
+/// Detects whether a child has become idle: its process group has neither produced output nor used CPU time
+/// for that many seconds. With 0 it never has.
+class IdleWatch {
+  public:
+    IdleWatch(pid_t group, double seconds) : m_group(group), m_seconds(seconds) {}
+
+    /// `said`: how much it has produced so far. Reads /proc five times a second at most.
+    bool isIdle(std::size_t said);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    pid_t m_group;
+    double m_seconds;
+    std::pair<unsigned long, std::size_t> m_state;
+    Clock::time_point m_since = Clock::now(), m_next = m_since;
+};
+
+}  // namespace wend

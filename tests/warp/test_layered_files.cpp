@@ -1,0 +1,166 @@
+// Files with layers are opened as the picture of all of them. tests/data/pictures/make.py has written them.
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/mesh/error.h"
+#include "warp/image.h"
+#include "warp/picture_metadata.h"
+
+using namespace wend;
+
+namespace {
+
+constexpr int kWidth = 8, kHeight = 6;
+
+std::string given(const QString& name) {
+    return (QStringLiteral(WEND_SOURCE_DIR "/tests/data/pictures/") + name).toStdString();
+}
+
+/// As the script has it.
+std::array<int, 4> pixel(int x, int y) {
+    return {20 * x + 5, 40 * y + 3, 7 * x * y, 255 - 30 * x};
+}
+
+int sample(const Image& image, int x, int y, int c) {
+    const std::byte* at = image.row(y) + image.pixelBytes() * static_cast<std::size_t>(x);
+    if (image.type == PixelType::UInt8) return std::to_integer<int>(at[c]);
+    return reinterpret_cast<const std::uint16_t*>(at)[c];
+}
+
+}  // namespace
+
+class TestLayeredFiles : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void pictureOfAllLayers_data();
+    void pictureOfAllLayers();
+    void layersAreListed_data();
+    void layersAreListed();
+    void damagedFiles_data();
+    void damagedFiles();
+
+  private:
+    static QByteArray contents(const QString& name) {
+        QFile file(QString::fromStdString(given(name)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    QTemporaryDir m_folder;
+};
+
+void TestLayeredFiles::pictureOfAllLayers_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("layers");
+    QTest::addColumn<bool>("exact");
+    QTest::newRow("OpenRaster") << "layers.ora" << 3 << true;
+    QTest::newRow("Krita") << "layers.kra" << 2 << true;
+    QTest::newRow("Photoshop") << "layers.psd" << 2 << false;
+    QTest::newRow("Photoshop, 16 bits") << "layers16.psd" << 2 << false;
+    QTest::newRow("Photoshop, large, opaque") << "layers.psb" << 2 << true;
+}
+
+/// A Photoshop file has transparent colours over white, rounded: taken off again they are within a step of
+/// 255 / alpha of what they were.
+void TestLayeredFiles::pictureOfAllLayers() {
+    QFETCH(QString, name);
+    QFETCH(int, layers);
+    QFETCH(bool, exact);
+    std::vector<std::string> notices;
+    const Image image = readImage(given(name), kMaxMegapixels, &notices);
+    QCOMPARE(std::pair(image.width, image.height), std::pair(kWidth, kHeight));
+    QCOMPARE(image.type, name.contains("16") ? PixelType::UInt16 : PixelType::UInt8);
+    QVERIFY(image.channels == 3 || (image.alpha && image.unassociated));
+    const int scale = image.type == PixelType::UInt8 ? 1 : 257;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x)
+            for (int c = 0; c < image.channels; ++c) {
+                const auto colour = pixel(x, y);
+                const double step = exact || c == 3 ? 0 : 1.0 + 255.0 / colour[3];
+                const int expected = scale * colour[static_cast<std::size_t>(c)], is = sample(image, x, y, c);
+                QVERIFY2(
+                    std::abs(is - expected) <= step,
+                    qPrintable(QString("%1 %2 %3: %4, not %5").arg(x).arg(y).arg(c).arg(is).arg(expected)));
+            }
+    QCOMPARE(notices.size(), std::size_t(1));
+    QCOMPARE(
+        QString::fromStdString(notices[0]),
+        QString("%1: has %2 layers: opened flattened").arg(QString::fromStdString(given(name))).arg(layers));
+}
+
+void TestLayeredFiles::layersAreListed_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QStringList>("layers");
+    const QStringList photoshop{"Körper 0 0 8 6 1 normal shown", "arm -2 1 4 3 0.2 multiply hidden"};
+    QTest::newRow("OpenRaster") << "layers.ora"
+                                << QStringList{"head 3 1 4 3 0.5 multiply shown",
+                                               "arm & hand -2 0 4 3 1 normal hidden",
+                                               "Körper 0 0 8 6 1 normal shown"};
+    QTest::newRow("Krita") << "layers.kra"
+                           << QStringList{"ink 4 2 0 0 0.2 multiply hidden", "ground 0 0 0 0 1 normal shown"};
+    for (const char* name : {"layers.psd", "layers16.psd", "layers.psb"})
+        QTest::newRow(name) << name << photoshop;
+}
+
+/// Groups are none.
+void TestLayeredFiles::layersAreListed() {
+    QFETCH(QString, name);
+    QFETCH(QStringList, layers);
+    const Image image = readImage(given(name));
+    QStringList found;
+    for (const PictureLayer& layer : fileMetadata(image)->layers)
+        found << QString("%1 %2 %3 %4 %5 %6 %7 %8")
+                     .arg(QString::fromStdString(layer.name))
+                     .arg(layer.x)
+                     .arg(layer.y)
+                     .arg(layer.width)
+                     .arg(layer.height)
+                     .arg(layer.opacity)
+                     .arg(QString::fromStdString(layer.blend))
+                     .arg(layer.visible ? "shown" : "hidden");
+    QCOMPARE(found, layers);
+}
+
+void TestLayeredFiles::damagedFiles_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("reason");
+    const QByteArray ora = contents("layers.ora"), psd = contents("layers.psd");
+    QTest::newRow("ZIP cut off") << ora.left(ora.size() / 2) << "is a damaged ZIP archive";
+    QByteArray bytes = ora;
+    QTest::newRow("no picture") << bytes.replace("mergedimage.png", "mergedimage.pnk")
+                                << "holds no picture of all its layers (mergedimage.png): save it with one";
+    bytes = ora;
+    bytes[bytes.indexOf("mergedimage.png") + 40] = bytes[bytes.indexOf("mergedimage.png") + 40] ^ 0x5a;
+    QTest::newRow("picture damaged") << bytes << "has a damaged mergedimage.png";
+    bytes = ora;
+    QTest::newRow("no description") << bytes.replace("stack.xml", "stick.xml") << "has a damaged stack.xml";
+    QTest::newRow("header cut off") << psd.left(20) << "is truncated in its header";
+    QTest::newRow("layers cut off") << psd.left(300) << "is truncated before its picture";
+    QTest::newRow("picture cut off") << psd.left(psd.size() - 50) << "is truncated or corrupt";
+    bytes = psd;
+    bytes[bytes.indexOf("8BIM") + 16] = 0;
+    QTest::newRow("Photoshop without a picture")
+        << bytes << "holds no picture of all its layers (Maximize Compatibility): save it with one";
+    bytes = psd;
+    bytes.replace(bytes.indexOf("8BIM\4\x21") + 12 + 18 + 8, 2, "\x7f\xff");
+    QTest::newRow("more layers than there are") << bytes << "is truncated or corrupt";
+}
+
+void TestLayeredFiles::damagedFiles() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, reason);
+    QFile file(m_folder.filePath("damaged"));
+    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    file.write(bytes);
+    file.close();
+    try {
+        readImage(file.fileName().toStdString());
+        QFAIL("was read");
+    } catch (const InputError& error) {
+        QVERIFY2(QString::fromStdString(error.reason()).startsWith(reason), error.what());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestLayeredFiles)
+#include "test_layered_files.moc"

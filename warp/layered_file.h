@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "warp/picture_format.h"
+#include "warp/picture_metadata.h"
+
+namespace wend {
+
+/// What a file with layers holds.
+struct LayeredFile {
+    std::string merged;  // a file of the picture of all layers: a PNG, or a Photoshop file
+    std::vector<PictureLayer> layers;
+};
+
+/// Reads a ZIP archive with `mergedimage.png` and a description of the layers (stack.xml or maindoc.xml).
+/// Throws InputError(path, reason).
+LayeredFile readLayeredFile(const std::string& path, PictureFormat format);
+
+}  // namespace wend

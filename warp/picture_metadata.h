@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "warp/image.h"
+
+namespace wend {
+
+/// A layer of a file whose picture was read with all layers merged.
+struct PictureLayer {
+    std::string name;
+    int x = 0, y = 0;           // of its first pixel
+    int width = 0, height = 0;  // 0: not known
+    double opacity = 1;
+    std::string blend;  // mode; empty if the file's library tells neither it nor opacity and visibility
+    bool visible = true;
+};
+
+/// The metadata of every picture that was read from a file.
+struct PictureMetadata final : Image::Metadata {
+    std::string description;           // what the format's library knows of the file, packed by it
+    std::vector<PictureLayer> layers;  // that are merged in the picture, in the file's order
+};
+
+/// Returns what a picture's file has; null for a picture that was not read from one.
+inline const PictureMetadata* fileMetadata(const Image& image) {
+    return static_cast<const PictureMetadata*>(image.metadata.get());  // nothing else makes any
+}
+
+}  // namespace wend

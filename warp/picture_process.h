@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "warp/image.h"
+#include "warp/picture_library.h"
+
+namespace wend {
+
+/// What reading a picture may take.
+struct PictureLimits {
+    double megapixels = kMaxMegapixels;
+    double idleSeconds = 60;  // without an answer and without computing
+};
+
+/// Reads a picture by wend-picture, a process of its own, which may fail in any way, and is kept for the next
+/// picture if it does not. The pixels come in strips through shared memory. Throws InputError with the reason
+/// if the file or its reader fails, OutOfMemory, and Cancelled after stopReading(). Thread-safe.
+StoredPicture readPicture(const std::string& path, const PictureLimits& limits);
+
+/// The same without the pixels.
+StoredPicture readPictureHeader(const std::string& path);
+
+}  // namespace wend

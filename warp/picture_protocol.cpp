@@ -1,0 +1,101 @@
+#include "warp/picture_protocol.h"
+
+#include <algorithm>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+PictureMessage binary(const void* bytes, std::size_t size) {
+    const auto* begin = static_cast<const std::uint8_t*>(bytes);
+    return PictureMessage::binary({begin, begin + size});
+}
+
+PictureMessage messageOf(const std::vector<PictureLayer>& layers) {
+    PictureMessage list = PictureMessage::array();
+    for (const PictureLayer& layer : layers)
+        list.push_back({layer.name, layer.x, layer.y, layer.width, layer.height, layer.opacity, layer.blend,
+                        layer.visible});
+    return list;
+}
+
+std::vector<PictureLayer> layersOf(const PictureMessage& list) {
+    std::vector<PictureLayer> layers;
+    for (const PictureMessage& layer : list)
+        layers.push_back({layer.at(0), layer.at(1), layer.at(2), layer.at(3), layer.at(4), layer.at(5),
+                          layer.at(6), layer.at(7)});
+    return layers;
+}
+
+PictureMessage messageOf(const PictureMetadata& metadata) {
+    const PixelBox& box = metadata.stored;
+    return {{"profile", binary(metadata.iccProfile.data(), metadata.iccProfile.size())},
+            {"isOfExr", metadata.isOfExr},
+            {"stored", {box.x, box.y, box.width, box.height}},
+            {"leftOut", metadata.leftOut},
+            {"pictures", metadata.pictures},
+            {"layers", messageOf(metadata.layers)},
+            {"description", binary(metadata.description.data(), metadata.description.size())}};
+}
+
+PictureMetadata metadataOf(const PictureMessage& message) {
+    PictureMetadata metadata;
+    for (const std::uint8_t byte : message.at("profile").get_binary())
+        metadata.iccProfile.push_back(static_cast<std::byte>(byte));
+    metadata.isOfExr = message.at("isOfExr");
+    const std::array<int, 4> box = message.at("stored");
+    metadata.stored = {box[0], box[1], box[2], box[3]};
+    metadata.leftOut = message.at("leftOut");
+    metadata.pictures = message.at("pictures");
+    metadata.layers = layersOf(message.at("layers"));
+    const auto& description = message.at("description").get_binary();
+    metadata.description.assign(description.begin(), description.end());
+    return metadata;
+}
+
+}  // namespace
+
+std::string pack(const PictureMessage& message) {
+    std::string bytes;
+    PictureMessage::to_cbor(message, bytes);
+    return bytes;
+}
+
+PictureMessage unpackMessage(const std::string& bytes) {
+    return PictureMessage::from_cbor(bytes);
+}
+
+PictureMessage messageOf(const StoredPicture& stored) {
+    const Image& image = stored.image;
+    return {{"size", {image.width, image.height}},
+            {"channels", image.channels},
+            {"type", static_cast<int>(image.type)},
+            {"alpha", image.alpha},
+            {"unassociated", image.unassociated},
+            {"metadata", image.metadata ? messageOf(*fileMetadata(image)) : PictureMessage()},
+            {"orientation", stored.orientation},
+            {"notices", stored.notices}};
+}
+
+StoredPicture pictureOf(const PictureMessage& message) {
+    StoredPicture stored;
+    Image& image = stored.image;
+    const std::array<int, 2> size = message.at("size");
+    const int type = message.at("type");
+    image.width = size[0], image.height = size[1];
+    image.channels = message.at("channels");
+    if (image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4 || type < 0 ||
+        type > static_cast<int>(PixelType::Float))
+        throw InputError("is no picture");
+    image.type = static_cast<PixelType>(type);
+    image.alpha = message.at("alpha");
+    image.unassociated = message.at("unassociated");
+    if (const PictureMessage& metadata = message.at("metadata"); !metadata.is_null())
+        image.metadata = std::make_shared<const PictureMetadata>(metadataOf(metadata));
+    stored.orientation = message.at("orientation");
+    stored.notices = message.at("notices");
+    return stored;
+}
+
+}  // namespace wend

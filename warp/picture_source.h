@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "warp/picture_library.h"
+
+namespace wend {
+
+/// Returns what a picture's file is by what is in it, not by its name, with what its format's library does
+/// not tell. `notices` receives what the user should know. Throws InputError.
+PictureSource sourceOf(const std::string& path, std::vector<std::string>& notices);
+
+}  // namespace wend

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/mesh/input_file.h"
+#include "warp/layered_file.h"
+
+namespace wend {
+
+/// Reads a Photoshop file (PSD, PSB): its layers, without groups, and a PSD file of the picture of all layers
+/// alone. Necessary because OpenImageIO decodes all layers when it opens a file, refuses those that are
+/// packed as Photoshop packs 16 bits, and tells neither opacity nor blend mode. Adobe's "Photoshop File
+/// Formats Specification" describes the format. Throws InputError(path, reason).
+LayeredFile readPsdFile(const InputFile& file);
+
+}  // namespace wend
