@@ -5,7 +5,9 @@
 #include "app/document/domain.h"
 #include "app/document/edits/setting_edits.h"
 #include "app/document/options/settings.h"
+#include "app/document/project.h"
 #include "app/session/shape_session.h"
+#include "core/solver/solver_choice.h"
 
 namespace wend {
 
