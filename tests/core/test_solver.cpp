@@ -162,15 +162,15 @@ void slidersAgreeWithDenseReference() {
     };
     Sliders sliders;
     for (const int vertex : scene.mesh->cells[static_cast<std::size_t>(scene.mesh->cellCount() - 1) / 2])
-        if (sliders.empty() && isFree(vertex)) sliders.emplace_back(vertex, 1U);
+        if (sliders.empty() && isFree(vertex)) sliders.push_back({vertex, 1U});
     for (const int vertex : {2, count / 3, count / 2})
-        if (vertex != sliders.front().first && isFree(vertex))
-            sliders.emplace_back(vertex, vertex == 2 ? 2U : 3U);
+        if (vertex != sliders.front().vertex && isFree(vertex))
+            sliders.push_back({vertex, vertex == 2 ? 2U : 3U});
     VelocitySolver<Dim> solver(scene.mesh, scene.material, BackEndKind::Cpu, 1);
     solver.setConstraints(scene.rows, sliders);
     const Eigen::MatrixXd rows = denseRows<Dim>(scene.rows, count);
     Eigen::MatrixXd W = rows;
-    for (const auto& [vertex, held] : sliders)
+    for (const auto& [vertex, held, normal] : sliders)
         for (int k = 0; k < Dim; ++k)
             if (held >> k & 1U) {
                 W.conservativeResize(W.rows() + 1, Eigen::NoChange);
@@ -190,7 +190,7 @@ void slidersAgreeWithDenseReference() {
             QVERIFY2(
                 off < std::max(1e-9, 2 * tolerance),
                 qPrintable(QString("%1D, tolerance %2, by %3: %4").arg(Dim).arg(tolerance).arg(by).arg(off)));
-            for (const auto& [vertex, held] : sliders)
+            for (const auto& [vertex, held, normal] : sliders)
                 for (int k = 0; k < Dim; ++k)
                     if (held >> k & 1U) QCOMPARE(v(k, vertex), 0.0);
         }
