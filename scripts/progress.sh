@@ -1,7 +1,7 @@
 # Sourced by setup.sh. Tells what a build does: in one changing line on a terminal, in a line for every tenth of it elsewhere.
 # The clock is only for what is told; nothing depends on it.
 
-seconds_per_step=1.2 # of one core, measured without ccache; an estimate for the first line
+seconds_per_step=3.5 # of one core, measured without ccache; an estimate for the first line
 
 minutes_of() { # STEPS: what they take on this machine, in whole minutes
     awk -v steps="$1" -v each="$seconds_per_step" -v cores="$(nproc)" \
@@ -22,6 +22,9 @@ step_name() { # DESCRIPTION of ninja: what a person calls it
     local text=$1
     case "$text" in
     "Building CXX object "*cmake_pch*) text="headers that most files include" ;;
+    "Building CXX object "*/Unity/unity_*)
+        text=${text#Building CXX object }
+        text="several files of ${text%%/CMakeFiles/*}" ;;
     "Building CXX object "*)
         text=${text#Building CXX object }
         text=${text%.o}

@@ -37,12 +37,13 @@ Built 30 of 30.
 ninja: build stopped: subcommand failed.'
 expect "nothing to do is not told" "$(echo "ninja: no work to do." | narrate_build 2>/dev/null)" ""
 expect "a file by its path" "$(step_name "Building CXX object app/view/CMakeFiles/wend_view.dir/canvas/canvas.cpp.o")" "app/view/canvas/canvas.cpp"
+expect "several files" "$(step_name "Building CXX object app/view/CMakeFiles/wend_view.dir/Unity/unity_3_cxx.cxx.o")" "several files of app/view"
 expect "headers" "$(step_name "Building CXX object CMakeFiles/wend_pch_qt.dir/cmake_pch.hxx.gch")" "headers that most files include"
 expect "a pace" "$(time_left 60 100 400)" ", about 3 minutes left"
 expect "no pace yet" "$(time_left 10 5 400)" ""
 nproc() { echo 2; }
 expect "first line" "$(announce_build 400 first)" \
-    "First build: 400 steps, about 4 minutes on 2 cores (less where ccache has seen them)."
+    "First build: 400 steps, about 12 minutes on 2 cores (less where ccache has seen them)."
 expect "a few files are not announced" "$(announce_build 7 again)" ""
 
 echo "Totals: $passed passed, $failed failed, 0 skipped"
