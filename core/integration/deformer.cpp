@@ -23,8 +23,10 @@ Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         std::shared_ptr<const Material<Dim>> material, std::vector<Handle<Dim>> handles,
                         IntegrationOptions options, BackEndKind backEnd)
     : m_integrator(std::make_unique<Integrator>(
-          rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
-              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads, options.solver);
+          rest, material, handles, options,
+          [material, backEnd, threads = options.threads](
+              std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest, SolverKind solver) {
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, threads, solver);
           })) {}
 
 template <int Dim>
@@ -33,9 +35,10 @@ Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         IntegrationOptions options, const BackEndFactory<Dim>& backEnd,
                         const IterativeSolverFactory<Dim>& multigrid)
     : m_integrator(std::make_unique<Integrator>(
-          rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
-              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads, options.solver,
-                                         multigrid);
+          rest, material, handles, options,
+          [material, backEnd, multigrid, threads = options.threads](
+              std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest, SolverKind solver) {
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, threads, solver, multigrid);
           })) {}
 
 template <int Dim>

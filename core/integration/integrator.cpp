@@ -22,10 +22,10 @@ double velocityTolerance(const IntegrationOptions& options) {
 }  // namespace
 
 template <int Dim>
-Deformer<Dim>::Integrator::Integrator(
-    std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
-    const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
-    const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver)
+Deformer<Dim>::Integrator::Integrator(std::shared_ptr<const SimplicialMesh<Dim>> rest,
+                                      std::shared_ptr<const Material<Dim>> material,
+                                      const std::vector<Handle<Dim>>& handles,
+                                      const IntegrationOptions& options, SolverFactory makeSolver)
     : m_options(options),
       m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
@@ -33,6 +33,7 @@ Deformer<Dim>::Integrator::Integrator(
       m_twins(twinsOf<Dim>(*m_domainRest)),
       m_orientation(m_rest),
       m_domainOrientation(m_domainRest),
+      m_makeSolver(std::move(makeSolver)),
       m_settling(options.settle),
       m_memory(material->memory),
       m_method(StepMethod<Dim>::of(options.method, options.steps > 0 ? 0 : options.tolerance)) {
@@ -43,7 +44,7 @@ Deformer<Dim>::Integrator::Integrator(
     state.points = m_domainRest->points;
     state.normalized = m_rest->points;
     setHandles(handles);
-    m_solver = std::make_unique<VelocitySolver<Dim>>(makeSolver(m_rest));
+    m_solver = std::make_unique<VelocitySolver<Dim>>(m_makeSolver(m_rest, m_options.solver));
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     collectStatistics();
 }
@@ -179,6 +180,23 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
     return m_failure.outcome.done();
 }
 
+/// Where the iterations of multigrid did not converge, and it was not asked for: from now on fields are
+/// solved for by factors, if these fit into the machine.
+template <int Dim>
+bool Deformer<Dim>::Integrator::solveDirectly() {
+    if (m_failure.outcome.kind != SolveOutcome::Kind::NotConverged ||
+        m_options.solver != SolverKind::Automatic ||
+        !fitsDirectly(Dim, m_rest->vertexCount(), machineMemory()))
+        return false;
+    collectStatistics();
+    m_before = statistics;
+    m_solver.reset();
+    m_solver = std::make_unique<VelocitySolver<Dim>>(m_makeSolver(m_rest, SolverKind::Direct));
+    m_solver->setVelocityTolerance(velocityTolerance(m_options));
+    m_solver->setConstraints(rowsOf(*m_constraints, m_ids), m_constraints->sliders());
+    return true;
+}
+
 template <int Dim>
 void Deformer<Dim>::Integrator::project(double t, Points<Dim>& shape) {
     m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
@@ -288,12 +306,15 @@ Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
     const auto anchors =
         std::exchange(state.anchors, m_constraints->anchors(state.normalized, state.time, side));
     Points<Dim> v;
-    m_solver->setVelocityTolerance(0);  // the request is for an exact field
-    m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
     Watch watch;
     watch.stop = stop;
     m_watch = &watch;
-    const bool good = evaluate(state.time, side, v);
+    const auto evaluateExactly = [&] {
+        m_solver->setVelocityTolerance(0);
+        m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
+        return evaluate(state.time, side, v);
+    };
+    const bool good = evaluateExactly() || (solveDirectly() && evaluateExactly());
     m_watch = nullptr;
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     state.anchors = anchors;

@@ -18,10 +18,11 @@ namespace wend {
 /// query, and in another deformer.
 template <int Dim>
 struct Deformer<Dim>::Integrator {
-    Integrator(
-        std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
-        const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
-        const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver);
+    using SolverFactory =
+        std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>, SolverKind)>;
+    Integrator(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
+               const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
+               SolverFactory makeSolver);
 
     void setHandles(const std::vector<Handle<Dim>>& handles);
     void restore(const State<Dim>& state);
@@ -53,6 +54,7 @@ struct Deformer<Dim>::Integrator {
     void recall();
     void remember();
     bool evaluate(double t, Side side, Points<Dim>& velocity);
+    bool solveDirectly();
     double memoryRate(double t, Side side) const;
     void project(double t, Points<Dim>& shape);
 
@@ -92,6 +94,7 @@ struct Deformer<Dim>::Integrator {
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
     std::vector<Twin> m_twins;
     Orientation<Dim> m_orientation, m_domainOrientation;
+    SolverFactory m_makeSolver;
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;
     Settling m_settling;
@@ -103,7 +106,7 @@ struct Deformer<Dim>::Integrator {
         m_ids;  // the active constrained points, as the solver has them: those that slide come last
     Points<Dim> m_targets, m_prescribed;
     Points<Dim> m_next;   // the result of an attempt, projected
-    Statistics m_before;  // of the run that known steps are from
+    Statistics m_before;  // of the run that known steps are from, and of the solver before this one
     Failure m_failure;
     const Watch* m_watch = nullptr;
     size_t m_frame = 0;

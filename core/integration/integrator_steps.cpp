@@ -121,7 +121,9 @@ bool Deformer<Dim>::Integrator::step(double stop) {
             state.pace = before;  // as if nothing had been tried: going on gives the same bits
             return false;
         }
+        if (solveDirectly()) continue;
         ++statistics.rejected;
+        if (m_failure.outcome.kind == SolveOutcome::Kind::NotConverged) return false;  // nor in a shorter one
         if (error)
             method().retry(state.pace);
         else

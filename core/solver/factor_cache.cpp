@@ -29,7 +29,7 @@ constexpr double kNearest = 0.5;
 // factor's.
 constexpr double kTurnedAgain = 0.2;
 // To make the levels of multigrid takes about as long as so many iterations with them (docs/scale.md).
-constexpr double kMultigridSetUp = 45;
+constexpr double kMultigridSetUp = 18;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
@@ -130,8 +130,9 @@ SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kin
             return {SolveOutcome::Kind::Stopped, -1};
         case Factor::Status::NotFinite:
             return {SolveOutcome::Kind::NotFinite, -1};
-        case Factor::Status::NotPositiveDefinite:
-            return {SolveOutcome::Kind::NotPositiveDefinite, -1};
+        case Factor::Status::NotPositiveDefinite:  // with multigrid it is only its levels
+            return {m_multigrid ? SolveOutcome::Kind::NotConverged : SolveOutcome::Kind::NotPositiveDefinite,
+                    -1};
         case Factor::Status::Done:
             break;
     }

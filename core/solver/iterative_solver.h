@@ -24,6 +24,8 @@ class IterativeSolver {
 
     virtual ~IterativeSolver() = default;
 
+    /// Bytes that it takes, about.
+    virtual double needed() const { return 0; }
     /// Applies the matrix; does not assemble it.
     virtual BackEnd<Dim>& backEnd() = 0;
     /// What follows from cells and the present system alone; epsilon as in BackEnd::setMassRegularization(),
@@ -50,7 +52,7 @@ struct SolverTask {
 template <int Dim>
 using IterativeSolverFactory = std::function<std::unique_ptr<IterativeSolver<Dim>>(const SolverTask<Dim>&)>;
 
-/// In this process.
+/// In this process. Throws NotEnoughMemory if that does not have what it takes.
 template <int Dim>
 std::unique_ptr<IterativeSolver<Dim>> makeMultigridSolver(const SolverTask<Dim>& task);
 

@@ -6,9 +6,9 @@
 namespace wend {
 namespace {
 
-// By extrapolation from what was measured on a bar (docs/scale.md): from about here on multigrid takes less
-// time. With 35 700 vertices it still takes more.
-constexpr int kQuickerSolid = 80000;
+// Measured on a bar (docs/scale.md): 12,800 vertices take about as long either way, 22,400 a third less by
+// multigrid.
+constexpr int kQuickerSolid = 20000;
 constexpr double kPartOfMemory = 0.5;
 
 }  // namespace
@@ -23,10 +23,18 @@ double directSolverBytes(int dimension, int vertices) {
     return 6.4e9 * std::pow(vertices / 105e3, 1.4);
 }
 
+double multigridBytes(int dimension, int vertices) {
+    return (dimension == 2 ? 2000.0 : 8500.0) * vertices;
+}
+
+bool fitsDirectly(int dimension, int vertices, double machineMemory) {
+    return directSolverBytes(dimension, vertices) <= kPartOfMemory * machineMemory;
+}
+
 SolverKind chosenSolver(SolverKind wanted, int dimension, int vertices, double machineMemory) {
     if (wanted != SolverKind::Automatic) return wanted;
-    const bool large = (dimension == 3 && vertices >= kQuickerSolid) ||
-                       directSolverBytes(dimension, vertices) > kPartOfMemory * machineMemory;
+    const bool large =
+        (dimension == 3 && vertices >= kQuickerSolid) || !fitsDirectly(dimension, vertices, machineMemory);
     return large ? SolverKind::Multigrid : SolverKind::Direct;
 }
 

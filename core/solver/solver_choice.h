@@ -11,14 +11,20 @@ enum class SolverKind { Automatic, Direct, Multigrid };
 /// Returns "direct" or "multigrid".
 std::string nameOf(SolverKind kind);
 
+/// Returns whether factors of so many vertices take no more than half of `machineMemory`, the bytes that the
+/// machine has, not those that are free: the answer is the same at every run.
+bool fitsDirectly(int dimension, int vertices, double machineMemory);
+
 /// Returns Direct or Multigrid. Automatic takes multigrid for solids from so many vertices on that it is the
-/// quicker, and for any shape whose factor would take more than half of `machineMemory` (bytes that the
-/// machine has, not those that are free: the choice is the same at every run), unless its module is missing.
+/// quicker, and for any shape whose factors do not fit.
 SolverKind chosenSolver(SolverKind wanted, int dimension, int vertices, double machineMemory);
 
 /// Returns about how many bytes a direct solve takes: matrix, contributions and factor. Measured on bars and
 /// strips; a body that is more compact takes up to twice as many.
 double directSolverBytes(int dimension, int vertices);
+
+/// Returns about how many bytes multigrid takes. Measured on bars and strips.
+double multigridBytes(int dimension, int vertices);
 
 /// Returns the bytes of memory that the machine has.
 double machineMemory();

@@ -28,7 +28,7 @@ struct SolveOutcome {
 struct SolverStatistics {
     double analyze = 0, assemble = 0, factor = 0, solve = 0;  // seconds
     int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
-    double needed = 0;                                        // bytes of the largest factor
+    double needed = 0;                                        // bytes of the largest factor, or of multigrid
 };
 
 /// What the next solves depend on beside their own arguments: at which shape the factor was made that they

@@ -26,7 +26,7 @@ constexpr double kMinTolerance = 1e-8;
 constexpr double kPoorestContraction = 0.33;
 // Multigrid: what rounding allows, and when the run ends with a message.
 constexpr double kMultigridTolerance = 1e-9;
-constexpr int kMostWithMultigrid = 500;
+constexpr int kMostWithMultigrid = 300;
 constexpr int kTrials = 3;  // before a factor that is dear is given up
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
@@ -87,7 +87,9 @@ VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
         multigrid = makeMultigrid({plan, rest, material, system, threads});
     backEnd = isDirect ? ownBackEnd.get() : &multigrid->backEnd();
     cache.emplace(*backEnd, system, statistics);
-    if (multigrid) cache->useMultigrid(*multigrid);
+    if (!multigrid) return;
+    statistics.needed = multigrid->needed();
+    cache->useMultigrid(*multigrid);
 }
 
 template <int Dim>

@@ -43,7 +43,8 @@ using Clock = std::chrono::steady_clock;
 /// What helps where a factor of the project's shape does not fit into memory.
 std::string adviceOnMemory(const Project& project) {
     const Domain& domain = domainOf(project);
-    const std::string other = " or --solver multigrid";
+    const bool isMultigrid = integrationOf(project).solver == SolverKind::Multigrid;
+    const std::string other = isMultigrid ? "" : " or --solver multigrid";
     if (domain.kind == DomainKind::Mesh) return "take a coarser mesh" + other;
     const bool mayCage = domain.kind == DomainKind::Surface && domain.fit != Fit::Cage;
     return "take fewer vertices (domain.vertices)" + std::string(mayCage ? ", a cage (domain.cage)" : "") +

@@ -1,6 +1,13 @@
 #include "core/solver/multigrid/coarse_levels.h"
 
 namespace wend {
+namespace {
+
+// Of the diagonal of the coarsest matrix, tried in turn. A body that is nearly free has rigid motions whose
+// energy is less than the rounding of a matrix in single precision.
+constexpr double kShifts[] = {0, 1e-7, 1e-5, 1e-3};
+
+}  // namespace
 
 template <int Modes>
 void CoarseLevels<Modes>::analyze(Graph graph) {
@@ -36,19 +43,27 @@ BuildStatus CoarseLevels<Modes>::factorize(const BlockRows<Modes>& A, const std:
             start.push_back(static_cast<int>(row.size()));
         }
     if (!m_factor.analyze(start, row, Modes, Ordering::NestedDissection, stop)) return BuildStatus::Stopped;
+    auto status = Factor::Status::NotPositiveDefinite;
+    for (const double shift : kShifts) {
+        fill(A, shift);
+        status = m_factor.factorize(FactorKind::Double, m_workers, stop);
+        if (status != Factor::Status::NotPositiveDefinite) break;
+    }
+    if (status == Factor::Status::Stopped) return BuildStatus::Stopped;
+    return status == Factor::Status::Done ? BuildStatus::Done : BuildStatus::NotPositiveDefinite;
+}
+
+/// Copies the lower triangle of A + shift · diag A to the factor.
+template <int Modes>
+void CoarseLevels<Modes>::fill(const BlockRows<Modes>& A, double shift) {
     auto value = m_factor.values().begin();
     for (int j = 0; j < A.rows(); ++j)
         for (int k = 0; k < Modes; ++k)
             for (int e = A.entryOf(j, j); e < A.begin(j + 1); ++e)
-                for (int i = 0; i < Modes; ++i) *value++ = A.block(e)(k, i);  // the block of (j, column)
-    switch (m_factor.factorize(FactorKind::Double, m_workers, stop)) {
-        case Factor::Status::Done:
-            return BuildStatus::Done;
-        case Factor::Status::Stopped:
-            return BuildStatus::Stopped;
-        default:
-            return BuildStatus::NotPositiveDefinite;
-    }
+                for (int i = 0; i < Modes; ++i) {
+                    const bool isDiagonal = e == A.entryOf(j, j) && i == k;
+                    *value++ = (isDiagonal ? 1 + shift : 1.0) * A.block(e)(k, i);  // the block of (j, column)
+                }
 }
 
 template <int Modes>

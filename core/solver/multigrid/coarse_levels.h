@@ -36,6 +36,7 @@ class CoarseLevels final : public CoarseSolver<Modes> {
 
   private:
     BuildStatus factorize(const BlockRows<Modes>& A, const std::stop_token& stop);
+    void fill(const BlockRows<Modes>& A, double shift);
     bool cycle(std::size_t level, Points<Modes>& r, Points<Modes>& z);
 
     struct Stage {

@@ -1,6 +1,8 @@
 #include "core/assembly/cpu_back_end.h"
 #include "core/solver/iterative_solver.h"
 #include "core/solver/multigrid/multigrid.h"
+#include "core/solver/solver_choice.h"
+#include "core/system/memory.h"
 
 namespace wend {
 namespace {
@@ -16,7 +18,11 @@ class MultigridSolver final : public IterativeSolver<Dim> {
           m_system(task.system),
           m_backEnd(makeCpuBackEnd<Dim>(task.plan, *task.rest, task.material, task.threads)),
           m_coarse(m_backEnd->workers()),
-          m_multigrid(*m_backEnd, m_system, m_links, m_coarse) {}
+          m_multigrid(*m_backEnd, m_system, m_links, m_coarse) {
+        requireMemory(needed());
+    }
+
+    double needed() const override { return multigridBytes(Dim, m_plan->vertexCount); }
 
     BackEnd<Dim>& backEnd() override { return *m_backEnd; }
 

@@ -24,6 +24,7 @@ class TestCli : public QObject {
     void velocityTable();
     void velocityOnTheMesh();
     void reportKeys();
+    void solvers();
     void remembersAndSettles();
     void standardOutput();
     void repeatedOutputs();
@@ -153,6 +154,22 @@ void TestCli::velocityOnTheMesh() {
     const auto velocity = std::ranges::find(fieldsOf(*mesh), std::string("velocity"), &MeshField::name);
     QVERIFY(velocity != fieldsOf(*mesh).end());
     QCOMPARE(velocity->values.size(), std::size_t(3 * pointsOf(*mesh).cols()));
+}
+
+void TestCli::solvers() {
+    std::vector<Points<3>> poses;
+    for (const QString solver : {"direct", "multigrid"}) {
+        succeed({"run", "bar.wend", "--solver", solver, "--report", "r.json", "--mesh", solver + ".mesh"});
+        const QJsonObject report = jsonFile("r.json").object();
+        QCOMPARE(report["solver"].toString(), solver);
+        QVERIFY(report["needs"].toDouble() > 0);
+        poses.push_back(readMesh<3>(file(solver + ".mesh")).points);
+    }
+    QVERIFY((poses[0] - poses[1]).cwiseAbs().maxCoeff() < 1e-2);
+    const CliResult wrong = run({"run", "bar.wend", "--solver", "lu", "--mesh", "o.mesh"});
+    QCOMPARE(wrong.code, 2);
+    QVERIFY(wrong.error.contains("auto, direct, multigrid") || wrong.error.contains("--solver"));
+    QCOMPARE(run({"run", "bar.wend", "--solver", "multigrid", "--backend", "opencl", "--mesh", "o.mesh"}).code, 2);
 }
 
 void TestCli::reportKeys() {
