@@ -121,6 +121,7 @@ int Deformer<Dim>::Integrator::firstInverted(const Points<Dim>& shape) const {
 /// The constraints that hold on one side of the current time.
 template <int Dim>
 void Deformer<Dim>::Integrator::activate(Side side) {
+    m_activeSide = side;
     m_ids = m_constraints->activePoints(state.time, side);
     const std::vector<int> sliding = m_constraints->activeSliders(state.time, side);
     m_solver->setConstraints(rowsOf(*m_constraints, m_ids), slidersOf(*m_constraints, sliding));
@@ -193,7 +194,7 @@ bool Deformer<Dim>::Integrator::solveDirectly() {
     m_solver.reset();
     m_solver = std::make_unique<VelocitySolver<Dim>>(m_makeSolver(m_rest, SolverKind::Direct));
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
-    m_solver->setConstraints(rowsOf(*m_constraints, m_ids), m_constraints->sliders());
+    activate(m_activeSide);
     return true;
 }
 

@@ -102,6 +102,7 @@ struct Deformer<Dim>::Integrator {
     std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;
     VelocityHistory<Dim> m_history;
 
+    Side m_activeSide = Side::Before;
     std::vector<int>
         m_ids;  // the active constrained points, as the solver has them: those that slide come last
     Points<Dim> m_targets, m_prescribed;
