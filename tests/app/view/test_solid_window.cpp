@@ -16,6 +16,8 @@
 #include "app/document/domain.h"
 #include "app/document/edits/curve_edits.h"
 #include "app/document/edits/material_edits.h"
+#include "app/document/edits/setting_edits.h"
+#include "app/document/project.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
