@@ -245,9 +245,8 @@ void MainWindow::connectFiles() {
     m_files->fillSamples(*a.samples);
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(&m_session, &ShapeSession::problem, this, [this](const QString& text) {
-        m_banner->tell(Topic::Shape, text, problemRemedies(m_session));
-    });
+    connect(&m_session, &ShapeSession::problem, this,
+            [this](const QString& text) { m_banner->tell(Topic::Shape, text, problemRemedies(m_session)); });
     connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::showMessage);
 }
 

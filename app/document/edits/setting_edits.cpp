@@ -8,6 +8,10 @@
 
 namespace wend {
 
+double settingOf(const Document& document, std::string_view key) {
+    return settingOf(*document.project(), key);
+}
+
 void changeSetting(Document& document, std::string_view key, double value, int gesture) {
     const Option& setting = option(key);
     if (document.isEmpty() || value == setting.field.at.get(*document.project())) return;

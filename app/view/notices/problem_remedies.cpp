@@ -4,8 +4,6 @@
 
 #include "app/document/domain.h"
 #include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
-#include "app/document/project.h"
 #include "app/session/shape_session.h"
 #include "core/solver/solver_choice.h"
 
@@ -22,13 +20,12 @@ QString remedyText(const char* text) {
 /// The solver's memory grows with the number of vertices only, unlike that of a factor.
 void addLessMemory(Document& document, QList<InfoBanner::Remedy>& remedies) {
     constexpr auto kMultigrid = static_cast<double>(SolverKind::Multigrid);
-    const Project& project = *document.project();
-    if (settingOf(project, "integration.solver") != kMultigrid)
+    if (settingOf(document, "integration.solver") != kMultigrid)
         remedies << InfoBanner::Remedy{
             remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Use Multigrid")),
             [&document, kMultigrid] { changeSetting(document, "integration.solver", kMultigrid); }};
-    const double vertices = settingOf(project, "domain.vertices");
-    const bool isMeshed = project.domain.kind != DomainKind::Mesh;
+    const double vertices = settingOf(document, "domain.vertices");
+    const bool isMeshed = document.domain().kind != DomainKind::Mesh;
     if (isMeshed && vertices >= 2 * kFewestVertices)
         remedies << InfoBanner::Remedy{
             remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Half as Many Vertices")),

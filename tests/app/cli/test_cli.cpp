@@ -158,18 +158,20 @@ void TestCli::velocityOnTheMesh() {
 
 void TestCli::solvers() {
     std::vector<Points<3>> poses;
-    for (const QString solver : {"direct", "multigrid"}) {
-        succeed({"run", "bar.wend", "--solver", solver, "--report", "r.json", "--mesh", solver + ".mesh"});
+    for (const char* solver : {"direct", "multigrid"}) {
+        const std::string mesh = std::string(solver) + ".mesh";
+        succeed({"run", "bar.wend", "--solver", solver, "--report", "r.json", "--mesh", mesh.c_str()});
         const QJsonObject report = jsonFile("r.json").object();
-        QCOMPARE(report["solver"].toString(), solver);
+        QCOMPARE(report["solver"].toString(), QString(solver));
         QVERIFY(report["needs"].toDouble() > 0);
-        poses.push_back(readMesh<3>(file(solver + ".mesh")).points);
+        poses.push_back(readMesh<3>(file(mesh.c_str())).points);
     }
     QVERIFY((poses[0] - poses[1]).cwiseAbs().maxCoeff() < 1e-2);
     const CliResult wrong = run({"run", "bar.wend", "--solver", "lu", "--mesh", "o.mesh"});
     QCOMPARE(wrong.code, 2);
     QVERIFY(wrong.error.contains("auto, direct, multigrid") || wrong.error.contains("--solver"));
-    QCOMPARE(run({"run", "bar.wend", "--solver", "multigrid", "--backend", "opencl", "--mesh", "o.mesh"}).code, 2);
+    QCOMPARE(
+        run({"run", "bar.wend", "--solver", "multigrid", "--backend", "opencl", "--mesh", "o.mesh"}).code, 2);
 }
 
 void TestCli::reportKeys() {

@@ -162,7 +162,7 @@ void TestExportDialog::everyOptionOfARunIsThere() {
     // The project's own settings, what only a command line needs, and what only solids have.
     const QStringList others{"--phi",      "--method", "--tolerance", "--steps",   "--at",       "--partial",
                              "--memory",   "--settle", "--backend",   "--threads", "--progress", "--quiet",
-                             "--velocity", "--report", "--border",    "--shard",   "--solver"};
+                             "--velocity", "--report", "--border",    "--shard",   "--solver",   "--strict"};
     open(writeCutOut(*m_folder));
     bend(0, 10);
     QStringList asked;
