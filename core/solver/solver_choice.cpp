@@ -24,7 +24,7 @@ double directSolverBytes(int dimension, int vertices) {
 }
 
 double multigridBytes(int dimension, int vertices) {
-    return (dimension == 2 ? 2000.0 : 8500.0) * vertices;
+    return (dimension == 2 ? 2500.0 : 12000.0) * vertices;
 }
 
 bool fitsDirectly(int dimension, int vertices, double machineMemory) {
