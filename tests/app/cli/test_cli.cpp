@@ -569,10 +569,10 @@ void TestCli::endOfTheLastMotion() {
     succeed({"run", "still.wend", "--report", "still.json"});
     QCOMPARE(jsonFile("still.json")["time"].toDouble(), 1.0);
     succeed({"run", "late.wend", "--at", "1.5", "--report", "late.json"});
-    const QJsonArray half = jsonFile("late.json")["reached"].toArray();
-    QCOMPARE(half.size(), 1);
-    QCOMPARE(half.at(0)["name"].toString(), QString("all"));
-    QVERIFY(std::abs(half.at(0)["reached"].toDouble() - 0.5) < 1e-12);
+    const QJsonArray middle = jsonFile("late.json")["reached"].toArray();
+    QCOMPARE(middle.size(), 1);
+    QCOMPARE(middle.at(0)["name"].toString(), QString("all"));
+    QVERIFY(std::abs(middle.at(0)["reached"].toDouble() - 0.5) < 1e-12);
 }
 
 void TestCli::endBeforeTheMotions() {
