@@ -8,7 +8,7 @@ minutes_of() { # STEPS: what they take on this machine, in whole minutes
         'BEGIN {m = steps * each / cores / 60; print (m > 1 ? int(m + 0.5) : 1)}'
 }
 
-announce_build() { # STEPS FIRST: one line before anything happens; none for a few files
+announce_build() { # STEPS WHEN: one line as soon as ninja says how many steps there are; none for a few files
     local minutes cores what="Building what changed"
     [ "$1" -lt 20 ] && return
     minutes=$(minutes_of "$1")
@@ -44,8 +44,8 @@ time_left() { # SECONDS DONE TOTAL: nothing until the pace is known
 }
 
 # Reads what ninja prints. Lines of "[n/m] what" become progress; all others (warnings, errors) stay as they are.
-narrate_build() {
-    local line done_ total tenth=0 now begin=$SECONDS width=80 changing=
+narrate_build() { # WHEN: first or again
+    local line done_ total tenth=0 now begin=$SECONDS width=80 changing= announced=
     if [ -t 2 ]; then
         changing=1
         width=$(stty size <&2 2>/dev/null | cut -d ' ' -f 2)
@@ -54,6 +54,11 @@ narrate_build() {
     while IFS= read -r line; do
         if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*)$ ]]; then
             done_=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+            if [ -z "$announced" ] && [ "$total" -ge 20 ]; then
+                announced=1
+                [ -n "$changing" ] && printf '\r\033[K'
+                announce_build "$total" "$1"
+            fi
             if [ -n "$changing" ]; then
                 now="[$done_/$total] $(step_name "${BASH_REMATCH[3]}")$(time_left $((SECONDS - begin)) "$done_" "$total")"
                 printf '\r\033[K%s' "${now:0:$((width - 1))}"

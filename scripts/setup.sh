@@ -53,18 +53,12 @@ configure() { # PRESET OPTION…: quietly; all that cmake said where it failed
     rm -f "$log"
 }
 
-steps_of() { # TARGET…: how many steps ninja has before it
-    ninja -C "$build_dir" -n "$@" 2>/dev/null | sed -n 's/^\[[0-9]*\/\([0-9]*\)\].*/\1/p' | tail -n 1
-}
-
 build() { # TARGET…
-    local werror=${WEND_WERROR:-OFF} steps when=again
+    local werror=${WEND_WERROR:-OFF} when=again
     [ -e "$build_dir/.ninja_log" ] || when=first
     if [ ! -e "$build_dir/build.ninja" ] || ! grep -q "^WEND_WERROR:BOOL=$werror\$" "$build_dir/CMakeCache.txt"; then
         configure release -DWEND_WERROR="$werror" || return 1
     fi
-    steps=$(steps_of "$@")
-    announce_build "${steps:-0}" "$when" >&2
-    NINJA_STATUS='[%f/%t] ' ninja -C "$build_dir" "$@" 2>&1 | narrate_build >&2
+    NINJA_STATUS='[%f/%t] ' ninja -C "$build_dir" "$@" 2>&1 | narrate_build "$when" >&2
     return "${PIPESTATUS[0]}"
 }
