@@ -63,7 +63,7 @@ void convertMesh(const Conversion& conversion, OutputSet& files) {
               [&](const std::string& file) { writeMeshFile(file, *mesh, conversion.options); });
 }
 
-/// What of a picture its new format does not hold, in one line.
+/// Names in one line the properties of a picture that its new format cannot hold.
 std::string lostInPicture(const std::string& path, const Image& image) {
     std::string lost;
     const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : "; ") + what; };

@@ -23,7 +23,7 @@ namespace {
     Terminal::lastWord("there is not enough memory", static_cast<int>(ExitCode::Machine));
 }
 
-/// What threads throw comes here, and what is thrown while there is no memory to throw it.
+/// Ends the program with one line for exceptions that leave a thread, or that no memory is left to throw.
 void endInOneLine() {
     try {
         if (const auto error = std::current_exception()) std::rethrow_exception(error);
@@ -37,7 +37,7 @@ void endInOneLine() {
     Terminal::lastWord("internal error", static_cast<int>(ExitCode::Internal));
 }
 
-/// What the system says of a folder or a link.
+/// Returns the message for an error of a folder or a link.
 std::string said(const std::filesystem::filesystem_error& error) {
     const char* folder = std::getenv("TMPDIR");
     const std::string place = error.path1().string();

@@ -31,7 +31,7 @@ struct GoalNumbers {
     }
 };
 
-/// What a process other than the first does for a solver.
+/// The work of a process other than the first for one solver.
 class Service {
   public:
     virtual ~Service() = default;
@@ -280,7 +280,7 @@ void DividedSolver<Dim>::analyze(std::vector<double> epsilon) {
     });
 }
 
-/// To the other processes.
+/// Sends every other process the columns of its part.
 template <int Dim>
 void DividedSolver<Dim>::scatter(const Points<Dim>& whole) const {
     for (int rank = 1; rank < m_team.size(); ++rank) {

@@ -88,7 +88,7 @@ void Division<Dim>::addCellsOf(int vertex, std::vector<char>& hasCell, std::vect
     }
 }
 
-/// Where a pivot has a cell, so has every unknown that it follows from: one cell at least.
+/// Gives every unknown that a pivot with a cell follows from one cell at least.
 template <int Dim>
 void Division<Dim>::close(std::vector<char>& hasCell, std::vector<int>& cells) const {
     std::vector<char> seen(m_plan.vertexCount, 0);

@@ -16,9 +16,9 @@ struct Neighbour {
     int firstCopy = 0, copies = 0;  // the unknowns that are copied from there
 };
 
-/// What one process holds of a system K = Zᵀ A Z: the cells of which its own rows of K are made, as a mesh of
-/// their own. Vertices are numbered anew: its own unknowns first, then copies of other parts' unknowns, part
-/// by part, then the vertices that follow from unknowns or are prescribed.
+/// The share of one process in a system K = Zᵀ A Z: the cells that contribute to its own rows of K, as a mesh
+/// of their own. Vertices are numbered anew: its own unknowns first, then copies of other parts' unknowns,
+/// part by part, then the vertices that follow from unknowns or are prescribed.
 template <int Dim>
 struct Part {
     int number = 0, own = 0, copies = 0;

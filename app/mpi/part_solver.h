@@ -22,8 +22,8 @@ struct PartTask {
     Material<Dim> material;
     std::vector<double> epsilon;  // of BackEnd::setMassRegularization()
     Aggregates aggregates;        // of its own unknowns
-    // Where the first coarse level is divided, too: the part of every aggregate of the whole, and the next
-    // level's aggregates of its own ones. Else empty.
+    // If the first coarse level is divided, too: the part of every aggregate of the whole, and the aggregates
+    // of the next level among its own. Empty otherwise.
     std::vector<int> ownerOf;
     Aggregates groups;
     Graph gathered;  // of the first part: the aggregates of the first level that is not divided
@@ -33,8 +33,8 @@ struct PartTask {
     static PartTask from(Packet& packet);
 };
 
-/// What a process does for its part. All processes call the same functions in the same order, the constructor
-/// excepted. Vectors have a column for every vertex of the part.
+/// Solves for the part of one process. All processes call the same functions in the same order, the
+/// constructor excepted. Vectors have a column for every vertex of the part.
 template <int Dim>
 class PartSolver {
   public:
@@ -46,12 +46,12 @@ class PartSolver {
     int own() const { return m_own; }
     int vertices() const { return m_plan->vertexCount; }
 
-    /// As BackEnd::setShape(), with the cell's number in the whole mesh.
+    /// Does the same as BackEnd::setShape(); the returned cell is numbered as in the whole mesh.
     int setShape(Points<Dim> shape);
-    /// As IterativeSolver; the stop and the goal's functions count in the first process.
+    /// Do the same as those of IterativeSolver. `stop` and the goal's functions count in the first process.
     BuildStatus build(const std::stop_token& stop);
     Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v);
-    /// As BackEnd::energy(), of the whole.
+    /// Returns BackEnd::energy() of the whole mesh.
     double energy(const Points<Dim>& v);
 
   private:

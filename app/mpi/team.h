@@ -46,11 +46,11 @@ class Team {
     /// From every process to every other: what each has got, by the processes that it comes from.
     std::vector<Packet> exchange(std::vector<Packet> sent) const;
     std::vector<std::vector<int>> exchange(const std::vector<std::vector<int>>& sent) const;
-    /// Of so many numbers for every entry of the lists.
+    /// Exchanges lists that have `numbers` values for every entry of `expected`.
     std::vector<std::vector<double>> exchange(std::vector<std::vector<double>>& sent,
                                               const std::vector<std::vector<int>>& expected,
                                               int numbers) const;
-    /// What the first process answers.
+    /// Returns the answer of the first process.
     bool decide(bool answer) const;
 
     /// Does some work without messages, and throws in all processes if it throws in one: in the first process

@@ -41,7 +41,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     void listContributions();
     void connect();
     isotropic::Jump kindOfJump() const;
-    /// What contributions are made of, at one shape.
+    /// Factors of the contributions at one shape.
     struct Terms {
         std::vector<double> gradients;     // of the corners
         std::vector<double> coefficients;  // pairs: of the cells, then of the facets

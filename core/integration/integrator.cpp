@@ -181,8 +181,8 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
     return m_failure.outcome.done();
 }
 
-/// Where the iterations of multigrid did not converge, and it was not asked for: from now on fields are
-/// solved for by factors, if these fit into the machine.
+/// Replaces multigrid by factors for the rest of the run, if its iterations did not converge, it was chosen
+/// automatically, and the factors fit into memory. Returns whether it did.
 template <int Dim>
 bool Deformer<Dim>::Integrator::solveDirectly() {
     if (m_failure.outcome.kind != SolveOutcome::Kind::NotConverged ||

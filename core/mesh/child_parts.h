@@ -11,7 +11,7 @@
 #include <new>
 #include <utility>
 
-// What child processes of either kind are made of (child_process.h, child_link.h).
+// Parts that both kinds of child processes share (child_process.h, child_link.h).
 
 namespace wend {
 

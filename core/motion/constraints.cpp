@@ -258,7 +258,7 @@ void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Ancho
         const HandleTimeline<Dim>& timeline = m_timelines[handle];
         const bool wasActive = timeline.active(t, Side::Before),
                    staysActive = timeline.active(t, Side::After);
-        // What slid begins the next motion where it is.
+        // A point that slid begins the next motion at its present place.
         if (wasActive && staysActive && !m_points[k].slides) {
             if (timeline.motionAt(t, Side::Before) == timeline.motionAt(t, Side::After)) continue;
             anchors[k] = place(before[handle], k, anchors[k]);  // a motion begins with the identity

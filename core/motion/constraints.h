@@ -73,7 +73,8 @@ class Constraints {
     const Hold& hold(int handle) const { return m_holds[static_cast<size_t>(handle)]; }
     /// The part of a vector along the directions in which the points of a handle are held.
     Vec<Dim> heldPart(int handle, const Vec<Dim>& v) const;
-    /// What counts of a difference between a point's place or velocity and the prescribed one.
+    /// Returns the part of a difference from the prescribed place or velocity in the directions that are
+    /// held.
     Vec<Dim> deviation(int id, const Vec<Dim>& difference) const {
         const ConstrainedPoint& point = m_points[static_cast<size_t>(id)];
         return point.slides ? heldPart(point.handle, difference) : difference;
@@ -112,7 +113,7 @@ class Constraints {
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
   private:
-    /// Where a handle's points are from their anchors, by its motion of that number (−1: it holds still).
+    /// Maps a handle's anchors to its points, by the motion with that number (−1: it holds still).
     struct HandleMap {
         MovingMap<Dim> map;
         int motion = -1;

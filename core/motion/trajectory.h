@@ -19,8 +19,7 @@ template <int Dim>
 struct MovingMap {
     AffineMap<Dim> position;
     AffineMap<Dim> velocity;  // the analytic derivative of position: d/dt (A x + b) = velocity(x)
-    /// Of a FieldMotion: the part of its own displacement that each point has made in addition, and d/dt of
-    /// it.
+    /// The part of its own displacement that each point has made in addition (FieldMotion), and its d/dt.
     double share = 0, shareRate = 0;
 };
 

@@ -11,7 +11,7 @@ namespace {
 // What a last step without its product may leave of the error at least, for all that is expected of it.
 constexpr double kPlainContraction = 0.25;
 
-/// Of the unknowns of all parts.
+/// Returns aᵀ b over the unknowns of all parts.
 template <int Dim>
 double dot(const Points<Dim>& a, const Points<Dim>& b, const PartLinks& links) {
     const int own = links.own(static_cast<int>(a.cols()));

@@ -28,8 +28,8 @@ class IterativeSolver {
     virtual double needed() const { return 0; }
     /// Applies the matrix; does not assemble it.
     virtual BackEnd<Dim>& backEnd() = 0;
-    /// What follows from cells and the present system alone; epsilon as in BackEnd::setMassRegularization(),
-    /// which gets it.
+    /// Prepares all that follows from cells and the present system alone, and passes epsilon on to
+    /// BackEnd::setMassRegularization().
     virtual void analyze(std::vector<double> epsilon) = 0;
     /// Builds all levels at a shape, which is the back end's.
     virtual BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop) = 0;
@@ -37,9 +37,8 @@ class IterativeSolver {
     virtual Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) = 0;
 };
 
-/// What an iterative solver is made for: a plan, the rest mesh that it was made of (normalized), a valid
-/// material, and the system, which changes with the constraints; threads as in BackEndFactory. References
-/// outlive the solver.
+/// The task of an iterative solver: a plan, its normalized rest mesh, a valid material, and the system, which
+/// changes with the constraints; threads as in BackEndFactory. References outlive the solver.
 template <int Dim>
 struct SolverTask {
     std::shared_ptr<const AssemblyPlan<Dim>> plan;

@@ -38,7 +38,7 @@ class PartLinks {
     /// The sum over all parts, and the largest value, which is not a number if one of them is not.
     virtual double sum(double part) const { return part; }
     virtual double largest(double part) const { return part; }
-    /// What the first part answers, and whether all do.
+    /// Return the answer of the first part, and whether all answer yes.
     virtual bool decide(bool answer) const { return answer; }
     virtual bool all(bool answer) const { return answer; }
 };

@@ -231,7 +231,7 @@ class TestPoseMotion : public QObject {
                 std::string::npos);
     }
 
-    /// What a handle has done of what it will do.
+    /// The fraction of its motion that a handle has made.
     void reach() {
         Handle<2> handle;
         QCOMPARE(reachOf(handle, 0), 1.0);

@@ -1,4 +1,4 @@
-// What becomes of a run whose iterations do not converge: factors take over, or it ends at once and says so.
+// Runs whose iterations do not converge: factors take over, or the run ends at once with a message.
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"

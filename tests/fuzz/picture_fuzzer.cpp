@@ -104,7 +104,7 @@ std::string changed(const Sample& sample, unsigned seed) {
 
 // --- Reading ---
 
-/// What reading a file led to: an empty text if it was read, or what was said.
+/// Returns an empty text if the file was read, or the message of the reader.
 std::string read(const fs::path& path) {
     alarm(300);
     try {

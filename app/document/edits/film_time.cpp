@@ -121,7 +121,7 @@ Recorded<Dim> upTo(const Recorded<Dim>& motion, double u) {
     return result;
 }
 
-/// What is cut off is no longer what the file says.
+/// Returns the part of the motion up to u. Its values differ from those of the file, which is named no more.
 template <int Dim>
 FieldMotion<Dim> upTo(const FieldMotion<Dim>& motion, double u) {
     auto values = std::make_shared<Displacements<Dim>>(*motion.values);

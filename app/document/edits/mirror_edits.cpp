@@ -32,7 +32,7 @@ void change(Recorded<Dim>& stroke, const Mirror<Dim>& mirror) {
     mirrorAll(stroke.points, mirror);
 }
 
-/// What is mirrored is no longer what the file says. The vertices stay those that are named.
+/// Mirrors the displacements, not the vertices. They differ from those of the file, which is named no more.
 template <int Dim>
 void change(FieldMotion<Dim>& motion, const Mirror<Dim>& mirror) {
     auto values = std::make_shared<Displacements<Dim>>(*motion.values);

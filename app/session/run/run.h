@@ -24,7 +24,7 @@ struct AdvanceResult;
 
 using FileNames = std::vector<std::string>;
 
-/// What a run writes, each into any number of files; "-" is standard output.
+/// The outputs of a run, each written to any number of files; "-" is standard output.
 struct RunOutputs {
     FileNames image, mesh, velocity, stMap, report;
     std::array<FileNames, 3> material;  // by MaterialPart: at rest, of what there is in the plane
@@ -60,7 +60,7 @@ struct CanvasChoice {
     PixelRect part;  // of Canvas::Part
 };
 
-/// What solves for velocity fields by multigrid; empty: this process.
+/// Makers of the solvers by multigrid; if empty, this process solves.
 struct RunSolvers {
     IterativeSolverFactory<2> plane;
     IterativeSolverFactory<3> space;

@@ -52,7 +52,7 @@ std::string materialDigest(const Material<Dim>& material) {
     return digest.text();
 }
 
-/// Of motions that are in other files, what these say.
+/// Adds the contents of the files that motions are read from.
 template <int Dim>
 void addMotionFiles(const Design<Dim>& design, Digest& digest) {
     for (const Handle<Dim>& handle : design.handles)

@@ -3,8 +3,8 @@
 namespace wend {
 namespace {
 
-// Of the diagonal of the coarsest matrix, tried in turn. A body that is nearly free has rigid motions whose
-// energy is less than the rounding of a matrix in single precision.
+// Additions to the diagonal of the coarsest matrix, relative to it, tried in turn: the rigid motions of a
+// body that is nearly free have less energy than the rounding of a matrix in single precision.
 constexpr double kShifts[] = {0, 1e-7, 1e-5, 1e-3};
 
 }  // namespace

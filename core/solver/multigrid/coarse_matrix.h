@@ -7,14 +7,14 @@
 
 namespace wend {
 
-/// What the rows of K of a part add to Pᵀ K P, its lower triangle: of every row the number of its blocks,
-/// their columns, ascending, and values. Rows and columns are numbers of aggregates in the whole.
+/// The contribution of a part's rows of K to the lower triangle of Pᵀ K P: the number of blocks in every row,
+/// their columns, ascending, and their values. Rows and columns are numbers of aggregates in the whole.
 template <int Modes>
 struct CoarseShare {
     std::vector<int> rows, count, columns;
     std::vector<unsigned> missing;  // per row: see Prolongation
     std::vector<Eigen::Matrix<float, Modes, Modes>> blocks;
-    // What single precision leaves of the blocks, where the sum over the parts is to be that of the whole.
+    // Remainders of the blocks beyond single precision, if the sum over the parts must be that of the whole.
     std::vector<Eigen::Matrix<float, Modes, Modes>> rests;
     // The aggregates that have no rows in other parts, and what Prolongation::build() returns of them.
     std::vector<int> own;

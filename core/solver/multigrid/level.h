@@ -18,8 +18,8 @@ class Level {
     /// z ≈ A⁻¹ r on the next level; false if that is not finite.
     using CoarseSolve = std::function<bool(const Points<Modes>& r, Points<Modes>& z)>;
 
-    /// Of K, whose rows have the motions of the near null space; `held` as in Chebyshev. What the next level
-    /// is made of goes to `share`.
+    /// Builds the level of K, whose rows have the motions of the near null space; `held` as in Chebyshev.
+    /// Puts the contribution to the next level into `share`.
     BuildStatus build(const BlockRows<Size>& K, const Aggregates& aggregates,
                       const std::vector<Motions>& motions, const std::vector<unsigned>& held,
                       const PartLinks& links, WorkerPool& workers, const std::stop_token& stop,

@@ -24,8 +24,8 @@ class Multigrid {
               CoarseSolver<kModes>& coarse)
         : m_backEnd(backEnd), m_system(system), m_links(links), m_coarse(coarse) {}
 
-    /// What follows from cells and constraints alone. The plan outlives it. The aggregates of the first
-    /// unknowns, which are the part's own: none of these has unknowns in other parts.
+    /// Prepares all that follows from cells and constraints alone. The plan outlives it. `aggregates` are of
+    /// the first unknowns, which are the part's own: none of these has unknowns in other parts.
     void analyze(const AssemblyPlan<Dim>& plan, Aggregates aggregates);
     /// All levels at a shape, which is the back end's.
     BuildStatus build(const Points<Dim>& shape, const std::stop_token& stop);

@@ -14,7 +14,7 @@ template <int Size, int Modes>
 class Prolongation {
   public:
     using Block = Eigen::Matrix<float, Size, Modes, Eigen::RowMajor>;
-    /// Of a row: the values of all motions.
+    /// The values of all motions at one row.
     using Motions = Eigen::Matrix<double, Size, Modes>;
     using Square = Eigen::Matrix<double, Modes, Modes>;
 
@@ -35,7 +35,7 @@ class Prolongation {
     int begin(int row) const { return m_start[row]; }
     int aggregate(int entry) const { return m_aggregate[entry]; }
     const Block& block(int entry) const { return m_blocks[entry]; }
-    /// Of an aggregate: the rows of K that have it, ascending, and their entries.
+    /// The rows of K that have an aggregate, ascending, and their entries.
     int usersBegin(int aggregate) const { return m_usersStart[aggregate]; }
     int user(int place) const { return m_users[place]; }
     int userEntry(int place) const { return m_userEntries[place]; }

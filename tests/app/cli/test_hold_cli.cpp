@@ -221,7 +221,7 @@ void TestHoldCli::inThePlane() {
     QVERIFY((end.col(21) - rest.col(21) - Vec<3>(1, 1, 0)).norm() > 0.01);
 }
 
-/// What has slid begins the next motion where it is; outside its active time it is free.
+/// A vertex that slid begins the next motion at its present place, and is free outside its active time.
 void TestHoldCli::motionsFollowEachOther() {
     const std::string twice =
         "{'kind': 'translate', 'by': [0, 0, 0.5], 'time': [0, 1]}, {'kind': 'translate', 'by': [0, 0, 0.25], "
