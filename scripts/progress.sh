@@ -1,7 +1,7 @@
 # Sourced by setup.sh. Tells what a build does: in one changing line on a terminal, in a line for every tenth of it elsewhere.
 # The clock is only for what is told; nothing depends on it.
 
-seconds_per_step=3.5 # of one core, measured without ccache; an estimate for the first line
+seconds_per_step=5 # of one core, measured without ccache; an estimate for the first line
 
 minutes_of() { # STEPS: what they take on this machine, in whole minutes
     awk -v steps="$1" -v each="$seconds_per_step" -v cores="$(nproc)" \

@@ -3,31 +3,30 @@
 namespace wend {
 namespace {
 
+/// Calls `visit` with every list of a share, in the order in which they are sent.
+template <class Share, class Visit>
+void forLists(Share& share, Visit&& visit) {
+    visit(share.rows);
+    visit(share.count);
+    visit(share.columns);
+    visit(share.missing);
+    visit(share.blocks);
+    visit(share.rests);
+    visit(share.own);
+    visit(share.motions);
+}
+
 template <int Modes>
 Packet packed(const CoarseShare<Modes>& share) {
     Packet packet;
-    packet.put(share.rows);
-    packet.put(share.count);
-    packet.put(share.columns);
-    packet.put(share.missing);
-    packet.put(share.blocks);
-    packet.put(share.rests);
-    packet.put(share.own);
-    packet.put(share.motions);
+    forLists(share, [&](const auto& list) { packet.put(list); });
     return packet;
 }
 
 template <int Modes>
 CoarseShare<Modes> unpacked(Packet packet) {
     CoarseShare<Modes> share;
-    packet.get(share.rows);
-    packet.get(share.count);
-    packet.get(share.columns);
-    packet.get(share.missing);
-    packet.get(share.blocks);
-    packet.get(share.rests);
-    packet.get(share.own);
-    packet.get(share.motions);
+    forLists(share, [&](auto& list) { packet.get(list); });
     return share;
 }
 
@@ -44,7 +43,7 @@ DividedCoarse<Modes>::DividedCoarse(const Team& team, Graph aggregates, WorkerPo
     if (team.isFirst()) m_levels.analyze(std::move(aggregates));
 }
 
-/// In the first process.
+/// Runs in the first process.
 template <int Modes>
 BuildStatus DividedCoarse<Modes>::gather(CoarseShare<Modes> share, const std::stop_token& stop) {
     std::vector<CoarseShare<Modes>> shares;

@@ -45,7 +45,7 @@ expect "a pace" "$(time_left 60 100 400)" ", about 3 minutes left"
 expect "no pace yet" "$(time_left 10 5 400)" ""
 nproc() { echo 2; }
 expect "first line" "$(announce_build 400 first)" \
-    "First build: 400 steps, about 12 minutes on 2 cores (less where ccache has seen them)."
+    "First build: 400 steps, about 17 minutes on 2 cores (less where ccache has seen them)."
 expect "a few files are not announced" "$(announce_build 7 again)" ""
 
 echo "Totals: $passed passed, $failed failed, 0 skipped"
