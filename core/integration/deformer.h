@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -100,6 +101,8 @@ class Deformer {
     /// a factor is made that the machine has not the memory for.
     struct Watch {
         std::vector<double> frames;
+        /// The first step that reaches this time is the last one; it is not cut there.
+        double enough = std::numeric_limits<double>::infinity();
         std::function<void(const State<Dim>&)> onFrame;
         std::function<void(double)> progress;
         std::stop_token stop;

@@ -289,7 +289,7 @@ AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch
         }
     };
     emitHere();
-    while (good && state.time < time) {
+    while (good && state.time < std::min(time, watch.enough)) {
         good = goesOn(time);
         if (good) emitHere();
     }

@@ -146,7 +146,7 @@ class Run {
         typename Deformer<Dim>::Watch watch;
         watch.stop = m_watch.stop;
         watch.progress = [this](double time) {
-            if (m_watch.progress) m_watch.progress("deforming", flowEnd() > 0 ? time / flowEnd() : 1);
+            if (m_watch.progress) m_watch.progress("deforming", end() > 0 ? std::min(time / end(), 1.0) : 1);
         };
         watch.factorizing = [this](double part) {
             if (m_watch.progress) m_watch.progress("factorizing", part);
@@ -170,6 +170,7 @@ class Run {
                 for (StatesWriter<Dim>& states : m_states) states.add(step);
                 if (m_states.front().isDue()) keepState();
             };
+        watch.enough = end();
         const AdvanceResult result = m_deformer.advance(flowEnd(), watch);
         const double time = m_deformer.state().time;
         if (!m_states.empty() && time > 0 && m_states.front().reached() != time) keepState();

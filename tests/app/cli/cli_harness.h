@@ -47,6 +47,18 @@ inline void putProject(const QString& folder, const char* name, const std::strin
     put(folder, name, json("{'format': 'wend', 'version': 1, " + rest + "}"));
 }
 
+/// The motion of a handle that moves by @p there in one unit of time, back in the next, and so on for 10,000
+/// of them: no machine comes to its end before a test stops the run.
+inline std::string endlessMotion(const char* there, const char* back) {
+    std::string motion = "'motion': [";
+    for (int k = 0; k < 10000; ++k) {
+        const std::string time = std::to_string(k) + ", " + std::to_string(k + 1);
+        motion += (k > 0 ? ", " : "") + std::string("{'kind': 'translate', 'by': ") +
+                  (k % 2 == 0 ? there : back) + ", 'time': [" + time + "]}";
+    }
+    return motion + "]";
+}
+
 /// Points row by row, nx × ny unit squares, each of two triangles.
 inline wend::SimplicialMesh<2> stripMesh(int nx, int ny) {
     wend::SimplicialMesh<2> mesh;

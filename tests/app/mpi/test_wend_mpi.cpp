@@ -91,6 +91,11 @@ void TestWendMpi::initTestCase() {
                    ends +
                    ", {'at': {'points': [[5.3, 5.4, 10.2], [5.6, 5.4, 10.3]]}}, {'at': {'region': {'box': "
                    "{'min': [-1, -1, 5], 'max': [12, 0.3, 15]}}}, 'hold': ['y']}]");
+    putProject(path(), "endless.wend",
+               "'domain': {'mesh': 'bar.mesh'}, 'handles': [{'at': {'region': {'box': {'min': [-1, -1, -1], "
+               "'max': [12, 12, 0.4]}}}}, {'at': {'region': {'box': {'min': [-1, -1, 19.6], 'max': [12, 12, "
+               "21]}}}, " +
+                   endlessMotion("[4, 0, 0]", "[-4, 0, 0]") + "}]");
     // In two times, with other constraints in each.
     putProject(path(), "plane.wend",
                "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'points': [[0.5, 1], [0.5, 15]]}}, "
@@ -178,8 +183,8 @@ void TestWendMpi::cancelledRuns() {
     process.setWorkingDirectory(path());
     process.setProcessEnvironment(environment());
     process.setReadChannel(QProcess::StandardError);
-    process.start("mpirun", launch(3) + QStringList{"run", "twist.wend", "--tolerance", "1e-9", "--mesh",
-                                                    "long.mesh", "--progress"});
+    process.start("mpirun",
+                  launch(3) + QStringList{"run", "endless.wend", "--mesh", "long.mesh", "--progress"});
     QByteArray said;
     while (!said.contains("deforming") && process.waitForReadyRead(60000))
         said += process.readAllStandardError();
