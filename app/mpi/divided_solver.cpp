@@ -5,6 +5,7 @@
 
 #include "app/mpi/part_solver.h"
 #include "app/mpi/partition.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 namespace {
@@ -255,6 +256,9 @@ PartTask<Dim> DividedSolver<Dim>::taskOf(Part<Dim> part, const std::vector<doubl
 
 template <int Dim>
 void DividedSolver<Dim>::analyze(std::vector<double> epsilon) {
+    if (m_system.sliders().areGuided())
+        throw InputError(
+            "a handle slides on a surface, which only one process can solve for: use `wend run`");
     m_part.reset();
     m_parts.clear();
     m_unknownOf.assign(m_plan->vertexCount, -1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -26,8 +27,25 @@ Sliders slidersOf(const Constraints<Dim>& constraints, const std::vector<int>& i
         const auto& hold = constraints.hold(point.handle);
         Slider& slider = sliders.emplace_back(Slider{point.terms.front().first, hold.held});
         if (hold.normal) slider.normal.template head<Dim>() = *hold.normal;
+        if (!point.isGuided()) continue;
+        slider.isGuided = true;
+        slider.normal.template head<Dim>() = constraints.restNormal(id);
     }
     return sliders;
+}
+
+template <int Dim>
+std::vector<int> guidedAlone(const Constraints<Dim>& constraints, const std::vector<int>& held,
+                             const std::vector<int>& sliding) {
+    if (!constraints.hasGuides()) return {};
+    const auto& points = constraints.points();
+    std::set<int> vertices;
+    for (const int id : held)
+        if (points[id].terms.size() == 1) vertices.insert(points[id].terms.front().first);
+    std::vector<int> result;
+    for (const int id : sliding)
+        if (points[id].isGuided() && !vertices.contains(points[id].terms.front().first)) result.push_back(id);
+    return result;
 }
 
 namespace {
@@ -147,6 +165,10 @@ void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& r
     Rehearsal<Dim>(constraints, rest, units).run();
 }
 
+template std::vector<int> guidedAlone<2>(const Constraints<2>&, const std::vector<int>&,
+                                         const std::vector<int>&);
+template std::vector<int> guidedAlone<3>(const Constraints<3>&, const std::vector<int>&,
+                                         const std::vector<int>&);
 template Sliders slidersOf<2>(const Constraints<2>&, const std::vector<int>&);
 template Sliders slidersOf<3>(const Constraints<3>&, const std::vector<int>&);
 template std::vector<ConstraintRow> rowsOf<2>(const Constraints<2>&, const std::vector<int>&);

@@ -14,6 +14,12 @@ std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std
 template <int Dim>
 Sliders slidersOf(const Constraints<Dim>& constraints, const std::vector<int>& ids);
 
+/// Returns those of some sliding points that slide on surfaces and whose vertex none of the points with the
+/// first ids holds.
+template <int Dim>
+std::vector<int> guidedAlone(const Constraints<Dim>& constraints, const std::vector<int>& held,
+                             const std::vector<int>& sliding);
+
 /// Throws InputError naming two handles that prescribe different motions for one point: linearly dependent
 /// rows whose velocities are not the same combination. They are compared at several times between consecutive
 /// breakpoints, on the trajectories from rest. Handles that agree are accepted: the solver drops the

@@ -38,6 +38,7 @@ std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const No
         held.at = handle.at;
         held.slides = handle.slides;
         held.normal = handle.normal;
+        if (handle.motions.empty()) held.slide = handle.slide;  // a surface that moves is not followed
         result.push_back(units.normal(held));
     }
     return result;
@@ -55,11 +56,6 @@ Trajectory<Dim> trajectory(const Motion<Dim>& motion, const Normalization<Dim>& 
 template <int Dim>
 AffineMap<Dim> normalized(const AffineMap<Dim>& map, const Normalization<Dim>& units) {
     return {map.A, units.normal(Vec<Dim>(map(units.centre))).eval()};
-}
-
-template <int Dim>
-std::vector<int> allOf(const Constraints<Dim>& constraints) {
-    return constraints.activePoints(0, Side::After);
 }
 
 }  // namespace
@@ -80,8 +76,12 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
     requireValid<Dim>(*material, m_rest->cellCount());
     m_solver.setVelocityTolerance(kVelocityTolerance);
     m_solver.setLongestPause(kLongestPause);
-    m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)),
-                            slidersOf(m_constraints, m_constraints.activeSliders(0, Side::After)));
+    m_ids = m_constraints.activePoints(0, Side::After);
+    const std::vector<int> sliding = m_constraints.activeSliders(0, Side::After);
+    m_solver.setConstraints(rowsOf(m_constraints, m_ids), slidersOf(m_constraints, sliding));
+    m_guided = guidedAlone(m_constraints, m_ids, sliding);
+    m_sliders = static_cast<Eigen::Index>(sliding.size());
+    m_ids.insert(m_ids.end(), sliding.begin(), sliding.end());
     begin(m_domainRest->points);
     prepare();
 }
@@ -167,6 +167,7 @@ double DragFlow<Dim>::firstPart(const Targets& displacement) const {
 template <int Dim>
 bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field) {
     const bool reuses = m_solver.reuses();
+    guide(shape);
     m_solver.setMemoryRate(m_memory * largestColumn<Dim>(displacement));
     m_failure =
         m_solver.solve(shape, displacement, field, reuses ? m_history.fitting(displacement) : std::nullopt);
@@ -175,12 +176,30 @@ bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& displacement,
     return m_failure.done();
 }
 
+/// Holds points that slide on surfaces along the normals there.
+template <int Dim>
+void DragFlow<Dim>::guide(const Points<Dim>& shape) {
+    if (!m_constraints.hasGuides()) return;
+    Targets places = m_targets, velocities = m_targets;
+    m_constraints.guide(m_ids, shape, 0, Side::After, places, velocities, m_directions);
+    m_solver.setDirections(m_directions.rightCols(m_sliders));
+}
+
+template <int Dim>
+void DragFlow<Dim>::project(Points<Dim>& shape, const Targets& targets) {
+    m_solver.project(shape, targets);
+    if (m_guided.empty()) return;
+    m_constraints.pull(m_guided, 0, Side::After, shape);
+    m_solver.project(shape, targets);
+}
+
 template <int Dim>
 bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& displacement) const {
     double miss = 0;
     for (Eigen::Index i = 0; i < displacement.cols(); ++i) {
         const Vec<Dim> v = m_constraints.points()[i].template in<Dim>(field);
-        const Vec<Dim> off = m_constraints.deviation(static_cast<int>(i), v - displacement.col(i));
+        Vec<Dim> off = m_constraints.deviation(static_cast<int>(i), v - displacement.col(i));
+        if (m_constraints.points()[i].isGuided()) off = m_directions.col(i) * m_directions.col(i).dot(off);
         miss = std::max(miss, off.norm());
     }
     return miss <= kGoodGuess * largestColumn<Dim>(displacement);
@@ -201,7 +220,7 @@ bool DragFlow<Dim>::step(const Targets& targets) {
     Points<Dim> field;
     if (!solve(m_shape + 0.5 * *guess, displacement, field)) return false;
     Points<Dim> next = m_shape + field;
-    m_solver.project(next, targets);
+    project(next, targets);
     const int inverted = m_orientation.firstInverted(next);
     m_failure = {inverted < 0 ? SolveOutcome::Kind::Done : SolveOutcome::Kind::CellInverted, inverted};
     if (inverted >= 0) return false;
@@ -216,6 +235,7 @@ void DragFlow<Dim>::publish() {
     takeAlong<Dim>(m_twins, m_pose);
     m_constraintError = 0;
     for (Eigen::Index i = 0; i < m_targets.cols(); ++i) {
+        if (m_constraints.points()[i].isGuided()) continue;
         const Vec<Dim> p = m_constraints.points()[i].template in<Dim>(m_shape);
         const Vec<Dim> off = m_constraints.deviation(static_cast<int>(i), p - m_targets.col(i));
         m_constraintError = std::max(m_constraintError, m_units.size * off.norm());

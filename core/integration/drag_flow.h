@@ -56,6 +56,8 @@ class DragFlow {
     bool solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field);
     bool moves(const Points<Dim>& field, const Targets& displacement) const;
     void prepare();
+    void guide(const Points<Dim>& shape);
+    void project(Points<Dim>& shape, const Targets& targets);
     void publish();
     std::string describe(const SolveOutcome& failure, const std::vector<int>& handles) const;
 
@@ -68,7 +70,9 @@ class DragFlow {
     VelocityHistory<Dim> m_history;
     double m_memory;  // ρ
     Points<Dim> m_shape, m_pose;
-    Targets m_targets;
+    Targets m_targets, m_directions;
+    Eigen::Index m_sliders = 0;
+    std::vector<int> m_ids, m_guided;  // all points, and those that slide on surfaces and are not held
     SolveOutcome m_failure;
     double m_constraintError = 0;
     int m_evaluations = 0;

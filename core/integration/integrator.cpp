@@ -125,7 +125,18 @@ void Deformer<Dim>::Integrator::activate(Side side) {
     m_ids = m_constraints->activePoints(state.time, side);
     const std::vector<int> sliding = m_constraints->activeSliders(state.time, side);
     m_solver->setConstraints(rowsOf(*m_constraints, m_ids), slidersOf(*m_constraints, sliding));
+    m_sliders = static_cast<Eigen::Index>(sliding.size());
+    m_guided = guidedAlone(*m_constraints, m_ids, sliding);
     m_ids.insert(m_ids.end(), sliding.begin(), sliding.end());
+}
+
+/// Evaluates the constraints at a time and, for points that slide on surfaces, at a shape.
+template <int Dim>
+void Deformer<Dim>::Integrator::prescribe(double t, Side side, const Points<Dim>& shape) {
+    m_constraints->evaluate(m_ids, state.anchors, t, side, m_targets, m_prescribed);
+    if (!m_constraints->hasGuides()) return;
+    m_constraints->guide(m_ids, shape, t, side, m_targets, m_prescribed, m_directions);
+    m_solver->setDirections(m_directions.rightCols(m_sliders));
 }
 
 /// Returns whether a handle moves or the shape relaxes.
@@ -168,7 +179,7 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
         m_failure.cancelled = true;
         return false;
     }
-    m_constraints->evaluate(m_ids, state.anchors, t, side, m_targets, m_prescribed);
+    prescribe(t, side, *m_solver->stages().shape());
     m_solver->setMemoryRate(memoryRate(t, side));
     m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
     m_solver->setProgress(m_watch ? m_watch->factorizing : nullptr);
@@ -198,10 +209,18 @@ bool Deformer<Dim>::Integrator::solveDirectly() {
     return true;
 }
 
+/// Points that slide on surfaces and other constraints take turns, until both hold to rounding.
 template <int Dim>
 void Deformer<Dim>::Integrator::project(double t, Points<Dim>& shape) {
+    constexpr int kMostTurns = 50;
+    constexpr double kOnSurface = 1e-14;  // of the size, which is 1
     m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
     m_solver->project(shape, m_targets);
+    if (m_guided.empty()) return;
+    for (int k = 0; k < kMostTurns; ++k) {
+        if (m_constraints->pull(m_guided, t, Side::Before, shape) <= kOnSurface) return;
+        m_solver->project(shape, m_targets);
+    }
 }
 
 /// Dense output ignores orientation: an interpolated shape with an inverted cell is blended towards the
@@ -330,6 +349,7 @@ Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
 template <int Dim>
 double Deformer<Dim>::Integrator::restForce() {
     activate(flows(state.time, Side::Before) ? Side::Before : Side::After);
+    prescribe(state.time, m_activeSide, state.normalized);
     return m_solver->restForce(state.normalized);
 }
 

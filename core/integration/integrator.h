@@ -56,6 +56,7 @@ struct Deformer<Dim>::Integrator {
     bool evaluate(double t, Side side, Points<Dim>& velocity);
     bool solveDirectly();
     double memoryRate(double t, Side side) const;
+    void prescribe(double t, Side side, const Points<Dim>& shape);
     void project(double t, Points<Dim>& shape);
 
     // Steps
@@ -105,7 +106,9 @@ struct Deformer<Dim>::Integrator {
     Side m_activeSide = Side::Before;
     std::vector<int>
         m_ids;  // the active constrained points, as the solver has them: those that slide come last
-    Points<Dim> m_targets, m_prescribed;
+    Eigen::Index m_sliders = 0;  // the number of those
+    std::vector<int> m_guided;   // of these, those that slide on surfaces and that no other handle holds
+    Points<Dim> m_targets, m_prescribed, m_directions;
     Points<Dim> m_next;   // the result of an attempt, projected
     Statistics m_before;  // of the run that known steps are from, and of the solver before this one
     Failure m_failure;

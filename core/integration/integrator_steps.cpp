@@ -221,8 +221,11 @@ void Deformer<Dim>::Integrator::arrive(double to) {
 
 template <int Dim>
 void Deformer<Dim>::Integrator::measureError(double t) {
-    m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
+    prescribe(t, Side::Before, state.normalized);
     for (size_t i = 0; i < m_ids.size(); ++i) {
+        const bool isHeldElsewhere =
+            m_constraints->points()[m_ids[i]].isGuided() && std::ranges::count(m_guided, m_ids[i]) == 0;
+        if (isHeldElsewhere) continue;
         const Vec<Dim> p = m_constraints->points()[m_ids[i]].template in<Dim>(state.normalized);
         const double distance =
             m_constraints->deviation(m_ids[i], p - m_targets.col(static_cast<Eigen::Index>(i))).norm();

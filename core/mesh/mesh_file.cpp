@@ -61,13 +61,13 @@ void putAll(const std::vector<std::string>& paths, const std::vector<std::string
 
 }  // namespace
 
-MeshFile readMeshFile(const std::string& path) {
+MeshFile readMeshFile(const std::string& path, MeshNeeds needs) {
     const auto& format = formats::formatOf(path);
     std::vector<MeshSource> sources;
     for (const auto& part : pathsOf(format, path)) sources.push_back({part, bytesOf(part)});
     for (const auto& part : besides(format, path))
         sources.push_back({part, fs::exists(part) ? readInput(part) : std::string()});
-    return formats::readSources(format, sources);
+    return formats::readSources(format, sources, needs);
 }
 
 void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options) {

@@ -49,6 +49,9 @@ struct MeshFile {
     bool made = false;
 };
 
+/// What a file has to hold at least: triangles or tetrahedra, or only points.
+enum class MeshNeeds { Cells, Points };
+
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes
 /// back, but the mesh may still be no partition (see requireValid). Throws InputError(path, place and
 /// reason).
@@ -58,7 +61,7 @@ struct MeshFile {
 /// first counts. Tags of cells are groups and the fields "ref" (Medit), "physical" and "entity" (Gmsh),
 /// "attribute" (TetGen). Polygons, hexahedra, wedges and pyramids are split inside (see finishCells); nodes
 /// between the corners of a cell belong to no triangle or tetrahedron. Polyhedra are errors.
-MeshFile readMeshFile(const std::string& path);
+MeshFile readMeshFile(const std::string& path, MeshNeeds needs = MeshNeeds::Cells);
 
 /// Writes to a temporary file beside `path` and renames it, so that no partial file remains. Throws
 /// InputError on failure. The extension decides the format; cells that it cannot hold (tetrahedra in STL …)

@@ -8,6 +8,7 @@
 
 #include "core/mesh/error.h"
 #include "core/motion/handle_points.h"
+#include "core/motion/sliding.h"
 
 namespace wend {
 
@@ -79,6 +80,21 @@ MovingMap<Dim> HandleTimeline<Dim>::at(double t, Side side) const {
 }
 
 template <int Dim>
+MovingMap<Dim> HandleTimeline<Dim>::bodyAt(double t, Side side) const {
+    MovingMap<Dim> body{{}, {Mat<Dim>::Zero(), Vec<Dim>::Zero()}};
+    for (const Trajectory<Dim>& motion : m_motions) {
+        if (side == Side::After ? t < motion.start() : t <= motion.start()) break;
+        const bool hasEnded = !within(t, motion.start(), motion.end(), side);
+        const MovingMap<Dim> own = motion.at(std::min(t, motion.end()), hasEnded ? Side::Before : side);
+        if (!hasEnded)
+            body.velocity = {own.velocity.A * body.position.A,
+                             own.velocity.A * body.position.b + own.velocity.b};
+        body.position = {own.position.A * body.position.A, own.position(body.position.b)};
+    }
+    return body;
+}
+
+template <int Dim>
 std::vector<double> HandleTimeline<Dim>::breakpoints() const {
     std::vector<double> times;
     for (const Trajectory<Dim>& motion : m_motions) {
@@ -101,7 +117,10 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
                                                   : "handle \"" + handles[i].name + '"');
         try {
             m_timelines.emplace_back(handles[i]);
-            take(placer.place(handles[i].at, static_cast<int>(i)), handles[i]);
+            std::vector<ConstrainedPoint> points = placer.place(handles[i].at, static_cast<int>(i));
+            std::shared_ptr<const GuideSurface<Dim>> surface;
+            if (handles[i].slide) surface = surfaceOf(handles[i], points, rest);
+            take(surface ? onSurface<Dim>(*surface, points, rest.points) : points, handles[i], surface);
         } catch (const InputError& error) {
             throw InputError(m_names.back() + ": " + error.reason());
         }
@@ -110,14 +129,16 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
     }
     std::ranges::stable_partition(m_points, [](const ConstrainedPoint& point) { return !point.slides; });
     takeFields(handles);
+    findRestNormals(rest.points);
     std::sort(m_breakpoints.begin(), m_breakpoints.end());
     m_breakpoints.erase(std::unique(m_breakpoints.begin(), m_breakpoints.end()), m_breakpoints.end());
 }
 
 template <int Dim>
-void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle) {
+void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle,
+                            std::shared_ptr<const GuideSurface<Dim>> surface) {
     constexpr unsigned kAll = (1U << Dim) - 1;
-    Hold hold{kAll & ~handle.slides, {}};
+    Hold hold{kAll & ~handle.slides, {}, std::move(surface)};
     if (handle.normal) {
         if (!(handle.normal->allFinite() && handle.normal->norm() > 0))
             throw InputError("the normal of its hold has no direction");
@@ -139,6 +160,7 @@ void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, const Handle<D
 template <int Dim>
 Vec<Dim> Constraints<Dim>::heldPart(int handle, const Vec<Dim>& v) const {
     const Hold& hold = m_holds[static_cast<size_t>(handle)];
+    if (hold.surface) return v;
     if (hold.normal) return *hold.normal * hold.normal->dot(v);
     Vec<Dim> part = v;
     for (int k = 0; k < Dim; ++k)

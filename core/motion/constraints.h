@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/motion/guide_surface.h"
 #include "core/motion/normalization.h"
 #include "core/motion/trajectory.h"
 
@@ -16,6 +17,12 @@ struct ConstrainedPoint {
     int handle = 0;
     std::vector<std::pair<int, double>> terms;
     bool slides = false;  // it is held in some directions only, see Constraints::heldPart()
+    /// Where it slides on a surface: the part of that, and in which of its normals it is held. A vertex with
+    /// several has a point for each.
+    Track track = Track::None;
+    int normal = 0;
+
+    bool isGuided() const { return track != Track::None; }
 
     template <int Dim>
     Vec<Dim> in(const Points<Dim>& shape) const {
@@ -39,6 +46,9 @@ class HandleTimeline {
     /// Returns the map from a point's place at the start of the current motion to its place at t; identity if
     /// the handle holds still.
     MovingMap<Dim> at(double t, Side side) const;
+    /// Returns the map from the rest place of a body that follows all motions to its place at t, and to its
+    /// velocity.
+    MovingMap<Dim> bodyAt(double t, Side side) const;
     /// Returns all times at which the constraints or their velocities are not smooth.
     std::vector<double> breakpoints() const;
 
@@ -58,20 +68,23 @@ class Constraints {
 
     /// Rest and handles in one frame; `units` says how to print its points. Throws InputError naming the
     /// handle: a point outside the shape, a vertex id out of range, a region without a vertex, no point at
-    /// all, motions as in HandleTimeline.
+    /// all, motions as in HandleTimeline, a surface to slide on that is farther than 1 % of the size.
     Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
                 const Normalization<Dim>& units = {});
 
     /// Those that slide come last.
     const std::vector<ConstrainedPoint>& points() const { return m_points; }
     /// How the points of a handle are held: along `normal` (of length 1) if there is one, else in the
-    /// coordinates whose bits are set in `held`. Of points that do not slide that is all of them.
+    /// coordinates whose bits are set in `held`. Of points that do not slide that is all of them. Points on a
+    /// surface are held along its normals, see guide().
     struct Hold {
         unsigned held = 0;
         std::optional<Vec<Dim>> normal;
+        std::shared_ptr<const GuideSurface<Dim>> surface;
     };
     const Hold& hold(int handle) const { return m_holds[static_cast<size_t>(handle)]; }
-    /// The part of a vector along the directions in which the points of a handle are held.
+    /// The part of a vector along the directions in which the points of a handle are held; on a surface the
+    /// whole vector.
     Vec<Dim> heldPart(int handle, const Vec<Dim>& v) const;
     /// Returns the part of a difference from the prescribed place or velocity in the directions that are
     /// held.
@@ -112,13 +125,31 @@ class Constraints {
     void evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
+    /// Whether any point slides on a surface.
+    bool hasGuides() const { return !m_restNormals.empty(); }
+    /// The direction at rest in which a point that slides on a surface is held.
+    const Vec<Dim>& restNormal(int id) const { return m_restNormals[static_cast<size_t>(id)]; }
+    /// Of the points among `ids` that slide on surfaces: replaces the positions by the nearest places of the
+    /// surfaces as they are at time t, and the velocities by the held parts of the surfaces' there. `normals`
+    /// gets the directions in which they are held, one column per id; those of other points are 0.
+    void guide(const std::vector<int>& ids, const Points<Dim>& shape, double t, Side side,
+               Points<Dim>& positions, Points<Dim>& velocities, Points<Dim>& normals) const;
+    /// Moves the vertices of such points to the nearest places of their surfaces. Returns the greatest
+    /// distance.
+    double pull(const std::vector<int>& ids, double t, Side side, Points<Dim>& shape) const;
+
   private:
     /// Maps a handle's anchors to its points, by the motion with that number (−1: it holds still).
     struct HandleMap {
         MovingMap<Dim> map;
         int motion = -1;
     };
-    void take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle);
+    void take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle,
+              std::shared_ptr<const GuideSurface<Dim>> surface);
+    void findRestNormals(const Points<Dim>& rest);
+    template <class Visit>
+    void forContacts(const std::vector<int>& ids, const Points<Dim>& shape, double t, Side side,
+                     Visit&& visit) const;
     std::vector<int> active(double t, Side side, bool slide) const;
     void takeFields(const std::vector<Handle<Dim>>& handles);
     std::vector<HandleMap> maps(double t, Side side) const;
@@ -129,7 +160,8 @@ class Constraints {
     std::vector<ConstrainedPoint> m_points;
     /// Per point the displacements by FieldMotions, by the number of the motion; empty without any.
     std::vector<std::vector<Vec<Dim>>> m_displacements;
-    std::vector<Hold> m_holds;  // per handle
+    std::vector<Hold> m_holds;            // per handle
+    std::vector<Vec<Dim>> m_restNormals;  // per point; empty if none slides on a surface
     std::vector<HandleTimeline<Dim>> m_timelines;
     std::vector<std::string> m_names;
     std::vector<double> m_breakpoints;

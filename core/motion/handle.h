@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -89,6 +90,20 @@ struct Motion {
 template <int Dim>
 using Placement = std::variant<std::vector<int>, std::vector<Vec<Dim>>, Region<Dim>>;
 
+/// A surface of triangles, or lines of segments; in the plane lines only.
+template <int Dim>
+struct GuideMesh {
+    Points<Dim> points = Points<Dim>(Dim, 0);
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<std::array<int, 2>> segments;
+};
+/// The surface on which the points of a handle slide; in the plane a path.
+template <int Dim>
+struct Slide {
+    std::string file;                            // empty: the rest surface between the points themselves
+    std::shared_ptr<const GuideMesh<Dim>> mesh;  // from the file
+};
+
 /// Properties of a handle for editing; the shape does not depend on them.
 struct HandleTraits {
     bool locked = false;                  // is neither moved nor removed
@@ -110,8 +125,9 @@ struct Handle {
     double activeTo = std::numeric_limits<double>::infinity();
     Extras extras = {};
     unsigned slides = 0;  // bit k: the points are free along coordinate k, and held along the others
-    std::optional<Vec<Dim>> normal = {};  // the points are held along this direction only
-    bool isPartlyHeld() const { return slides != 0 || normal; }
+    std::optional<Vec<Dim>> normal = {};   // the points are held along this direction only
+    std::optional<Slide<Dim>> slide = {};  // the points are held on this surface, which the motions move
+    bool isPartlyHeld() const { return slides != 0 || normal || slide; }
     HandleTraits traits = {};
 };
 

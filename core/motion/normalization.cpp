@@ -60,6 +60,11 @@ Handle<Dim> Normalization<Dim>::normal(const Handle<Dim>& handle) const {
     const Mover<Dim> mover{*this};
     std::visit(mover, result.at);
     for (Motion<Dim>& motion : result.motions) std::visit(mover, motion.kind);
+    if (result.slide && result.slide->mesh) {
+        auto mesh = std::make_shared<GuideMesh<Dim>>(*result.slide->mesh);
+        mesh->points = normal(mesh->points);
+        result.slide->mesh = std::move(mesh);
+    }
     return result;
 }
 

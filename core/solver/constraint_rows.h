@@ -15,11 +15,13 @@ struct ConstraintRow {
 /// A vertex that is held in some directions, and slides across them: along `normal` (of length 1; in the
 /// plane its third coordinate is 0) if that is not zero, else in the coordinates whose bits are set in
 /// `held`. In these directions its velocity is prescribed. A vertex may have several. Where a row makes it a
-/// pivot, the row counts.
+/// pivot, the row counts. A guided one has another normal at every shape, see
+/// VelocitySolver::setDirections().
 struct Slider {
     int vertex = -1;
     unsigned held = 0;
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    bool isGuided = false;
 
     bool hasNormal() const { return !normal.isZero(0); }
     bool operator==(const Slider&) const = default;

@@ -170,6 +170,7 @@ SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const 
     if (ahead) m_backEnd.setStage();
     if (outcome.kind == SolveOutcome::Kind::Stopped) return outcome;
     m_memory.shape = m_shape;
+    m_memory.directions = m_system.directions();
     m_memory.turned = nullptr;
     m_memory.kind = this->kind();
     if (!exact) m_memory.best = this->kind();
@@ -182,8 +183,10 @@ template <int Dim>
 bool FactorCache<Dim>::restore(const std::stop_token& stop) {
     if (!m_memory.shape || m_policy.due()) return false;
     if (m_shape == m_memory.shape && kind() == m_memory.kind) return true;
+    const Nodal<Dim> directions = m_system.setDirections(m_memory.directions);
     const bool done =
         m_backEnd.setShape(*m_memory.shape) < 0 && factorize(m_memory.shape, m_memory.kind, stop).done();
+    m_system.setDirections(directions);
     m_backEnd.setStage();
     return done;
 }

@@ -23,7 +23,7 @@ template <int Dim>
 class FactorCache {
   public:
     /// These outlive it.
-    FactorCache(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, SolverStatistics& statistics)
+    FactorCache(BackEnd<Dim>& backEnd, ReducedSystem<Dim>& system, SolverStatistics& statistics)
         : m_backEnd(backEnd), m_system(system), m_statistics(statistics) {}
 
     /// From now on multigrid takes the factor's place. It outlives this, too.
@@ -82,7 +82,7 @@ class FactorCache {
     bool isRough() const { return m_multigrid || isSingle(); }
 
     BackEnd<Dim>& m_backEnd;
-    const ReducedSystem<Dim>& m_system;
+    ReducedSystem<Dim>& m_system;  // another only while a factor is made again
     SolverStatistics& m_statistics;
     const AssemblyPlan<Dim>* m_plan = nullptr;
     bool m_analyzed = false;

@@ -25,6 +25,12 @@ ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Eliminati
     m_sliders.erase(pivots);
     if (!m_sliders.empty()) m_held.assign(m_unknowns.size(), 0);
     if (!m_sliders.areAlongAxes()) m_projectors.assign(m_unknowns.size(), Mat<Dim>::Zero());
+    placeProjectors();
+    if (!plan.columnStart.empty()) buildPattern(plan);
+}
+
+template <int Dim>
+void ReducedSystem<Dim>::placeProjectors() {
     for (const auto& slider : m_sliders.vertices()) {
         if (m_unknownOf[slider.vertex] < 0) continue;
         const auto unknown = static_cast<std::size_t>(m_unknownOf[slider.vertex]);
@@ -33,7 +39,15 @@ ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Eliminati
         else
             m_projectors[unknown] = slider.projector;
     }
-    if (!plan.columnStart.empty()) buildPattern(plan);
+}
+
+template <int Dim>
+Nodal<Dim> ReducedSystem<Dim>::setDirections(Nodal<Dim> directions) {
+    if (directions && directions != m_directions) {
+        m_sliders.turn(*directions);
+        placeProjectors();
+    }
+    return std::exchange(m_directions, std::move(directions));
 }
 
 /// Takes out of a block what couples held coordinates.

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/assembly/assembly_plan.h"
+#include "core/assembly/stage_vectors.h"
 #include "core/solver/constraint_rows.h"
 #include "core/solver/slider_set.h"
 
@@ -47,6 +48,10 @@ class ReducedSystem {
     /// Zᵀ f, one column per unknown vertex.
     void restrict(const Points<Dim>& f, Points<Dim>& reduced) const;
     const SliderSet<Dim>& sliders() const { return m_sliders; }
+    /// Sets the directions of guided sliders, one column per slider, and returns those before. Null: as at
+    /// first. The pattern of K does not depend on them.
+    Nodal<Dim> setDirections(Nodal<Dim> directions);
+    const Nodal<Dim>& directions() const { return m_directions; }
     /// Takes out of a field of unknowns what lies in held directions.
     void release(Points<Dim>& y) const;
 
@@ -63,12 +68,14 @@ class ReducedSystem {
         return !m_held.empty() && (m_held[unknown] >> coordinate & 1U) != 0;
     }
     void release(std::size_t row, std::size_t column, Mat<Dim>& K) const;
+    void placeProjectors();
 
     Elimination m_elimination;
     std::vector<int> m_unknowns, m_unknownOf, m_pivotOf;  // the last two per vertex, −1: none
     std::vector<unsigned> m_held;                         // per unknown; empty: none slides
     std::vector<Mat<Dim>> m_projectors;     // per unknown, onto held directions across the axes; empty: none
     SliderSet<Dim> m_sliders;               // that are no pivots
+    Nodal<Dim> m_directions;                // of guided ones
     std::vector<int> m_columnStart, m_row;  // scalar
     std::vector<int> m_blockStart, m_termStart;  // block columns; terms per block
     std::vector<Term> m_terms;

@@ -39,12 +39,12 @@ SliderSet<Dim>::SliderSet(const Sliders& sliders) : m_count(static_cast<Eigen::I
         own.vertex = slider.vertex;
         if (slider.hasNormal()) {
             own.isAlongAxes = false;
-            own.rows.push_back({i, slider.normal.template head<Dim>(), {}});
+            own.rows.push_back({i, slider.normal.template head<Dim>(), {}, slider.isGuided});
             continue;
         }
         own.held |= slider.held;
         for (int k = 0; k < Dim; ++k)
-            if (slider.held >> k & 1U) own.rows.push_back({i, Vec<Dim>::Unit(k), {}});
+            if (slider.held >> k & 1U) own.rows.push_back({i, Vec<Dim>::Unit(k), {}, false});
     }
     for (auto& [id, vertex] : byVertex) {
         completeRows<Dim>(vertex);
@@ -58,9 +58,28 @@ bool SliderSet<Dim>::areAlongAxes() const {
 }
 
 template <int Dim>
+bool SliderSet<Dim>::areGuided() const {
+    return std::ranges::any_of(
+        m_vertices, [](const Vertex& one) { return std::ranges::any_of(one.rows, &Vertex::Row::isGuided); });
+}
+
+template <int Dim>
 void SliderSet<Dim>::erase(const std::vector<int>& vertices) {
     std::erase_if(m_vertices,
                   [&](const Vertex& one) { return std::ranges::binary_search(vertices, one.vertex); });
+}
+
+template <int Dim>
+void SliderSet<Dim>::turn(const Points<Dim>& directions) {
+    for (Vertex& vertex : m_vertices) {
+        bool isGuided = false;
+        for (auto& row : vertex.rows) {
+            if (!row.isGuided) continue;
+            row.direction = directions.col(row.slider);
+            isGuided = true;
+        }
+        if (isGuided) completeRows<Dim>(vertex);
+    }
 }
 
 template <int Dim>
@@ -87,7 +106,7 @@ void SliderSet<Dim>::Vertex::place(const Points<Dim>& targets, Eigen::Index firs
     }
     Vec<Dim> correction = Vec<Dim>::Zero();
     for (const Row& row : rows)
-        correction += row.column * row.direction.dot(targets.col(first + row.slider) - p);
+        if (!row.isGuided) correction += row.column * row.direction.dot(targets.col(first + row.slider) - p);
     p += correction;
 }
 

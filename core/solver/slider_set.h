@@ -23,12 +23,14 @@ class SliderSet {
         struct Row {
             Eigen::Index slider;         // its place in the list
             Vec<Dim> direction, column;  // d_j, and the column of C⁺
+            bool isGuided = false;
         };
         std::vector<Row> rows;
 
         /// The vector of least norm whose parts along the d_j are those of columns `first` + slider.
         Vec<Dim> valueOf(const Points<Dim>& prescribed, Eigen::Index first) const;
         /// Moves a point by the least correction to the planes through these columns; along axes to the bit.
+        /// Guided sliders do not count.
         void place(const Points<Dim>& targets, Eigen::Index first, Eigen::Ref<Vec<Dim>> p) const;
     };
     /// By vertex.
@@ -36,8 +38,12 @@ class SliderSet {
     Eigen::Index count() const { return m_count; }
     bool empty() const { return m_vertices.empty(); }
     bool areAlongAxes() const;
+    /// Whether any is guided.
+    bool areGuided() const;
     /// Leaves out vertices that are prescribed otherwise.
     void erase(const std::vector<int>& vertices);
+    /// Sets the directions of guided sliders, one column per slider.
+    void turn(const Points<Dim>& directions);
 
   private:
     std::vector<Vertex> m_vertices;

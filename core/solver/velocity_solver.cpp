@@ -42,6 +42,11 @@ void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows, Slider
 }
 
 template <int Dim>
+void VelocitySolver<Dim>::setDirections(const Points<Dim>& directions) {
+    m_impl->system.setDirections(std::make_shared<const Points<Dim>>(directions));
+}
+
+template <int Dim>
 bool VelocitySolver<Dim>::analyze() {
     return m_impl->analyze();
 }

@@ -36,8 +36,9 @@ struct SolverStatistics {
 /// it was taken from. Cheap to copy.
 template <int Dim>
 struct FactorMemory {
-    Nodal<Dim> shape;   // null: the next solve factorizes
-    Nodal<Dim> turned;  // to which it was turned last, if it was
+    Nodal<Dim> shape;       // null: the next solve factorizes
+    Nodal<Dim> turned;      // to which it was turned last, if it was
+    Nodal<Dim> directions;  // of guided sliders; null: there are none
     FactorKind kind = FactorKind::Single, best = FactorKind::Single;  // best: that does not fail here
     // Measured contractions of an iteration, if they were: with the factor so far from its shape, and with
     // one in single precision at its own shape.
@@ -51,8 +52,8 @@ struct FactorMemory {
 
     template <class Archive>
     void archive(Archive& archive) {
-        auto& [at, to, own, poorest, measured, measuredAt, before, last, fresh, counted] = *this;
-        archive(at, to, own, poorest, measured, measuredAt, before, last, fresh, counted);
+        auto& [at, to, along, own, poorest, measured, measuredAt, before, last, fresh, counted] = *this;
+        archive(at, to, along, own, poorest, measured, measuredAt, before, last, fresh, counted);
     }
 };
 
@@ -87,6 +88,9 @@ class VelocitySolver {
     /// out: see dependentRows(). Throws InputError for a vertex out of range, a weight that is not finite, a
     /// row of no weight. What a row says of a vertex comes before what `sliders` say.
     void setConstraints(std::vector<ConstraintRow> rows, Sliders sliders = {});
+    /// Sets the directions of guided sliders for the next solves, one column of length 1 per slider; columns
+    /// of other sliders do not count. The analysis and the factor stay.
+    void setDirections(const Points<Dim>& directions);
     /// The symbolic analysis for these constraints, which the first solve makes otherwise. False if it was
     /// stopped (setStop()).
     bool analyze();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/design.h"
+#include "app/document/file/guide_file.h"
 #include "app/document/file/matrix_numbers.h"
 #include "app/document/file/named_places.h"
 #include "app/document/file/rgb_text.h"
@@ -223,13 +224,14 @@ std::vector<int> readVertexIds(const JsonValue& value) {
     return ids;
 }
 
-/// "all", a list of axes, or {"normal": […]}.
+/// "all", a list of axes, {"normal": […]}, or {"slide": "rest" or a file}, which is read later.
 template <int Dim>
 void readHold(const JsonValue& value, Handle<Dim>& handle) {
     constexpr std::string_view kAxes = "xyz";
     if (value.json().is_string()) {
         if (value.text() != "all")
-            value.fail("unknown value \"" + value.text() + "\"; known are all, a list of axes, and a normal");
+            value.fail("unknown value \"" + value.text() +
+                       "\"; known are all, a list of axes, a normal, and a surface to slide on");
     } else if (value.json().is_array()) {
         unsigned held = 0;
         for (const JsonValue& element : value.elements()) {
@@ -242,8 +244,13 @@ void readHold(const JsonValue& value, Handle<Dim>& handle) {
         handle.slides = ((1U << Dim) - 1) & ~held;
     } else {
         JsonObject object(value);
-        object.oneOf({"normal"});
-        handle.normal = readDirection<Dim>(object.require("normal"));
+        if (object.oneOf({"normal", "slide"}) == "normal") {
+            handle.normal = readDirection<Dim>(object.require("normal"));
+        } else {
+            const JsonValue slide = object.require("slide");
+            handle.slide = Slide<Dim>{slide.text() == kRestSurface ? "" : slide.text(), nullptr};
+            if (slide.text().empty()) slide.fail("names no file");
+        }
         object.finish();
     }
 }

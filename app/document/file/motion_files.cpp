@@ -6,6 +6,7 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/file/guide_file.h"
 #include "app/document/file/named_files.h"
 #include "app/document/file/number_table.h"
 #include "core/mesh/error.h"
@@ -170,6 +171,15 @@ RotationVector<Dim> rotationIn(const NumberTable& table, std::size_t r, const Po
 // --- Of a project ---
 
 template <int Dim>
+void readSurface(Handle<Dim>& handle, std::size_t number, const std::string& folder) try {
+    if (handle.slide && !handle.slide->file.empty())
+        handle.slide->mesh =
+            std::make_shared<const GuideMesh<Dim>>(readGuide<Dim>(pathIn(folder, handle.slide->file)));
+} catch (const InputError& error) {
+    throw InputError("handles[" + std::to_string(number) + "].hold.slide: " + error.what());
+}
+
+template <int Dim>
 void readFiles(Project& project, const std::string& folder) {
     const Domain& domain = domainOf(project);
     int vertices = 0;
@@ -179,6 +189,7 @@ void readFiles(Project& project, const std::string& folder) {
         return vertices;
     };
     auto& handles = designOf<Dim>(project).handles;
+    for (std::size_t h = 0; h < handles.size(); ++h) readSurface(handles[h], h, folder);
     for (std::size_t h = 0; h < handles.size(); ++h)
         for (std::size_t m = 0; m < handles[h].motions.size(); ++m) try {
                 Motion<Dim>& motion = handles[h].motions[m];
@@ -231,7 +242,7 @@ PoseMotion<Dim> readPoseTable(const std::string& path) try {
     throw error.named(path);
 }
 
-void readMotionFiles(Project& project, const std::string& folder) {
+void readHandleFiles(Project& project, const std::string& folder) {
     dimensionOf(project) == 2 ? readFiles<2>(project, folder) : readFiles<3>(project, folder);
 }
 

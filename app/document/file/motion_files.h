@@ -8,9 +8,9 @@
 
 namespace wend {
 
-/// Reads the files of all motions by fields and poses. Throws InputError
+/// Reads the files of all motions by fields and poses, and the surfaces to slide on. Throws InputError
 /// "handles[2].motion[0].file: FILE: …".
-void readMotionFiles(Project& project, const std::string& folder);
+void readHandleFiles(Project& project, const std::string& folder);
 
 /// Reads displacements of vertices: a point field of a mesh file, by name where there are several, or a table
 /// (.csv, .txt, .tsv) with the columns id, dx, dy[, dz]. `vertices`: as many the mesh has to have; 0: any.

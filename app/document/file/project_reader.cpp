@@ -270,7 +270,7 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     dimensionOf(project.domain, folder, json) == 2 ? readDesign<2>(root, project)
                                                    : readDesign<3>(root, project);
     findNamedPlaces(project, folder);
-    readMotionFiles(project, folder);
+    readHandleFiles(project, folder);
     project.endIsGiven = root.has("time") && root.value().json()["time"].contains("end");
     if (!project.endIsGiven) project.end = endOfMotions(project);
     if (project.dimension() == 2)

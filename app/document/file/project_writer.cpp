@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/document/file/guide_file.h"
 #include "app/document/file/json_text.h"
 #include "app/document/file/motion_files.h"
 #include "app/document/file/named_places.h"
@@ -306,6 +307,7 @@ std::string colourText(unsigned colour) {
 
 template <int Dim>
 Json holdJson(const Handle<Dim>& handle) {
+    if (handle.slide) return {{"slide", handle.slide->file.empty() ? kRestSurface : handle.slide->file}};
     if (handle.normal) return {{"normal", point(*handle.normal)}};
     Json axes = Json::array();
     for (int k = 0; k < Dim; ++k)
@@ -409,9 +411,11 @@ std::vector<std::string*> filesOf(Project& project) {
     std::visit(
         [&](auto& design) {
             files.push_back(&design.material.cellsFile);
-            for (auto& handle : design.handles)
+            for (auto& handle : design.handles) {
+                if (handle.slide) files.push_back(&handle.slide->file);
                 for (auto& motion : handle.motions)
                     if (std::string* file = fileOf(motion.kind)) files.push_back(file);
+            }
             for (auto& region : design.material.regions)
                 for (std::string* file :
                      {&region.pictures.phi, &region.pictures.stiffness, &region.pictures.direction})

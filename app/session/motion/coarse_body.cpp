@@ -123,8 +123,11 @@ class CoarseBody<Dim>::Holding {
         claim(vertices, number);
     }
 
-    /// Returns false if the body cannot move the handles independently, or cannot rotate one of them.
+    /// Returns false if the body cannot move the handles independently, cannot rotate one of them, or has
+    /// other points on a surface than the shape.
     bool settle() {
+        for (const Handle<Dim>& handle : m_held.handles)
+            if (handle.slide) return false;
         for (auto& [number, vertices] : m_wholes) {
             std::vector<int> own;
             for (std::size_t v = 0; v < m_owner.size(); ++v)

@@ -54,6 +54,7 @@ class Imager {
         Handle<Dim> image = handle;
         const bool lies = std::visit([this](auto& at) { return this->move(at); }, image.at);
         for (Motion<Dim>& motion : image.motions) motion = mirrored(motion, m_mirror);
+        if (image.normal) image.normal = m_mirror.along(*image.normal);
         image.traits.locked = image.traits.hidden = false;
         image.traits.link = 0;
         image.traits.colour.reset();

@@ -90,9 +90,11 @@ std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, co
     std::visit(
         [&](const auto& own) {
             add(OwnFile::Material, own.material.cellsFile);
-            for (const auto& handle : own.handles)
+            for (const auto& handle : own.handles) {
+                if (handle.slide) add(OwnFile::Mesh, handle.slide->file);
                 for (const auto& motion : handle.motions)
                     if (const std::string* file = fileOf(motion.kind)) add(OwnFile::Motion, *file);
+            }
             for (const auto& region : own.material.regions)
                 for (const std::string& file :
                      {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})

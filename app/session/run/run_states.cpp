@@ -52,6 +52,17 @@ std::string materialDigest(const Material<Dim>& material) {
     return digest.text();
 }
 
+template <int Dim>
+void addSurfaces(const Design<Dim>& design, Digest& digest) {
+    for (const Handle<Dim>& handle : design.handles) {
+        if (!handle.slide || !handle.slide->mesh) continue;
+        const GuideMesh<Dim>& mesh = *handle.slide->mesh;
+        digest.add(std::span<const double>(mesh.points.data(), static_cast<std::size_t>(mesh.points.size())));
+        for (const auto& triangle : mesh.triangles) digest.add(std::span<const int>(triangle));
+        for (const auto& segment : mesh.segments) digest.add(std::span<const int>(segment));
+    }
+}
+
 /// Adds the contents of the files that motions are read from.
 template <int Dim>
 void addMotionFiles(const Design<Dim>& design, Digest& digest) {
@@ -79,7 +90,12 @@ std::string handlesDigest(const Project& project, const SortedJson& json) {
         for (const char* seen : {"name", "locked", "hidden", "group", "link", "colour"}) handle.erase(seen);
     Digest digest;
     digest.add(handles.dump() + std::to_string(static_cast<int>(domainOf(project).border)));
-    std::visit([&](const auto& design) { addMotionFiles(design, digest); }, designOf(project));
+    std::visit(
+        [&](const auto& design) {
+            addMotionFiles(design, digest);
+            addSurfaces(design, digest);
+        },
+        designOf(project));
     return digest.text();
 }
 

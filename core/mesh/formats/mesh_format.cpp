@@ -42,9 +42,9 @@ void requireFields(const MeshFile& file) {
 }
 
 /// What every reader must hand over and every printer may rely on.
-void requireSound(const MeshFile& file) {
+void requireSound(const MeshFile& file, MeshNeeds needs = MeshNeeds::Cells) {
     if (file.points.cols() == 0) throw InputError("there is no vertex in it");
-    if (cellCount(file) == 0)
+    if (cellCount(file) == 0 && needs == MeshNeeds::Cells)
         throw InputError(
             "holds " + std::to_string(file.points.cols()) +
             " points, but neither triangles nor tetrahedra between them: a surface has to be made of "
@@ -232,10 +232,10 @@ const MeshFormat& formatOf(const std::string& path) {
     throw InputError(path, "the mesh format is not known: " + what + " is none of" + known);
 }
 
-MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files) {
+MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files, MeshNeeds needs) {
     try {
         MeshFile file = formatOfContent(format, files[0]).read(files);
-        requireSound(file);
+        requireSound(file, needs);
         return file;
     } catch (const InputError& error) {
         throw error.named(files[0].path);

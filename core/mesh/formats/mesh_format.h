@@ -59,7 +59,8 @@ const std::vector<MeshFormat>& meshFormats();
 const MeshFormat& formatOf(const std::string& path);
 
 /// readMeshFile and writeMeshFile without the file system. Throw InputError(file, reason).
-MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files);
+MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files,
+                     MeshNeeds needs = MeshNeeds::Cells);
 std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options);
 

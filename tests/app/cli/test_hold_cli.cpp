@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
@@ -17,6 +19,47 @@ namespace {
 constexpr const char* kFoot =
     "{'name': 'foot', 'at': {'region': {'box': {'min': [-9, -9, -0.5], 'max': [9, 9, 0.5]}}}}";
 constexpr const char* kHead = "'region': {'box': {'min': [-9, -9, 5.5], 'max': [9, 9, 6.5]}}";
+
+/// The distance of a point from a triangle: of its projection if that is inside, else of the edges.
+double distanceTo(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
+    const auto toEdge = [&](const Vec<3>& from, const Vec<3>& to) {
+        const double s = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
+        return (from + s * (to - from) - p).norm();
+    };
+    const Vec<3> n = (b - a).cross(c - a).normalized(), foot = p - n * n.dot(p - a);
+    const auto isLeft = [&](const Vec<3>& from, const Vec<3>& to) {
+        return (to - from).cross(foot - from).dot(n) >= 0;
+    };
+    const double edges = std::min({toEdge(a, b), toEdge(b, c), toEdge(c, a)});
+    return isLeft(a, b) && isLeft(b, c) && isLeft(c, a) ? std::min(edges, std::abs(n.dot(p - a))) : edges;
+}
+
+/// A round bar of radius 1 along z from 0 to 4: squares of the section become rings.
+SimplicialMesh<3> roundBar() {
+    SimplicialMesh<3> mesh = blockMesh(6, 6, 10);
+    for (auto p : mesh.points.colwise()) {
+        const Eigen::Vector2d q = p.head<2>() / 3 - Eigen::Vector2d::Ones();
+        const double largest = q.cwiseAbs().maxCoeff();
+        p.head<2>() = largest > 0 ? Eigen::Vector2d(q * largest / q.norm()) : q;
+        p.z() *= 0.4;
+    }
+    return mesh;
+}
+
+/// A tube around z, of flat sides.
+std::string tube(double radius, int sides, double low, double high) {
+    std::ostringstream out;
+    out.precision(17);
+    for (int k = 0; k < sides; ++k)
+        for (const double z : {low, high})
+            out << "v " << radius * std::cos(2 * M_PI * k / sides) << ' '
+                << radius * std::sin(2 * M_PI * k / sides) << ' ' << z << '\n';
+    for (int k = 0; k < sides; ++k) {
+        const int a = 2 * k + 1, b = 2 * ((k + 1) % sides) + 1;
+        out << "f " << a << ' ' << b << ' ' << b + 1 << "\nf " << a << ' ' << b + 1 << ' ' << a + 1 << '\n';
+    }
+    return out.str();
+}
 
 /// The mesh with its image in the plane x = 0, where both have the same vertices.
 SimplicialMesh<3> withImage(const SimplicialMesh<3>& half) {
@@ -52,6 +95,15 @@ class TestHoldCli : public QObject {
     void quarterAndWhole();
     void inThePlane();
     void motionsFollowEachOther();
+    void slidingOnAFlatFace();
+    void slidingAlongAnEdge();
+    void slidingOnACylinder_data();
+    void slidingOnACylinder();
+    void slidingAlongAPath();
+    void surfacesThatMove();
+    void runsGoOn();
+    void surfacesThatAreRefused_data();
+    void surfacesThatAreRefused();
     void savedAsRead();
     void bad_data();
     void bad();
@@ -238,17 +290,234 @@ void TestHoldCli::motionsFollowEachOther() {
         if (m_bar.points(2, v) > 5.5) QVERIFY(std::abs(part(2, v) - 6.25) <= 1e-11);
 }
 
+/// A flat face that slides on itself is held across itself.
+void TestHoldCli::slidingOnAFlatFace() {
+    const std::string both = kFoot + std::string(", ") +
+                             head(
+                                 "{'kind': 'rotate', 'centre': [0, 1, 6], 'axis': [1, 0, 0], 'angle': 0.6, "
+                                 "'time': [0, 1]}",
+                                 "'all'"),
+                      face =
+                          ", {'at': {'region': {'box': {'min': [-0.1, -9, -9], 'max': [0.1, 9, 9]}}}, "
+                          "'hold': ";
+    const Points<3> axis = bent("bar.mesh", both + face + "['x']}");
+    const Points<3> slid = bent("bar.mesh", both + face + "{'slide': 'rest'}}");
+    QVERIFY(m_error <= 1e-12);
+    int compared = 0;
+    for (int v = 0; v < m_bar.vertexCount(); ++v) {
+        if (m_bar.points(0, v) != 0) continue;
+        QVERIFY(std::abs(slid(0, v)) <= 1e-14);
+        compared += (slid.col(v) - m_bar.points.col(v)).norm() > 0.05;
+    }
+    QVERIFY(compared > 3);
+    const double off = (slid - axis).cwiseAbs().maxCoeff();
+    QVERIFY2(off <= 1e-9, qPrintable(QString::number(off)));
+}
+
+/// The vertices of a sharp edge stay on it: along z they are free.
+void TestHoldCli::slidingAlongAnEdge() {
+    const std::string both = kFoot + std::string(", ") +
+                             head("{'kind': 'translate', 'by': [0, 0, 0.5], 'time': [0, 1]}", "'all'"),
+                      edge =
+                          ", {'at': {'region': {'box': {'min': [-0.1, -0.1, 0.5], 'max': [0.1, 0.1, "
+                          "5.5]}}}, 'hold': ";
+    const Points<3> axes = bent("bar.mesh", both + edge + "['x', 'y']}");
+    for (const char* at : {"'max': [0.1, 0.1, 9]", "'max': [0.1, 9, 9]"}) {
+        // The edge by itself, and as the edge between two faces.
+        const bool alone = std::string(at).find("0.1, 9]") != std::string::npos;
+        const std::string held =
+            ", {'at': {'region': {'box': {'min': [-0.1, -0.1, -9], " + std::string(at) + "}}}, 'hold': ";
+        const Points<3> slid = bent("bar.mesh", both + held + "{'slide': 'rest'}}");
+        QVERIFY(m_error <= 1e-12);
+        for (int v = 0; v < m_bar.vertexCount(); ++v)
+            if (m_bar.points.col(v).head<2>().isZero(0) && alone)
+                QVERIFY((slid.col(v) - axes.col(v)).norm() <= 1e-9);
+    }
+}
+
+void TestHoldCli::slidingOnACylinder_data() {
+    QTest::addColumn<QString>("surface");
+    QTest::addColumn<QString>("solver");
+    QTest::newRow("its own") << "rest"
+                             << "direct";
+    QTest::newRow("file") << "tube.obj"
+                          << "direct";
+    QTest::newRow("multigrid") << "tube.obj"
+                               << "multigrid";
+}
+
+/// A round bar is pressed and twisted in a tube: its sides stay on the tube and move along it.
+void TestHoldCli::slidingOnACylinder() {
+    QFETCH(QString, surface);
+    QFETCH(QString, solver);
+    const SimplicialMesh<3> bar = roundBar();
+    writeMesh<3>(file("round.mesh"), bar);
+    put(path(), "tube.obj", tube(1, 40, -1, 5));
+    std::string sides;
+    std::vector<int> held;
+    for (int v = 0; v < bar.vertexCount(); ++v)
+        if (bar.points.col(v).head<2>().norm() > 1 - 1e-9 && bar.points(2, v) > 0.1 &&
+            bar.points(2, v) < 3.9) {
+            sides += (sides.empty() ? "" : ", ") + std::to_string(v);
+            held.push_back(v);
+        }
+    putProject(path(), "round.wend",
+               "'domain': {'mesh': 'round.mesh'}, 'integration': {'solver': '" + solver.toStdString() +
+                   "'}, 'handles': [{'at': {'vertices': [" + sides + "]}, 'hold': {'slide': '" +
+                   surface.toStdString() +
+                   "'}}, {'at': {'region': {'box': {'min': [-9, -9, 3.9], 'max': [9, 9, 9]}}}, 'motion': "
+                   "[{'kind': 'curve', 'interpolation': 'polyline', 'points': [[0, 0, 4], [0, 0, 3.6]], "
+                   "'frame': 'minimal', 'twist': 0.8, 'time': [0, 1]}]}]");
+    const CliResult result = run({"run", "round.wend", "--mesh", "round.vtu", "--report", "round.json"});
+    QVERIFY2(result.code == 0, qPrintable(result.error));
+    const Points<3> end = pointsOf(*sharedMeshFile(file("round.vtu")));
+    // The tube's triangles, or those of the bar's own side at rest, which continues straight at its rim.
+    Points<3> corners = bar.points;
+    corners.row(2) = 3 * (bar.points.row(2).array() - 2) + 2;
+    std::vector<std::array<int, 3>> triangles;
+    if (surface == "rest") {
+        const std::set<int> isHeld(held.begin(), held.end());
+        for (const Facet<3>& facet : facetsOf(bar))
+            if (!facet.interior() &&
+                std::ranges::all_of(facet.vertices, [&](int v) { return isHeld.contains(v); }))
+                triangles.push_back(facet.vertices);
+    } else {
+        const auto mesh = sharedMeshFile(file("tube.obj"));
+        corners = pointsOf(*mesh);
+        triangles = trianglesOf(*mesh);
+    }
+    double farthest = 0, moved = 0;
+    for (const int v : held) {
+        double distance = 1e9;
+        for (const auto& t : triangles)
+            distance = std::min(
+                distance, distanceTo(end.col(v), corners.col(t[0]), corners.col(t[1]), corners.col(t[2])));
+        farthest = std::max(farthest, distance);
+        moved = std::max(moved, (end.col(v) - bar.points.col(v)).norm());
+    }
+    QVERIFY2(farthest <= 4e-12, qPrintable(QString::number(farthest)));
+    QVERIFY2(moved > 0.3, qPrintable(QString::number(moved)));
+}
+
+/// In the plane: along a straight line as across it, and exactly on a bent one.
+void TestHoldCli::slidingAlongAPath() {
+    put(path(), "straight.obj", "v -5 0 0\nv 20 0 0\nl 1 2\n");
+    put(path(), "bent.obj", "v -5 0.02 0\nv 4 0.01 0\nv 8 0 0\nv 20 -0.5 0\nl 1 2 3 4\n");
+    const auto end = [&](const std::string& hold) {
+        putProject(path(), "path.wend",
+                   "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'vertices': [0, 11, 22]}}, {'at': "
+                   "{'vertices': [5, 6, 7, 8, 9, 10]}, 'hold': " +
+                       hold +
+                       "}, {'at': {'vertices': [32]}, 'motion': [{'kind': 'translate', 'by': [1, 0.2]}]}]");
+        const CliResult result = run({"run", "path.wend", "--mesh", "path.obj"});
+        if (result.code != 0) qWarning("%s", qPrintable(result.error));
+        return Points<2>(pointsOf(*sharedMeshFile(file("path.obj"))).topRows<2>());
+    };
+    const Points<2> axis = end("['y']"), straight = end("{'slide': 'straight.obj'}");
+    QVERIFY((straight - axis).cwiseAbs().maxCoeff() <= 1e-9);
+    const Points<2> bent = end("{'slide': 'bent.obj'}");
+    for (int v = 5; v <= 10; ++v) {
+        const Eigen::Vector2d p = bent.col(v);
+        const Eigen::Vector2d a = p.x() < 8 ? Eigen::Vector2d(4, 0.01) : Eigen::Vector2d(8, 0),
+                              b = p.x() < 8 ? Eigen::Vector2d(8, 0) : Eigen::Vector2d(20, -0.5),
+                              d = (b - a).normalized();
+        QVERIFY(std::abs((p - a).x() * d.y() - (p - a).y() * d.x()) <= 1e-11);
+    }
+}
+
+/// A box whose faces slide on themselves turns with them as a rigid body, and its corners exactly so.
+void TestHoldCli::surfacesThatMove() {
+    std::string border;
+    for (int v = 0; v < m_bar.vertexCount(); ++v) {
+        const Vec<3> p = m_bar.points.col(v);
+        if (p.x() == 1 && p.y() == 1 && p.z() > 0 && p.z() < 6) continue;
+        border += (border.empty() ? "" : ", ") + std::to_string(v);
+    }
+    const Points<3> turned =
+        bent("bar.mesh",
+             "{'at': {'vertices': [" + border +
+                 "]}, 'hold': {'slide': 'rest'}, 'motion': [{'kind': 'rotate', 'centre': [1, 1, 3], 'axis': "
+                 "[1, 0, 0], 'angle': 1.2, 'time': [0, 1]}, {'kind': 'translate', 'by': [1, 2, 3], 'time': "
+                 "[1, 2]}]}",
+             ", 'integration': {'tolerance': 1e-7}, 'time': {'end': 2}");
+    QVERIFY(m_error <= 1e-12);
+    const Mat<3> R = Eigen::AngleAxisd(1.2, Vec<3>::UnitX()).toRotationMatrix();
+    const Vec<3> centre(1, 1, 3), by(1, 2, 3);
+    for (int v = 0; v < m_bar.vertexCount(); ++v) {
+        const Vec<3> p = m_bar.points.col(v), place = centre + by + R * (p - centre);
+        const bool isCorner =
+            (p.x() == 0 || p.x() == 2) && (p.y() == 0 || p.y() == 2) && (p.z() == 0 || p.z() == 6);
+        const double off = (turned.col(v) - place).norm();
+        QVERIFY2(off <= (isCorner ? 1e-12 : 1e-5), qPrintable(QString::number(off)));
+    }
+}
+
+/// Killed anywhere or not: a run from states has the same bytes.
+void TestHoldCli::runsGoOn() {
+    put(path(), "tube.obj", tube(1, 40, -1, 5));
+    writeMesh<3>(file("round.mesh"), roundBar());
+    putProject(path(), "on.wend",
+               "'domain': {'mesh': 'round.mesh'}, 'handles': [{'at': {'vertices': [0, 6, 42, 48, 49, 55, 91, "
+               "97]}, 'hold': {'slide': 'tube.obj'}}, {'at': {'region': {'box': {'min': [-9, -9, 3.9], "
+               "'max': [9, 9, 9]}}}, 'motion': [{'kind': 'rotate', 'centre': [0, 0, 4], 'axis': [1, 0, 0], "
+               "'angle': 0.6, 'time': [0, 1]}]}]");
+    const auto bytes = [&](const char* name) { return readTextFile(file(name)); };
+    QCOMPARE(run({"run", "on.wend", "--states", "on.states", "--mesh", "on.vtu"}).error, QString());
+    QCOMPARE(run({"run", "on.wend", "--from", "on.states", "--mesh", "again.vtu"}).error, QString());
+    QVERIFY(bytes("again.vtu") == bytes("on.vtu"));
+    // Another tube is another run.
+    put(path(), "tube.obj", tube(1.001, 40, -1, 5));
+    const CliResult other = run({"run", "on.wend", "--from", "on.states", "--mesh", "again.vtu"});
+    QVERIFY2(other.code == 3 && other.error.contains("its handles differ"), qPrintable(other.error));
+}
+
+void TestHoldCli::surfacesThatAreRefused_data() {
+    QTest::addColumn<QString>("handle");
+    QTest::addColumn<QString>("message");
+    const QString at = "{'name': 'side', 'at': {'vertices': [0, 1, 2]}, ";
+    QTest::newRow("missing") << at + "'hold': {'slide': 'none.stl'}}"
+                             << "handles[0].hold.slide: ";
+    QTest::newRow("empty") << at + "'hold': {'slide': ''}}"
+                           << "handles[0].hold.slide: names no file";
+    QTest::newRow("no surface") << at + "'hold': {'slide': 'points.obj'}}"
+                                << "points.obj: has no surface or line to slide on";
+    QTest::newRow("far away") << at + "'hold': {'slide': 'far.obj'}}"
+                              << "handle \"side\": vertex 0 is not on the surface on which it is to slide";
+    QTest::newRow("no facet") << "{'name': 'side', 'at': {'vertices': [0, 62]}, 'hold': {'slide': 'rest'}}"
+                              << "handle \"side\": no triangle of the boundary is between the points";
+    QTest::newRow("late") << at + "'active': [0.5, 1], 'hold': {'slide': 'rest'}}"
+                          << "has to be active from the start";
+    QTest::newRow("field") << at + "'hold': {'slide': 'rest'}, 'motion': [{'kind': 'field', 'vertices': [0, "
+                                   "1, 2], 'by': [[1, 0, 0], [1, 0, 0], [1, 0, 0]]}]}"
+                           << "which a field does not move";
+}
+
+void TestHoldCli::surfacesThatAreRefused() {
+    QFETCH(QString, handle);
+    QFETCH(QString, message);
+    put(path(), "points.obj", "v 0 0 0\nv 1 0 0\np 1 2\n");
+    put(path(), "far.obj", "v 0 0 -1\nv 9 0 -1\nv 0 9 -1\nf 1 2 3\n");
+    putProject(path(), "refused.wend",
+               "'domain': {'mesh': 'bar.mesh'}, 'handles': [" + handle.toStdString() + "]");
+    const CliResult result = run({"run", "refused.wend", "--mesh", "refused.vtu"});
+    QCOMPARE(result.code, 3);
+    QVERIFY2(result.error.count('\n') == 1 && result.error.contains(message), qPrintable(result.error));
+}
+
 void TestHoldCli::savedAsRead() {
     putProject(path(), "saved.wend",
                std::string("'domain': {'mesh': 'bar.mesh'}, 'handles': [") + kFoot + ", " +
                    head("{'kind': 'translate', 'by': [0, 0, 1], 'time': [0, 1]}", "['x', 'z']") + ", " +
                    "{'at': {'vertices': [3]}, 'hold': {'normal': [1, 2, 3]}}, {'at': {'vertices': [4]}, "
-                   "'hold': 'all'}]");
+                   "'hold': 'all'}, {'at': {'vertices': [0, 1, 3, 4]}, 'hold': {'slide': 'rest'}}, {'at': "
+                   "{'vertices': [0, 1, 3, 4]}, 'hold': {'slide': 'tube.obj'}}]");
+    put(path(), "tube.obj", tube(1, 40, -1, 5));
     writeProject(file("again.wend"), *readProject(file("saved.wend")).project);
     writeProject(file("third.wend"), *readProject(file("again.wend")).project);
     const std::string again = readTextFile(file("again.wend"));
     QCOMPARE(readTextFile(file("third.wend")), again);
-    for (const char* piece : {"\"hold\": [\"x\", \"z\"]", "\"normal\": [1, 2, 3]"})
+    for (const char* piece : {"\"hold\": [\"x\", \"z\"]", "\"normal\": [1, 2, 3]", "\"slide\": \"rest\"",
+                              "\"slide\": \"tube.obj\""})
         QVERIFY2(again.find(piece) != std::string::npos, again.c_str());
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// The word for the rest surface in a project's `hold`.
+inline const std::string kRestSurface = "rest";
+
+/// Reads a surface to slide on from a mesh file: its triangles, or the boundary of its volume, or its lines
+/// where it has no triangles. In the plane: its lines, or the border of its triangles. Throws
+/// InputError(path, place and reason).
+template <int Dim>
+GuideMesh<Dim> readGuide(const std::string& path);
+
+}  // namespace wend
