@@ -94,14 +94,15 @@ std::vector<double> HandleTimeline<Dim>::breakpoints() const {
 
 template <int Dim>
 Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
-                              const Normalization<Dim>& units) {
+                              const Normalization<Dim>& units)
+    : m_welds(rest.welds) {
     const HandlePlacer<Dim> placer(rest, units);
     for (size_t i = 0; i < handles.size(); ++i) {
         m_names.push_back(handles[i].name.empty() ? "handle " + std::to_string(i)
                                                   : "handle \"" + handles[i].name + '"');
         try {
             m_timelines.emplace_back(handles[i]);
-            take(placer.place(handles[i].at, static_cast<int>(i)), handles[i]);
+            take(placer.place(handles[i], static_cast<int>(i)), handles[i]);
         } catch (const InputError& error) {
             throw InputError(m_names.back() + ": " + error.reason());
         }

@@ -113,6 +113,7 @@ struct Handle {
     std::optional<Vec<Dim>> normal = {};  // the points are held along this direction only
     bool isPartlyHeld() const { return slides != 0 || normal; }
     HandleTraits traits = {};
+    std::string part = {};  // of the mesh; empty: the frontmost part that has the place
 };
 
 }  // namespace wend

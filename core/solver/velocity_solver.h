@@ -85,7 +85,8 @@ class VelocitySolver {
 
     /// Once per set (nothing if the rows are those set already). Dependent rows are left
     /// out: see dependentRows(). Throws InputError for a vertex out of range, a weight that is not finite, a
-    /// row of no weight. What a row says of a vertex comes before what `sliders` say.
+    /// row of no weight. What a row says of a vertex comes before what `sliders` say. The mesh's welds hold
+    /// beside any set: Σ weight v = 0.
     void setConstraints(std::vector<ConstraintRow> rows, Sliders sliders = {});
     /// The symbolic analysis for these constraints, which the first solve makes otherwise. False if it was
     /// stopped (setStop()).
