@@ -18,4 +18,11 @@ struct LayeredFile {
 /// Throws InputError(path, reason).
 LayeredFile readLayeredFile(const std::string& path, PictureFormat format);
 
+/// Returns the place of the layer with that name in a list. Throws InputError without a file if there is
+/// none, or several.
+std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name);
+
+/// Reads the picture of one layer, a PNG file, of an OpenRaster file. Throws InputError(path, reason).
+std::string readLayerPicture(const std::string& path, const std::string& name);
+
 }  // namespace wend
