@@ -3,12 +3,14 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/said.h"
+#include "app/session/layered_opening.h"
 #include "app/session/program_files.h"
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
@@ -76,10 +78,18 @@ bool isBlank(const Image& image) {
     return true;
 }
 
+/// The file of a picture that stands for the project: of parts, of the first one that has one.
+std::string shownFile(const Domain& domain) {
+    const auto part =
+        std::ranges::find_if(domain.parts, [](const PicturePart& one) { return !one.path.empty(); });
+    return part == domain.parts.end() ? domain.path : part->path;
+}
+
 OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     OpenedFile file;
     std::vector<std::string> notices;
     auto picture = std::make_shared<const Image>(readImage(path.toStdString(), kMaxMegapixels, &notices));
+    std::vector<PicturePart> parts = partsOfLayers(path.toStdString(), *picture, notices);
     for (const std::string& notice : notices) file.warnings << said(notice);
     if (!evenIfBlank && isBlank(*picture))
         throw NothingToSee(path.toStdString(), "is transparent everywhere");
@@ -88,6 +98,11 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     domain.kind = DomainKind::Image;
     domain.path = path.toStdString();
     domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
+    if (!parts.empty()) {
+        domain.path.clear();
+        domain.parts = std::move(parts);
+        domain.outline = OutlineKind::Alpha;
+    }
     file.picture = std::move(picture);
     file.project = std::move(project);
     return file;
@@ -206,7 +221,8 @@ ProjectLook lookOf(const QString& project) {
         if (look.isSolid && own.exists())
             look.picture = own.absoluteFilePath();
         else if (domainOf(*read).kind == DomainKind::Image)
-            look.picture = info.absoluteDir().absoluteFilePath(QString::fromStdString(domainOf(*read).path));
+            look.picture =
+                info.absoluteDir().absoluteFilePath(QString::fromStdString(shownFile(domainOf(*read))));
         return look;
     } catch (const std::exception&) {
         return {};

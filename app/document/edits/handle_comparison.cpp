@@ -113,7 +113,7 @@ class Comparison {
     explicit Comparison(double scale) : m_scale(scale) {}
 
     double first(const Handle<Dim>& a, const Handle<Dim>& b) const {
-        if (!same(a.at, b.at) || !sameAs(a.activeFrom, b.activeFrom))
+        if (!same(a.at, b.at) || a.part != b.part || !sameAs(a.activeFrom, b.activeFrom))
             return std::min(m_scale * a.activeFrom, b.activeFrom);
         double first = sameAs(a.activeTo, b.activeTo) ? kNever : std::min(m_scale * a.activeTo, b.activeTo);
         const std::size_t common = std::min(a.motions.size(), b.motions.size());
@@ -144,7 +144,7 @@ bool sameTime(double a, double b) {
 
 template <int Dim>
 bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b) {
-    return same(a.at, b.at) && a.slides == b.slides && a.normal == b.normal;
+    return same(a.at, b.at) && a.part == b.part && a.slides == b.slides && a.normal == b.normal;
 }
 
 template <int Dim>

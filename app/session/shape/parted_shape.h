@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stop_token>
+
+#include "app/document/project_fwd.h"
+#include "app/session/shape/part_pictures.h"
+#include "app/session/shape/shape.h"
+
+namespace wend {
+
+/// What of a parted picture's shape serves again: pictures, and outlines in domain coordinates.
+struct PartedCache {
+    PartPictures pictures;
+    std::vector<std::optional<PartOutline>> outlinesFrom;
+    std::vector<Outline> outlines;
+};
+
+/// The shape of a picture of parts, without material. Each part has an outline and a mesh of its own; one
+/// mesh holds them all, from the back to the front (SimplicialMesh::parts), with the welds of their joints.
+/// Its picture is the parts' atlas. A part that rides on another is drawn, and not in that mesh: its points
+/// are embedded in the mesh of the part at the end of the chain. Throws InputError: "domain.parts[1]: …".
+Shape<2> loadPartedShape(const Domain& domain, const Design<2>& design, const std::string& folder,
+                         PartedCache& cache, std::stop_token stop);
+
+}  // namespace wend
