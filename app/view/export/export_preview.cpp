@@ -45,8 +45,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
 /// The map's red and green, as a compositing program shows them.
 QImage mapPreview(const FrameExport& shape, const PreviewRequest& request) {
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
-    const Image map = stMap(shape.restInPixels(), shape.poseInPixels(), view, shape.picture()->width,
-                            shape.picture()->height, shape.depths());
+    const Image map = shape.stMapOf(view);
     const Image shown = converted(map, {PixelType::UInt8, 4, true, true});
     return QImage(reinterpret_cast<const uchar*>(shown.data.data()), shown.width, shown.height,
                   static_cast<qsizetype>(shown.rowBytes()), QImage::Format_RGBA8888)

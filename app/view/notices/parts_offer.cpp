@@ -1,0 +1,40 @@
+#include "app/view/notices/parts_offer.h"
+
+#include "app/document/domain.h"
+#include "app/document/edits/document.h"
+#include "app/document/edits/part_edits.h"
+#include "app/view/notices/info_banner.h"
+
+namespace wend {
+
+PartsOffer::PartsOffer(Document& document, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_document(document), m_banner(banner) {
+    connect(&m_document, &Document::opened, this, &PartsOffer::offer);
+    connect(&m_document, &Document::projectChanged, this, &PartsOffer::follow);
+}
+
+/// A project's parts are there because somebody wanted them.
+void PartsOffer::offer() {
+    m_isOffered = !m_document.isEmpty() && m_document.path().isEmpty() &&
+                  !m_document.domain().parts.empty() &&
+                  !m_document.source().endsWith(QStringLiteral(".wend"));
+    if (!m_isOffered) return;
+    m_banner.tell(InfoBanner::Topic::Parts,
+                  tr("%n layers were opened as parts: each bends by itself. Join them where they meet (step "
+                     "Pins, Parts).",
+                     nullptr, static_cast<int>(m_document.domain().parts.size())),
+                  {{tr("Open Flattened"), [this] { flatten(); }}});
+}
+
+void PartsOffer::flatten() {
+    m_document.change(tr("Open flattened"),
+                      withoutParts(*m_document.project(), m_document.source().toStdString()));
+}
+
+void PartsOffer::follow() {
+    if (!m_isOffered || !m_document.domain().parts.empty()) return;
+    m_isOffered = false;
+    m_banner.clear(InfoBanner::Topic::Parts);
+}
+
+}  // namespace wend
