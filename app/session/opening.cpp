@@ -7,6 +7,7 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/edits/free_name.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/said.h"
@@ -166,6 +167,31 @@ OpenedFile openFile(const QString& path, bool evenIfBlank) {
         file = openPicture(absolutePath, evenIfBlank);
     file.source = absolutePath;
     if (samplePaths().contains(absolutePath)) file.path.clear();  // samples are there to be changed and kept
+    return file;
+}
+
+OpenedFile openTogether(const QStringList& paths) {
+    OpenedFile file;
+    auto project = newProject();
+    Domain& domain = domainOf(*project);
+    domain.outline = OutlineKind::Alpha;
+    for (const QString& path : paths) {
+        if (hasExtension(path, QStringLiteral("*.wend ") + meshExtensions()))
+            throw InputError(path.toStdString(), "is no picture: only pictures are opened together");
+        const QFileInfo info(path);
+        PicturePart& part = domain.parts.emplace_back();
+        part.path = info.absoluteFilePath().toStdString();
+        std::vector<std::string> notices;
+        const Image picture = readImage(part.path, kMaxMegapixels, &notices);
+        for (const std::string& notice : notices) file.warnings << said(notice);
+        if (!hasTransparency(picture)) part.outline = PartOutline{};
+        const std::string name = info.completeBaseName().toStdString();
+        const std::vector<std::string> taken = namesOf(domain.parts);
+        part.name = std::ranges::find(taken, name) == taken.end() ? name : freeName(taken, name, 2);
+    }
+    file.picture = loadPicture(domain, {});
+    file.project = std::move(project);
+    file.source = QFileInfo(paths.first()).absoluteFilePath();
     return file;
 }
 

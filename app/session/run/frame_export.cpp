@@ -6,12 +6,14 @@
 
 #include "app/document/domain.h"
 #include "app/session/motion/velocity_probe.h"
+#include "app/session/run/layer_export.h"
 #include "app/session/run/run_options.h"
 #include "app/session/run/shape_file.h"
 #include "app/session/shape/depth.h"
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/safe_file.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -48,8 +50,8 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     if (m_picture) m_size = canvasSize(*flat->built);
     m_source = flat->built->texture && flat->built->texture->drawn ? flat->built->texture->drawn : m_rest;
     const auto drawn = drawnRest(*flat->built);
-    m_depths =
-        *CellDepths().of(document.depth(), drawn, partLevels(document.domain().parts, *drawn, flat->time));
+    m_levels = partLevels(document.domain().parts, *drawn, flat->time);
+    m_depths = *CellDepths().of(document.depth(), drawn, m_levels);
 }
 
 Extent<2> FrameExport::extent(ExportKind kind) const {
@@ -93,6 +95,12 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     warp.stop = watch.stop;
     if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
     requireDepth(path, options);
+    if (isLayeredFile(path)) {
+        const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);
+        return writeWhole(path, [&](const std::string& temporary) {
+            writeOpenRaster(temporary, layers, warpImage(*m_picture, *m_rest, m_pose, view, warp));
+        });
+    }
     writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth, options.lossy);
 }
 

@@ -27,6 +27,7 @@ class FrameExport {
     int dimension() const { return m_frame->dimension; }
     const FramePtr& frame() const { return m_frame; }
     double seconds() const { return m_seconds; }
+    bool hasParts() const { return !m_levels.empty(); }
     /// That a mesh file with this extension gets.
     int vertexCount(const std::string& extension) const;
 
@@ -69,6 +70,7 @@ class FrameExport {
     std::shared_ptr<const SimplicialMesh<2>> m_rest, m_source;  // the second: see sourceRest()
     std::array<int, 2> m_size{};                                // of the plane that is rendered
     Points<2> m_pose;
+    std::vector<int> m_levels;    // of parts: see partLevels()
     std::vector<float> m_depths;  // per cell: see WarpOptions
 };
 

@@ -1,5 +1,7 @@
 #include "app/view/notices/parts_offer.h"
 
+#include <algorithm>
+
 #include "app/document/domain.h"
 #include "app/document/edits/document.h"
 #include "app/document/edits/part_edits.h"
@@ -19,10 +21,20 @@ void PartsOffer::offer() {
                   !m_document.domain().parts.empty() &&
                   !m_document.source().endsWith(QStringLiteral(".wend"));
     if (!m_isOffered) return;
+    const std::vector<PicturePart>& parts = m_document.domain().parts;
+    const int count = static_cast<int>(parts.size());
+    const bool isOneFile =
+        std::ranges::none_of(parts, [](const PicturePart& part) { return part.layer.empty(); });
+    if (!isOneFile)
+        return m_banner.tell(
+            InfoBanner::Topic::Parts,
+            tr("%n pictures were opened as parts: each bends by itself. Join them where they "
+               "meet, under Parts.",
+               nullptr, count));
     m_banner.tell(InfoBanner::Topic::Parts,
-                  tr("%n layers were opened as parts: each bends by itself. Join them where they meet (step "
-                     "Pins, Parts).",
-                     nullptr, static_cast<int>(m_document.domain().parts.size())),
+                  tr("%n layers were opened as parts: each bends by itself. Join them where they meet, under "
+                     "Parts.",
+                     nullptr, count),
                   {{tr("Open Flattened"), [this] { flatten(); }}});
 }
 

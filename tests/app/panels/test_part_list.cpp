@@ -12,6 +12,7 @@
 #include "app/panels/part_list.h"
 #include "app/session/run/frame_export.h"
 #include "app/session/run/run.h"
+#include "app/view/files/file_workflow.h"
 #include "app/view/notices/info_banner.h"
 #include "tests/support/pictures.h"
 #include "tests/support/solid_fixture.h"
@@ -28,6 +29,7 @@ class TestPartList : public QObject {
     void layersAreParts();
     void listChangesParts();
     void canvasIsTheExport();
+    void picturesOpenTogether();
 
   private:
     PartList& panel() { return m_f->window().properties().parts(); }
@@ -150,6 +152,30 @@ void TestPartList::canvasIsTheExport() {
                      qPrintable(QString("%1 %2").arg(x).arg(y)));
         }
     QVERIFY(compared > 500);
+}
+
+/// The first is in front; what is no picture is refused by its name.
+void TestPartList::picturesOpenTogether() {
+    const QString front = m_folder.filePath("a.png"), back = m_folder.filePath("b/a.png");
+    QVERIFY(QDir(m_folder.path()).mkpath("b"));
+    writeImage(front.toStdString(), plainPicture(30, 20, {255, 0, 0, 255}));
+    writeImage(back.toStdString(), plainPicture(90, 60, {0, 0, 255}));
+    m_f->window().files().openAll(QStringList{front, back});
+    QVERIFY(m_f->takeOpened([&] { return m_f->session().document().source() == front; }));
+    QCOMPARE(names(), (QStringList{"a", "a 2"}));
+    QCOMPARE(m_f->session().document().picture()->width, 90);
+    QVERIFY(m_f->window().findChild<InfoBanner*>()->text().contains("2 pictures"));
+    const QString written = m_folder.filePath("out.ora");
+    const FrameExport frame(m_f->session().document(), m_f->session().frame(), {}, 1);
+    QVERIFY(frame.hasParts());
+    std::string remark;
+    frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
+    QCOMPARE(readLayer(written.toStdString(), "a 2").width, 90);
+    const QString project = m_folder.filePath("p.wend");
+    QVERIFY(QFile::copy(front, project));
+    m_f->window().files().openAll(QStringList{front, project});
+    auto* banner = m_f->window().findChild<InfoBanner*>();
+    QTRY_VERIFY(banner->text().contains("only pictures are opened together"));
 }
 
 QTEST_MAIN(TestPartList)
