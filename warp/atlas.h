@@ -16,6 +16,7 @@ struct Sheet {
     bool hidden = false;
 
     double shownOpacity() const { return hidden ? 0 : opacity; }
+    bool operator==(const Sheet&) const = default;
 };
 
 /// Several pictures side by side in one, each with its opacity, and surrounded by copies of its border for

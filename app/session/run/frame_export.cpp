@@ -83,6 +83,7 @@ Overhang FrameExport::overhang(ExportKind kind) const {
 }
 
 WarpOptions FrameExport::warpOptions(const RunOptions& options) const {
+    requireNothingOutside(*m_project, options);
     WarpOptions warp = warpOptionsOf(*m_project, options);
     warp.depth = m_depths;
     warp.frameWidth = m_size[0], warp.frameHeight = m_size[1];

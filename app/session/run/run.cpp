@@ -556,12 +556,6 @@ class Run {
     OutputSet m_files;
 };
 
-void requireNothingOutside(const Project& project, const RunOptions& options) {
-    if (!domainOf(project).parts.empty() &&
-        (options.outside == Outside::Clamp || options.outside == Outside::Original))
-        throw InputError("--outside clamp and original are for a picture that is one part");
-}
-
 bool writesPictures(const RunOutputs& outputs) {
     return !outputs.image.empty() || !outputs.stMap.empty() ||
            std::ranges::any_of(outputs.frames, canWriteImage);

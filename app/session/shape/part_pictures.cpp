@@ -119,6 +119,24 @@ std::size_t placeOf(const std::vector<PicturePart>& parts, const std::string& na
     return static_cast<std::size_t>(std::ranges::find(parts, name, &PicturePart::name) - parts.begin());
 }
 
+bool isSameCut(const PicturePart& a, const PicturePart& b) {
+    return a.name == b.name && a.path == b.path && a.layer == b.layer && a.cutFrom == b.cutFrom &&
+           a.cut == b.cut && a.feather == b.feather && a.at == b.at;
+}
+
+/// The sheet of a part's file that is known. Where anything is cut out, only if all is cut as before.
+const Sheet* knownSheet(const PartPictures& known, const std::vector<PicturePart>& parts,
+                        const PicturePart& part) {
+    const auto isCut = [](const PicturePart& one) { return !one.cutFrom.empty(); };
+    const bool hasCuts = std::ranges::any_of(parts, isCut) || std::ranges::any_of(known.parts, isCut);
+    if (hasCuts && !std::ranges::equal(parts, known.parts, isSameCut)) return nullptr;
+    for (std::size_t i = 0; i < known.parts.size(); ++i)
+        if (const PicturePart& one = known.parts[i];
+            one.path == part.path && one.layer == part.layer && (!hasCuts || one.name == part.name))
+            return &known.sheets[i];
+    return nullptr;
+}
+
 void takeCanvas(PartReader& reader, const std::string& folder, PartPictures& pictures) {
     for (const PicturePart& part : pictures.parts)
         if (!part.layer.empty()) {
@@ -139,35 +157,29 @@ void takeCanvas(PartReader& reader, const std::string& folder, PartPictures& pic
 
 }  // namespace
 
-bool samePixels(const PicturePart& a, const PicturePart& b) {
-    return a.name == b.name && a.path == b.path && a.layer == b.layer && a.cutFrom == b.cutFrom &&
-           a.cut == b.cut && a.feather == b.feather && a.at == b.at;
-}
-
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
                        const PartPictures& known, std::vector<std::string>* notices) {
     PartPictures pictures;
     pictures.parts = parts;
     pictures.sheets.resize(parts.size());
     PartReader reader(folder, notices);
-    const bool isKnown = std::ranges::equal(parts, known.parts, samePixels);
-    if (isKnown) pictures.sheets = known.sheets;
+    std::vector<bool> isDone(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (!parts[i].cutFrom.empty()) continue;
-        if (!isKnown) pictures.sheets[i] = reader.read(parts[i]);
-        reader.place(parts[i], pictures.sheets[i]);
+        const Sheet* sheet = knownSheet(known, parts, parts[i]);
+        if (sheet) pictures.sheets[i] = *sheet;
+        if (!sheet && parts[i].cutFrom.empty()) pictures.sheets[i] = reader.read(parts[i]);
+        if (parts[i].cutFrom.empty()) reader.place(parts[i], pictures.sheets[i]);
+        isDone[i] = sheet || parts[i].cutFrom.empty();
+        if (parts[i].cutFrom.empty()) continue;
+        pictures.sheets[i].opacity = parts[i].opacity;
+        pictures.sheets[i].hidden = parts[i].hidden;
     }
     // A cut may be cut from, too: those that are cut from what is there come first.
-    std::vector<bool> isDone(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) isDone[i] = parts[i].cutFrom.empty();
     while (std::ranges::find(isDone, false) != isDone.end())
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (isDone[i]) continue;
-            const std::size_t from = placeOf(parts, parts[i].cutFrom);
-            if (!isDone[from]) continue;
-            if (!isKnown) cutOut(parts[i], pictures.sheets[from], pictures.sheets[i]);
-            pictures.sheets[i].opacity = parts[i].opacity;
-            pictures.sheets[i].hidden = parts[i].hidden;
+            const std::size_t from = isDone[i] ? i : placeOf(parts, parts[i].cutFrom);
+            if (isDone[i] || !isDone[from]) continue;
+            cutOut(parts[i], pictures.sheets[from], pictures.sheets[i]);
             isDone[i] = true;
         }
     takeCanvas(reader, folder, pictures);

@@ -21,7 +21,4 @@ struct PartPictures {
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
                        const PartPictures& known, std::vector<std::string>* notices);
 
-/// Returns whether both have the same pixels, but for opacity.
-bool samePixels(const PicturePart& a, const PicturePart& b);
-
 }  // namespace wend

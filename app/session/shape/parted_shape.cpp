@@ -67,24 +67,25 @@ class PartedShape {
 
     /// Outlines in domain coordinates, as far as they are not known.
     void findOutlines() {
-        const bool isKnown =
-            m_cache.outlines.size() == parts().size() && std::ranges::equal(parts(), m_known, samePixels);
+        std::vector<PartOutline> from;
         std::vector<Outline> outlines;
         for (std::size_t i = 0; i < parts().size(); ++i) {
             const Domain own = domainOf(m_domain, parts()[i]);
-            const PartOutline from{own.outline, own.alpha, own.polygons};
-            if (isKnown && m_cache.outlinesFrom[i] == from) {
-                outlines.push_back(m_cache.outlines[i]);
-                continue;
-            }
-            outlines.push_back(outlineOf(i, own));
+            from.push_back({own.outline, own.alpha, own.polygons});
+            const Outline* known = knownOutline(m_cache.pictures.sheets[i], from.back());
+            outlines.push_back(known ? *known : outlineOf(i, own));
         }
+        m_cache.outlinesOf = m_cache.pictures.sheets;
+        m_cache.outlinesFrom = std::move(from);
         m_cache.outlines = std::move(outlines);
-        m_cache.outlinesFrom.clear();
-        for (const PicturePart& part : parts()) {
-            const Domain own = domainOf(m_domain, part);
-            m_cache.outlinesFrom.emplace_back(PartOutline{own.outline, own.alpha, own.polygons});
-        }
+    }
+
+    const Outline* knownOutline(const Sheet& sheet, const PartOutline& from) const {
+        for (std::size_t i = 0; i < m_cache.outlines.size(); ++i)
+            if (m_cache.outlinesOf[i].picture == sheet.picture && m_cache.outlinesOf[i].at == sheet.at &&
+                m_cache.outlinesFrom[i] == from)
+                return &m_cache.outlines[i];
+        return nullptr;
     }
 
     Outline outlineOf(std::size_t part, const Domain& own) const try {
@@ -253,27 +254,36 @@ class PartedShape {
     }
 
     /// Each vertex has its place in the atlas.
-    SimplicialMesh<2> inAtlas(SimplicialMesh<2> drawn, const Atlas& atlas) const {
+    SimplicialMesh<2> inAtlas(SimplicialMesh<2> drawn) const {
         for (const MeshPart& part : drawn.parts) {
             const std::size_t i = placeOf(part.name);
-            const Vec<2> shift = atlas.places[i] - m_cache.pictures.sheets[i].at;
+            const Vec<2> shift = m_cache.places[i] - m_cache.pictures.sheets[i].at;
             drawn.points.middleCols(part.firstVertex, part.endVertex - part.firstVertex).colwise() += shift;
         }
         drawn.welds.clear();
         return drawn;
     }
 
-    void drawOnAtlas() {
+    /// The same one as long as the sheets are the same: windows prepare it.
+    void makeCachedAtlas() {
+        if (m_cache.atlas && m_cache.atlasOf == m_cache.pictures.sheets) return;
         Atlas atlas = makeAtlas(m_cache.pictures.sheets);
+        m_cache.atlasOf = m_cache.pictures.sheets;
+        m_cache.atlas = std::make_shared<const Image>(std::move(atlas.picture));
+        m_cache.places = std::move(atlas.places);
+    }
+
+    void drawOnAtlas() {
+        makeCachedAtlas();
         Texture texture;
         SimplicialMesh<2> drawn = *m_shape.rest;
         addRiders(drawn, texture);
-        texture.rest = std::make_shared<const SimplicialMesh<2>>(inAtlas(drawn, atlas));
+        texture.rest = std::make_shared<const SimplicialMesh<2>>(inAtlas(drawn));
         texture.drawn = std::make_shared<const SimplicialMesh<2>>(std::move(drawn));
         for (const MeshPart& part : texture.drawn->parts)
             texture.sheets.push_back(m_cache.pictures.sheets[placeOf(part.name)]);
         texture.width = m_cache.pictures.width, texture.height = m_cache.pictures.height;
-        m_shape.picture = std::make_shared<const Image>(std::move(atlas.picture));
+        m_shape.picture = m_cache.atlas;
         m_shape.texture = std::make_shared<const Texture>(std::move(texture));
     }
 
@@ -287,7 +297,6 @@ class PartedShape {
     const Design<2>& m_design;
     const std::string& m_folder;
     PartedCache& m_cache;
-    const std::vector<PicturePart> m_known = m_cache.pictures.parts;
     std::vector<int> m_vertices;              // that each part aims at
     std::vector<SimplicialMesh<2>> m_meshes;  // of each part
     SimplicialMesh<2> m_rest;

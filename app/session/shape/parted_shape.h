@@ -11,8 +11,12 @@ namespace wend {
 /// What of a parted picture's shape serves again: pictures, and outlines in domain coordinates.
 struct PartedCache {
     PartPictures pictures;
-    std::vector<std::optional<PartOutline>> outlinesFrom;
+    std::vector<Sheet> outlinesOf;
+    std::vector<PartOutline> outlinesFrom;
     std::vector<Outline> outlines;
+    std::vector<Sheet> atlasOf;
+    std::shared_ptr<const Image> atlas;
+    std::vector<Vec<2>> places;  // of the sheets in it
 };
 
 /// The shape of a picture of parts, without material. Each part has an outline and a mesh of its own; one
