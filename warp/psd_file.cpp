@@ -305,6 +305,7 @@ class PsdPlanes {
         for (std::size_t y = 0; y < m_height; ++y) lengths.push_back(walk.number(m_isLarge ? 4 : 2));
         std::string plane;
         for (const std::size_t length : lengths) {
+            if (plane.size() > size()) break;
             ByteWalk row(std::string(walk.bytes(length)));
             while (row.left() > 0) {
                 const int n = static_cast<std::int8_t>(row.number(1));

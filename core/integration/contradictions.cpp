@@ -144,8 +144,8 @@ class Rehearsal {
                   high = std::max(handleOf(first), handleOf(other));
         std::ostringstream out;
         out.imbue(std::locale::classic());
-        out << m_constraints.handleName(low) << " and " << m_constraints.handleName(high) << " move the "
-            << (isWeld(row.row) ? "joint at " : "point ")
+        out << m_constraints.handleName(low) << " and " << m_constraints.handleName(high)
+            << (isWeld(row.row) ? " move the joint at " : " move the point ")
             << placeName<Dim>(m_units.domain(positions.col(first))) << " in different ways at time " << t;
         throw InputError(out.str());
     }

@@ -115,6 +115,20 @@ void cutOut(const PicturePart& part, Sheet& from, Sheet& sheet) {
     from.picture = std::make_shared<const Image>(faded(whole, rest));
 }
 
+/// Colours are compared, and laid over one another, as the numbers that they are.
+void tellOfProfiles(const std::vector<Sheet>& sheets, std::vector<std::string>& notices) {
+    const auto colours = [](const Sheet& sheet) {
+        const bool isOfExr = sheet.picture->metadata && sheet.picture->metadata->isOfExr;
+        return std::pair(sheet.picture->iccProfile(), isOfExr);
+    };
+    const auto differs = [&](const Sheet& sheet) { return colours(sheet) != colours(sheets.front()); };
+    if (std::ranges::any_of(sheets, differs))
+        notices.push_back(
+            "domain.parts: the pictures have different colour profiles: their numbers are taken as those of "
+            "the "
+            "first part");
+}
+
 std::size_t placeOf(const std::vector<PicturePart>& parts, const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(parts, name, &PicturePart::name) - parts.begin());
 }
@@ -183,6 +197,7 @@ PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string&
             isDone[i] = true;
         }
     takeCanvas(reader, folder, pictures);
+    if (notices) tellOfProfiles(pictures.sheets, *notices);
     return pictures;
 }
 

@@ -32,6 +32,14 @@ class TestPartList : public QObject {
     void picturesOpenTogether();
 
   private:
+    void dragged();
+    double gap() {
+        const auto frame = m_f->session().frame<2>();
+        Vec<2> difference = Vec<2>::Zero();
+        for (const auto& [v, weight] : frame->rest->welds.at(0).terms)
+            difference += weight * frame->pose.col(v);
+        return difference.norm();
+    }
     PartList& panel() { return m_f->window().properties().parts(); }
     QListWidget& list() { return *panel().list(); }
     const std::vector<PicturePart>& parts() { return m_f->session().document().domain().parts; }
@@ -106,10 +114,29 @@ void TestPartList::listChangesParts() {
     QVERIFY(at.x() > 38 && at.x() < 92 && at.y() > 26 && at.y() < 54);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().frame<2>()->rest->welds.size(), std::size_t{1});
+    dragged();
     while (undo().canUndo()) undo().undo();
     QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
     QVERIFY(!parts()[1].hidden && parts()[1].joints.empty());
     QVERIFY(settle(m_f->session()));
+}
+
+/// Under the hand, and when it has let go, both parts are together at the joint.
+void TestPartList::dragged() {
+    ShapeSession& session = m_f->session();
+    session.addPin<2>({20, 70});
+    session.addPin<2>({150, 40});
+    QVERIFY(settle(session));
+    session.beginDrag();
+    for (int k = 1; k <= 5; ++k) {
+        session.dragTo({-6.0 * k, 8.0 * k});
+        QTRY_VERIFY(session.frame()->live && session.frame()->amount.norm() > 1);
+        QVERIFY(gap() < 1e-9);
+    }
+    session.endDrag(0.2);
+    QVERIFY(settle(session));
+    QVERIFY(gap() < 1e-9);
+    QVERIFY((session.frame<2>()->pose - session.frame<2>()->rest->points).colwise().norm().maxCoeff() > 20);
 }
 
 /// A pin belongs to the part under it, and the canvas has the pixels of the file.
