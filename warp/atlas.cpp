@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kGutter = 32;  // pixels around every picture
 
-/// What holds all sheets.
+/// Returns the layout that holds all sheets.
 PixelLayout commonLayout(const std::vector<Sheet>& sheets) {
     PixelLayout layout{PixelType::UInt8, 2, true, sheets.front().picture->unassociated};
     if (!sheets.front().picture->alpha) layout.unassociated = true;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <pugixml.hpp>
+#include <set>
 #include <string_view>
 
 #include "core/mesh/error.h"
@@ -100,6 +101,9 @@ LayerList layersOf(const ZipArchive& zip, const Description& description) {
         if (!list.files.back().empty()) takeSize(zip.file(list.files.back(), 24), layer);
         list.layers.push_back(std::move(layer));
     }
+    std::vector<std::string*> names;
+    for (PictureLayer& layer : list.layers) names.push_back(&layer.name);
+    giveOwnNames(names);
     return list;
 }
 
@@ -112,12 +116,19 @@ LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
     return {std::move(*merged), layersOf(zip, format == PictureFormat::Krita ? kKrita : kOpenRaster).layers};
 }
 
+void giveOwnNames(const std::vector<std::string*>& names) {
+    std::set<std::string> taken;
+    for (std::string* name : names) {
+        if (name->empty()) *name = "layer";
+        const std::string own = *name;
+        for (int number = 2; !taken.insert(*name).second; ++number)
+            *name = own + " (" + std::to_string(number) + ")";
+    }
+}
+
 std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name) {
     const auto found = std::ranges::find(layers, name, &PictureLayer::name);
     if (found == layers.end()) throw InputError("has no layer \"" + name + '"');
-    if (std::find_if(found + 1, layers.end(), [&](const auto& one) { return one.name == name; }) !=
-        layers.end())
-        throw InputError("has several layers \"" + name + "\": give them names of their own");
     return static_cast<std::size_t>(found - layers.begin());
 }
 

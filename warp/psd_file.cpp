@@ -178,6 +178,10 @@ LayerSection layersIn(std::string bytes, bool isLarge) {
     section.isTransparent = count < 0;
     for (int k = 0; k < std::abs(count); ++k) section.records.push_back(nextRecord(walk, isLarge));
     takeGroups(section.records);
+    std::vector<std::string*> names;
+    for (LayerRecord& record : section.records)
+        if (record.kind == LayerRecord::Kind::Layer) names.push_back(&record.layer.name);
+    giveOwnNames(names);
     section.pixels = walk.bytes(walk.left());
     return section;
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kFullOpacity = 100;
 
-/// What a part's line says beside its name, for those who do not see it.
+/// Returns the tooltip and accessible description of a part's line.
 QString describedPart(const PicturePart& part) {
     QStringList words;
     if (part.hidden) words << PartList::tr("hidden");

@@ -22,12 +22,6 @@ bool hasOutline(const Image& picture) {
     }
 }
 
-bool areNamesTheirOwn(std::vector<PictureLayer> layers) {
-    std::ranges::sort(layers, {}, &PictureLayer::name);
-    return std::ranges::adjacent_find(layers, {}, &PictureLayer::name) == layers.end() &&
-           std::ranges::none_of(layers, [](const PictureLayer& layer) { return layer.name.empty(); });
-}
-
 /// From front to back. A Photoshop file begins with the layer at the back.
 std::vector<PictureLayer> layersOf(const Image& picture, PictureFormat format) {
     std::vector<PictureLayer> layers = fileMetadata(picture)->layers;
@@ -59,7 +53,7 @@ std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& pic
     const PictureFormat format = pictureFormat(InputFile(path));
     if (format != PictureFormat::OpenRaster && format != PictureFormat::Psd) return {};
     const std::vector<PictureLayer> layers = layersOf(picture, format);
-    if (layers.size() < 2 || !areNamesTheirOwn(layers)) return {};
+    if (layers.size() < 2) return {};
     std::vector<PicturePart> parts;
     for (const PictureLayer& layer : layers) {
         PicturePart& part = parts.emplace_back();

@@ -56,7 +56,7 @@ auto HandlePlacer<Dim>::partsFor(const std::string& name) const -> Parts {
     if (name.empty()) return m_parts;
     const auto found =
         std::ranges::find_if(m_parts, [&](const auto& part) { return part->range.name == name; });
-    if (found == m_parts.end()) throw InputError("there is no part \"" + name + '"');
+    if (found == m_parts.end()) throw InputError("there is no part \"" + name + "\"");
     return {&*found, 1};
 }
 

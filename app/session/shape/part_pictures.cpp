@@ -13,7 +13,7 @@
 namespace wend {
 namespace {
 
-/// What a file says of its layers.
+/// The layers that a file lists, and its size.
 struct LayersOfFile {
     int width = 0, height = 0;
     std::vector<PictureLayer> layers;
@@ -49,7 +49,7 @@ class PartReader {
         found->second = {header.width, header.height, fileMetadata(header)->layers};
         return found->second;
     }
-    /// Gives a sheet what its layer's file and the project say of it.
+    /// Sets place, opacity and visibility of a sheet: the project's, otherwise those of the layer's file.
     void place(const PicturePart& part, Sheet& sheet) {
         sheet.opacity = part.opacity;
         sheet.at = part.at.value_or(Vec<2>::Zero());
@@ -99,7 +99,7 @@ float cutOver(const PicturePart& part, const Vec<2>& centre) {
     return sum / (kPlaces * kPlaces);
 }
 
-/// Moves a region from one sheet to a new one. What the new one does not hide at rest remains below it.
+/// Moves a region from one sheet to a new one. Pixels that the new one does not hide at rest remain below it.
 void cutOut(const PicturePart& part, Sheet& from, Sheet& sheet) {
     const Image whole = *from.picture;
     const auto share = [&](int y, std::vector<float>& factors) {

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What of a parted picture's shape serves again: pictures, and outlines in domain coordinates.
+/// Pictures, outlines in domain coordinates, and atlas of the newest shape, for the next one.
 struct PartedCache {
     PartPictures pictures;
     std::vector<Sheet> outlinesOf;

@@ -26,7 +26,7 @@ struct PictureMap {
     Points<2> operator()(const Points<2>& points) const { return (A * points).colwise() + b; }
 };
 
-/// What follows the map of a part without a mesh of its own in the equations.
+/// A part that follows the map of another one and has no mesh in the equations.
 struct Rider {
     SimplicialMesh<2> host;  // all points of the shape, and the cells of the part that it rides on
     Embedding<2> embedding;  // of its points in that

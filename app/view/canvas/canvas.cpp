@@ -147,7 +147,7 @@ void ShapeCanvas::takeParts(const PosedFrame<2>& frame) {
     if (wanted != m_source) preparePicture(wanted);
 }
 
-/// Returns what a frame is drawn with; null if there is nothing, or while it is prepared.
+/// Returns the picture of a frame; null without one, or while it is prepared.
 std::shared_ptr<const ScreenPicture> ShapeCanvas::pictureOf(const PosedPtr<2>& frame) const {
     if (!frame || frame == m_unbent || !frame->built) return frame == m_unbent ? m_flat : m_picture;
     const bool hasParts = frame->built->texture && frame->built->texture->drawn;

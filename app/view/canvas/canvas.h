@@ -110,7 +110,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     ShapeSession& m_session;
     Viewport m_viewport;
     std::shared_ptr<const Image> m_source;     // the document's picture, or that of a file's mesh or of parts
-    std::shared_ptr<const Image> m_pictureOf;  // what m_picture was made of
+    std::shared_ptr<const Image> m_pictureOf;  // the image of m_picture
     std::shared_ptr<const ScreenPicture> m_picture;
     std::shared_ptr<const ScreenPicture> m_flat;  // the document's picture
     std::shared_ptr<const PoseFaults<2>> m_faults;

@@ -15,7 +15,7 @@ PartsOffer::PartsOffer(Document& document, InfoBanner& banner, QObject* parent)
     connect(&m_document, &Document::projectChanged, this, &PartsOffer::follow);
 }
 
-/// A project's parts are there because somebody wanted them.
+/// Saved projects keep their parts: nothing is offered for them.
 void PartsOffer::offer() {
     m_isOffered = !m_document.isEmpty() && m_document.path().isEmpty() &&
                   !m_document.domain().parts.empty() &&

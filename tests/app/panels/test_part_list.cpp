@@ -70,7 +70,8 @@ void TestPartList::init() {
     QVERIFY(m_f->openFile(path));
 }
 
-/// What is too small for a mesh rides; one click makes the file's picture of them, which undo takes back.
+/// A layer that is too small for a mesh rides; one click makes the file's picture of them, which undo takes
+/// back.
 void TestPartList::layersAreParts() {
     QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
     QCOMPARE(parts()[0].ridesOn, std::string("bar"));
@@ -181,7 +182,7 @@ void TestPartList::canvasIsTheExport() {
     QVERIFY(compared > 500);
 }
 
-/// The first is in front; what is no picture is refused by its name.
+/// The first is in front; a file that is no picture is refused by its name.
 void TestPartList::picturesOpenTogether() {
     const QString front = m_folder.filePath("a.png"), back = m_folder.filePath("b/a.png");
     QVERIFY(QDir(m_folder.path()).mkpath("b"));

@@ -17,6 +17,7 @@
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
+#include "warp/open_raster.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -39,7 +40,7 @@ Rgba over(const Rgba& top, const Rgba& below) {
     return result;
 }
 
-/// What is transparent has any colour.
+/// Colours of transparent pixels do not count.
 bool isNear(const Rgba& a, const Rgba& b, double tolerance = 1.6 / 255) {
     if (a[3] == 0 && b[3] == 0) return true;
     for (std::size_t c = 0; c < 4; ++c)
@@ -215,7 +216,7 @@ void TestParts::limbTurnsAtItsJoint() {
     QVERIFY(inside > 300);
 }
 
-/// What rides on a part that is moved away goes along, also where it reaches beyond its host.
+/// A rider goes along with its host, also where it reaches beyond it.
 void TestParts::ridersFollow() {
     const LoadedProject loaded = project(
         R"({"name": "square", "image": "square.png", "at": [20, 8], "ridesOn": "bar"},
@@ -255,6 +256,11 @@ void TestParts::layersAreWritten() {
            {"name": "board", "image": "board.png"})",
         R"(, "handles": [{"at": {"part": "square <1>", "points": [[22, 10], [34, 22]]},
                           "motion": [{"kind": "translate", "by": [30, 20]}]}])");
+    writeOpenRaster(
+        at("twins.ora").toStdString(),
+        {{"hand", plainPicture(4, 3, {9, 9, 9, 255})}, {"hand", plainPicture(5, 3, {9, 9, 9, 255})}},
+        plainPicture(5, 3, {9, 9, 9, 255}));
+    QCOMPARE(readLayer(at("twins.ora").toStdString(), "hand (2)").width, 5);  // equal names are told apart
     run(loaded, {}, "out.ora");
     const QImage flat = run(loaded);
     QProcess python;
