@@ -95,6 +95,10 @@ void TestPartList::layersAreParts() {
 }
 
 void TestPartList::listChangesParts() {
+    QVERIFY(list().model()->moveRow({}, 0, {}, 3));  // as a drag does
+    QTRY_COMPARE(names(), (QStringList{"bar", "board", "dot"}));
+    undo().undo();
+    QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
     list().item(1)->setCheckState(Qt::Unchecked);
     QTRY_VERIFY(parts()[1].hidden);
     list().item(1)->setText("arm");
