@@ -34,16 +34,9 @@ std::string oddPixels(const Image& image) {
     });
 }
 
-}  // namespace
-
-Image readImageHeader(const std::string& path) {
-    auto [image, orientation, ignored] = readPictureHeader(path);
-    if (orientation >= 5) std::swap(image.width, image.height);
-    return std::move(image);
-}
-
-Image readImage(const std::string& path, double maxMegapixels, std::vector<std::string>* notices) try {
-    StoredPicture stored = readPicture(path, {.megapixels = maxMegapixels});
+Image readUpright(const std::string& path, const std::string& layer, double maxMegapixels,
+                  std::vector<std::string>* notices) try {
+    StoredPicture stored = readPicture(path, {.megapixels = maxMegapixels}, layer);
     Image image = upright(std::move(stored.image), stored.orientation);
     if (!notices) return image;
     if (std::string odd = oddPixels(image); !odd.empty()) stored.notices.push_back(std::move(odd));
@@ -53,6 +46,22 @@ Image readImage(const std::string& path, double maxMegapixels, std::vector<std::
     throw;
 } catch (const std::bad_alloc&) {
     throw OutOfMemory(path);
+}
+
+}  // namespace
+
+Image readImageHeader(const std::string& path) {
+    auto [image, orientation, ignored] = readPictureHeader(path);
+    if (orientation >= 5) std::swap(image.width, image.height);
+    return std::move(image);
+}
+
+Image readImage(const std::string& path, double maxMegapixels, std::vector<std::string>* notices) {
+    return readUpright(path, {}, maxMegapixels, notices);
+}
+
+Image readLayer(const std::string& path, const std::string& layer, std::vector<std::string>* notices) {
+    return readUpright(path, layer, kMaxMegapixels, notices);
 }
 
 }  // namespace wend

@@ -2,9 +2,11 @@
 
 #include <minizip/unzip.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <pugixml.hpp>
+#include <set>
 #include <string_view>
 
 #include "core/mesh/error.h"
@@ -63,11 +65,13 @@ PictureLayer layerOf(const pugi::xml_node& node, const Description& description)
     layer.name = node.attribute("name").value();
     layer.x = node.attribute("x").as_int();
     layer.y = node.attribute("y").as_int();
-    layer.opacity = node.attribute("opacity").as_double(description.opaque) / description.opaque;
     std::string blend = node.attribute(description.blend).as_string("normal");
-    layer.blend = blend.substr(blend.find(':') + 1);  // "svg:multiply" by OpenRaster
-    const std::string_view shown = node.attribute(description.visible).as_string(description.shown);
-    layer.visible = shown == description.shown;
+    layer.blend = blend.substr(blend.find(':') + 1);        // "svg:multiply" by OpenRaster
+    for (pugi::xml_node at = node; at; at = at.parent()) {  // with the groups that it is in
+        const std::string_view shown = at.attribute(description.visible).as_string(description.shown);
+        layer.visible = layer.visible && shown == description.shown;
+        layer.opacity *= at.attribute("opacity").as_double(description.opaque) / description.opaque;
+    }
     return layer;
 }
 
@@ -79,19 +83,28 @@ void takeSize(const std::optional<std::string>& png, PictureLayer& layer) {
     layer.height = static_cast<int>(bigEndian(*png, kHeight));
 }
 
-std::vector<PictureLayer> layersOf(const ZipArchive& zip, const Description& description) {
+/// The layers of a description, without groups, and where their pictures are in the archive.
+struct LayerList {
+    std::vector<PictureLayer> layers;
+    std::vector<std::string> files;
+};
+
+LayerList layersOf(const ZipArchive& zip, const Description& description) {
     const auto text = zip.file(description.file);
     pugi::xml_document document;
     if (!text || !document.load_buffer(text->data(), text->size()))
         zip.fail("has a damaged " + std::string(description.file));
-    std::vector<PictureLayer> layers;
+    LayerList list;
     for (const auto& found : document.select_nodes("//layer[not(@nodetype='grouplayer')]")) {
         PictureLayer layer = layerOf(found.node(), description);
-        if (const std::string file = found.node().attribute("src").value(); !file.empty())
-            takeSize(zip.file(file, 24), layer);
-        layers.push_back(std::move(layer));
+        list.files.emplace_back(found.node().attribute("src").value());
+        if (!list.files.back().empty()) takeSize(zip.file(list.files.back(), 24), layer);
+        list.layers.push_back(std::move(layer));
     }
-    return layers;
+    std::vector<std::string*> names;
+    for (PictureLayer& layer : list.layers) names.push_back(&layer.name);
+    giveOwnNames(names);
+    return list;
 }
 
 }  // namespace
@@ -100,7 +113,33 @@ LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
     const ZipArchive zip(path);
     auto merged = zip.file("mergedimage.png");
     if (!merged) zip.fail("holds no picture of all its layers (mergedimage.png): save it with one");
-    return {std::move(*merged), layersOf(zip, format == PictureFormat::Krita ? kKrita : kOpenRaster)};
+    return {std::move(*merged), layersOf(zip, format == PictureFormat::Krita ? kKrita : kOpenRaster).layers};
+}
+
+void giveOwnNames(const std::vector<std::string*>& names) {
+    std::set<std::string> taken;
+    for (std::string* name : names) {
+        if (name->empty()) *name = "layer";
+        const std::string own = *name;
+        for (int number = 2; !taken.insert(*name).second; ++number)
+            *name = own + " (" + std::to_string(number) + ")";
+    }
+}
+
+std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name) {
+    const auto found = std::ranges::find(layers, name, &PictureLayer::name);
+    if (found == layers.end()) throw InputError("has no layer \"" + name + '"');
+    return static_cast<std::size_t>(found - layers.begin());
+}
+
+std::string readLayerPicture(const std::string& path, const std::string& name) try {
+    const ZipArchive zip(path);
+    const LayerList list = layersOf(zip, kOpenRaster);
+    auto picture = zip.file(list.files[layerNamed(list.layers, name)]);
+    if (!picture) throw InputError("holds no picture of its layer \"" + name + '"');
+    return std::move(*picture);
+} catch (const InputError& error) {
+    throw error.named(path);
 }
 
 }  // namespace wend

@@ -18,4 +18,13 @@ struct LayeredFile {
 /// Throws InputError(path, reason).
 LayeredFile readLayeredFile(const std::string& path, PictureFormat format);
 
+/// Makes the names of layers different: of equal ones, later ones get a number, "hand (2)"; no name: "layer".
+void giveOwnNames(const std::vector<std::string*>& names);
+
+/// Returns the place of the layer with that name. Throws InputError without a file if there is none.
+std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name);
+
+/// Reads the picture of one layer, a PNG file, of an OpenRaster file. Throws InputError(path, reason).
+std::string readLayerPicture(const std::string& path, const std::string& name);
+
 }  // namespace wend

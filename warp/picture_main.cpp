@@ -56,7 +56,9 @@ PictureMessage answerTo(const PictureMessage& request, PixelSink& sink) {
     bool isSound = true;  // no library has seen the file
     try {
         std::vector<std::string> notices;
-        const PictureSource source = sourceOf(request.at("path"), notices);
+        const PictureSource source = request.contains("layer")
+                                         ? layerSourceOf(request.at("path"), request.at("layer"), notices)
+                                         : sourceOf(request.at("path"), notices);
         isSound = false;
         return {{"picture", messageOf(read(request, source, notices, sink))}};
     } catch (const InputError& error) {

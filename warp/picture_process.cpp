@@ -55,8 +55,9 @@ void requireRoom(const std::string& path) {
 /// Reads one picture.
 class Reading {
   public:
-    Reading(std::string path, const PictureLimits& limits)
+    Reading(std::string path, std::string layer, const PictureLimits& limits)
         : m_path(std::move(path)),
+          m_layer(std::move(layer)),
           m_absolute(std::filesystem::absolute(m_path).string()),
           m_limits(limits),
           m_reader(idleReader().take()) {
@@ -67,6 +68,7 @@ class Reading {
 
     StoredPicture read(bool pixels) try {
         PictureMessage request{{"path", m_absolute}};
+        if (!m_layer.empty()) request["layer"] = m_layer;
         if (pixels) request["megapixels"] = m_limits.megapixels;
         if (!m_reader->send(pack(request))) fail();
         for (;;) {
@@ -150,7 +152,7 @@ class Reading {
         failWith((isFromOutside ? "its reader was ended" : "its reader failed inside") + signal);
     }
 
-    std::string m_path, m_absolute;
+    std::string m_path, m_layer, m_absolute;
     PictureLimits m_limits;
     std::unique_ptr<ChildLink> m_reader;
     Image m_image;
@@ -161,14 +163,14 @@ class Reading {
 
 }  // namespace
 
-StoredPicture readPicture(const std::string& path, const PictureLimits& limits) {
+StoredPicture readPicture(const std::string& path, const PictureLimits& limits, const std::string& layer) {
     pictureFormat(InputFile(path));  // other files need no process
-    return Reading(path, limits).read(true);
+    return Reading(path, layer, limits).read(true);
 }
 
 StoredPicture readPictureHeader(const std::string& path) {
     pictureFormat(InputFile(path));
-    return Reading(path, {}).read(false);
+    return Reading(path, {}, {}).read(false);
 }
 
 }  // namespace wend

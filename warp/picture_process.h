@@ -15,8 +15,10 @@ struct PictureLimits {
 
 /// Reads a picture by wend-picture, a process of its own, which may fail in any way, and is kept for the next
 /// picture if it does not. The pixels come in strips through shared memory. Throws InputError with the reason
-/// if the file or its reader fails, OutOfMemory, and Cancelled after stopReading(). Thread-safe.
-StoredPicture readPicture(const std::string& path, const PictureLimits& limits);
+/// if the file or its reader fails, OutOfMemory, and Cancelled after stopReading(). Thread-safe. With the
+/// name of a layer, reads that one of a file with layers.
+StoredPicture readPicture(const std::string& path, const PictureLimits& limits,
+                          const std::string& layer = {});
 
 /// The same without the pixels.
 StoredPicture readPictureHeader(const std::string& path);

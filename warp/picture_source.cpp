@@ -127,4 +127,19 @@ PictureSource sourceOf(const std::string& path, std::vector<std::string>& notice
     return source;
 }
 
+PictureSource layerSourceOf(const std::string& path, const std::string& layer,
+                            std::vector<std::string>& notices) {
+    const InputFile file(path);
+    PictureSource source{path, pictureFormat(file)};
+    if (source.format == PictureFormat::Psd)
+        source.bytes = readPsdLayer(file, layer, notices);
+    else if (source.format == PictureFormat::OpenRaster)
+        source.bytes = readLayerPicture(path, layer);
+    else
+        throw InputError(path, "its layers cannot be read one by one: save it as OpenRaster (.ora) or .psd");
+    source.format = PictureFormat::Png;
+    takePng({path, source.bytes}, source, notices);
+    return source;
+}
+
 }  // namespace wend

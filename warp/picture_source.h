@@ -11,4 +11,8 @@ namespace wend {
 /// not tell. `notices` receives what the user should know. Throws InputError.
 PictureSource sourceOf(const std::string& path, std::vector<std::string>& notices);
 
+/// The same for one layer of a file with layers.
+PictureSource layerSourceOf(const std::string& path, const std::string& layer,
+                            std::vector<std::string>& notices);
+
 }  // namespace wend

@@ -1,8 +1,11 @@
 #include "warp/psd_file.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -94,56 +97,114 @@ std::string blendMode(std::string_view key) {
     return known != kBlendModes.end() ? known->second : std::string(key);
 }
 
+/// A layer's record. Groups are records, too: one below their layers, and one above them that tells of them.
+struct LayerRecord {
+    enum class Kind { Layer, GroupTop, GroupBottom };
+    Kind kind = Kind::Layer;
+    PictureLayer layer;
+    bool hasMask = false;
+    std::vector<std::pair<int, std::uint64_t>> channels;  // what it is (−1: alpha), bytes
+};
+
 /// Takes what follows a layer's record: its name, and whether it is one or begins or ends a group.
-bool takeExtras(ByteWalk extras, bool isLarge, PictureLayer& layer) {
-    extras.skip(extras.number());  // mask
+void takeExtras(ByteWalk extras, bool isLarge, LayerRecord& record) {
+    constexpr std::uint32_t kBottom = 3;
+    const std::uint32_t mask = extras.number();
+    record.hasMask = mask > 0;
+    extras.skip(mask);
     extras.skip(extras.number());  // blending ranges
     const std::size_t length = extras.number(1);
-    layer.name = extras.bytes(length);
+    record.layer.name = extras.bytes(length);
     extras.skip(std::min<std::size_t>((4 - (length + 1) % 4) % 4, extras.left()));
-    bool isLayer = true;
     while (const auto block = nextBlock(extras, isLarge)) {
-        if (block->key == "luni" && block->data.size() >= 4) layer.name = utf8(block->data.substr(4));
-        if (block->key == "lsct" && block->data.size() >= 4) isLayer = bigEndian(block->data) == 0;
+        if (block->key == "luni" && block->data.size() >= 4) record.layer.name = utf8(block->data.substr(4));
+        if (block->key != "lsct" || block->data.size() < 4) continue;
+        const std::uint32_t kind = bigEndian(block->data);
+        if (kind != 0)
+            record.kind = kind == kBottom ? LayerRecord::Kind::GroupBottom : LayerRecord::Kind::GroupTop;
     }
-    return isLayer;
 }
 
-/// Reads records of layers: their rectangle, channels, blend mode, opacity, flags and extras.
-std::vector<PictureLayer> layersIn(ByteWalk walk, bool isLarge, bool& isTransparent) {
+LayerRecord nextRecord(ByteWalk& walk, bool isLarge) {
     constexpr unsigned kHidden = 2;
-    const int count = static_cast<std::int16_t>(walk.number(2));
-    isTransparent = count < 0;
-    std::vector<PictureLayer> layers;
-    for (int k = 0; k < std::abs(count); ++k) {
-        PictureLayer layer;
-        layer.y = walk.signedNumber(), layer.x = walk.signedNumber();
-        layer.height = walk.signedNumber() - layer.y, layer.width = walk.signedNumber() - layer.x;
-        walk.skip(walk.number(2) * (isLarge ? 10U : 6U));
-        walk.skip(4);
-        layer.blend = blendMode(walk.bytes(4));
-        layer.opacity = walk.number(1) / 255.0;
-        walk.skip(1);
-        layer.visible = (walk.number(1) & kHidden) == 0;
-        walk.skip(1);
-        if (takeExtras(ByteWalk(std::string(walk.bytes(walk.number()))), isLarge, layer))
-            layers.push_back(layer);
+    LayerRecord record;
+    PictureLayer& layer = record.layer;
+    layer.y = walk.signedNumber(), layer.x = walk.signedNumber();
+    layer.height = walk.signedNumber() - layer.y, layer.width = walk.signedNumber() - layer.x;
+    for (unsigned left = walk.number(2); left > 0; --left) {
+        const int kind = static_cast<std::int16_t>(walk.number(2));
+        record.channels.emplace_back(kind, walk.length());
     }
-    return layers;
+    walk.skip(4);
+    layer.blend = blendMode(walk.bytes(4));
+    layer.opacity = walk.number(1) / 255.0;
+    walk.skip(1);
+    layer.visible = (walk.number(1) & kHidden) == 0;
+    walk.skip(1);
+    takeExtras(ByteWalk(std::string(walk.bytes(walk.number()))), isLarge, record);
+    return record;
 }
 
-/// Whether the resources say that the picture of all layers is none: Photoshop leaves it out if asked to.
-bool lacksPicture(ByteWalk resources) {
-    constexpr unsigned kVersion = 1057;
+/// From the top down, layers get the opacity of their groups, and are hidden with them.
+void takeGroups(std::vector<LayerRecord>& records) {
+    std::vector<std::pair<double, bool>> groups{{1, true}};
+    for (auto record = records.rbegin(); record != records.rend(); ++record) {
+        record->layer.opacity *= groups.back().first;
+        record->layer.visible = record->layer.visible && groups.back().second;
+        if (record->kind == LayerRecord::Kind::GroupTop)
+            groups.emplace_back(record->layer.opacity, record->layer.visible);
+        if (record->kind == LayerRecord::Kind::GroupBottom && groups.size() > 1) groups.pop_back();
+    }
+}
+
+/// A section of layers: their records, from the back to the front, and behind them their pixels.
+struct LayerSection {
+    std::vector<LayerRecord> records;
+    std::string pixels;
+    bool isTransparent = false;
+
+    std::vector<PictureLayer> layers() const {
+        std::vector<PictureLayer> layers;
+        for (const LayerRecord& record : records)
+            if (record.kind == LayerRecord::Kind::Layer) layers.push_back(record.layer);
+        return layers;
+    }
+};
+
+LayerSection layersIn(std::string bytes, bool isLarge) {
+    ByteWalk walk(std::move(bytes), isLarge);
+    LayerSection section;
+    const int count = static_cast<std::int16_t>(walk.number(2));
+    section.isTransparent = count < 0;
+    for (int k = 0; k < std::abs(count); ++k) section.records.push_back(nextRecord(walk, isLarge));
+    takeGroups(section.records);
+    std::vector<std::string*> names;
+    for (LayerRecord& record : section.records)
+        if (record.kind == LayerRecord::Kind::Layer) names.push_back(&record.layer.name);
+    giveOwnNames(names);
+    section.pixels = walk.bytes(walk.left());
+    return section;
+}
+
+/// The data of a resource of that kind, if there is one.
+std::optional<std::string> resource(std::string bytes, unsigned wanted) {
+    ByteWalk resources(std::move(bytes));
     while (resources.left() >= 12 && resources.bytes(4) == "8BIM") {
         const unsigned kind = resources.number(2), name = resources.number(1);
         resources.skip(name + (name + 1) % 2);
         const std::uint32_t size = resources.number();
         const std::string_view data = resources.bytes(size);
-        if (kind == kVersion && data.size() > 4) return data[4] == 0;
+        if (kind == wanted) return std::string(data);
         resources.skip(std::min<std::size_t>(size % 2, resources.left()));
     }
-    return false;
+    return std::nullopt;
+}
+
+/// Whether the resources say that the picture of all layers is none: Photoshop leaves it out if asked to.
+bool lacksPicture(const std::string& resources) {
+    constexpr unsigned kVersion = 1057;
+    const auto version = resource(resources, kVersion);
+    return version && version->size() > 4 && (*version)[4] == 0;
 }
 
 /// A section of layers with one of no size, whose negative count says that the picture has transparency.
@@ -160,6 +221,133 @@ std::string noLayers(bool isLarge, bool isTransparent) {
     return length(layers.size()) + layers;
 }
 
+/// The planes of a layer, each after how it is packed: not, by runs of bytes (PackBits), or by zlib.
+class PsdPlanes {
+  public:
+    PsdPlanes(const LayerRecord& record, std::string pixels, unsigned bits, bool isLarge)
+        : m_width(static_cast<std::size_t>(std::max(record.layer.width, 0))),
+          m_height(static_cast<std::size_t>(std::max(record.layer.height, 0))),
+          m_bytes(bits / 8),
+          m_isLarge(isLarge) {
+        if (m_width == 0 || m_height == 0)
+            throw InputError("has an empty layer \"" + record.layer.name + '"');
+        if (1e-6 * static_cast<double>(m_width) * static_cast<double>(m_height) > kMaxMegapixels)
+            throw InputError("has a layer of more than 400 million pixels");
+        ByteWalk walk(std::move(pixels));
+        for (const auto& [kind, length] : record.channels) {
+            const std::string_view packed = walk.bytes(length);
+            if (kind >= -1) m_planes[kind] = unpacked(ByteWalk(std::string(packed)));
+        }
+    }
+
+    /// A PNG file of the planes, with this colour profile if it is not empty.
+    std::string png(int colours, const std::string& profile) const {
+        constexpr std::array<char, 8> kMark{'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
+        std::vector<std::string_view> planes;
+        for (int kind = 0; kind < colours; ++kind) planes.push_back(plane(kind));
+        const bool hasAlpha = m_planes.contains(-1);
+        if (hasAlpha) planes.push_back(plane(-1));
+        std::string rows;
+        for (std::size_t y = 0; y < m_height; ++y) {
+            rows += '\0';
+            for (std::size_t at = y * rowBytes(); at < (y + 1) * rowBytes(); at += m_bytes)
+                for (const std::string_view one : planes) rows += one.substr(at, m_bytes);
+        }
+        const int kind = (colours > 1 ? 2 : 0) + (hasAlpha ? 4 : 0);
+        const std::string header = bytesOf(m_width, 4) + bytesOf(m_height, 4) + bytesOf(8 * m_bytes, 1) +
+                                   bytesOf(static_cast<std::size_t>(kind), 1) + std::string(3, '\0');
+        std::string file(kMark.begin(), kMark.end());
+        file += chunk("IHDR", header);
+        if (!profile.empty()) file += chunk("iCCP", "profile" + std::string(2, '\0') + zipped(profile));
+        return file + chunk("IDAT", zipped(rows)) + chunk("IEND", {});
+    }
+
+  private:
+    std::size_t rowBytes() const { return m_width * m_bytes; }
+    std::size_t size() const { return rowBytes() * m_height; }
+    std::string_view plane(int kind) const {
+        const auto found = m_planes.find(kind);
+        if (found == m_planes.end()) throw InputError("is truncated or corrupt");
+        return found->second;
+    }
+
+    static std::string bytesOf(std::size_t value, std::size_t size) {
+        std::string bytes(size, '\0');
+        for (std::size_t k = size; k-- > 0; value >>= 8U) bytes[k] = static_cast<char>(value & 0xffU);
+        return bytes;
+    }
+    static std::string chunk(const std::string& name, const std::string& data) {
+        const std::string named = name + data;
+        const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(named.data()), named.size());
+        return bytesOf(data.size(), 4) + named + bytesOf(sum, 4);
+    }
+    static std::string zipped(std::string_view bytes) {
+        uLongf length = compressBound(bytes.size());
+        std::string packed(length, '\0');
+        if (compress2(reinterpret_cast<Bytef*>(packed.data()), &length,
+                      reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 1) != Z_OK)
+            throw InputError("cannot be unpacked");
+        packed.resize(length);
+        return packed;
+    }
+
+    std::string unpacked(ByteWalk walk) const {
+        enum Packing : unsigned { Raw, Runs, Zip, ZipOfDifferences };
+        const unsigned packing = walk.number(2);
+        if (packing == Raw) return std::string(walk.bytes(size()));
+        if (packing == Runs) return fromRuns(walk);
+        if (packing > ZipOfDifferences || (packing == ZipOfDifferences && m_bytes > 2))
+            throw InputError("has a layer that is packed in a way that is not known");
+        std::string plane = fromZip(walk.bytes(walk.left()));
+        if (packing == ZipOfDifferences) sumUp(plane);
+        return plane;
+    }
+
+    /// PackBits: a number n ≥ 0 before n + 1 bytes, or −n before one that is there n + 1 times.
+    std::string fromRuns(ByteWalk& walk) const {
+        std::vector<std::size_t> lengths;
+        for (std::size_t y = 0; y < m_height; ++y) lengths.push_back(walk.number(m_isLarge ? 4 : 2));
+        std::string plane;
+        for (const std::size_t length : lengths) {
+            if (plane.size() > size()) break;
+            ByteWalk row(std::string(walk.bytes(length)));
+            while (row.left() > 0) {
+                const int n = static_cast<std::int8_t>(row.number(1));
+                if (n >= 0) plane += row.bytes(static_cast<std::size_t>(n) + 1);
+                if (n < 0 && n != -128) plane.append(static_cast<std::size_t>(1 - n), row.bytes(1).front());
+            }
+        }
+        if (plane.size() != size()) throw InputError("is truncated or corrupt");
+        return plane;
+    }
+
+    std::string fromZip(std::string_view packed) const {
+        std::string plane(size(), '\0');
+        uLongf length = plane.size();
+        if (uncompress(reinterpret_cast<Bytef*>(plane.data()), &length,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()) != Z_OK ||
+            length != plane.size())
+            throw InputError("is truncated or corrupt");
+        return plane;
+    }
+
+    /// Numbers are stored as differences from the one before in their row.
+    void sumUp(std::string& plane) const {
+        for (std::size_t at = 0; at < plane.size(); at += rowBytes()) {
+            std::uint32_t sum = 0;
+            for (std::size_t x = at; x < at + rowBytes(); x += m_bytes) {
+                sum += bigEndian(plane, x, m_bytes);
+                for (std::size_t k = 0; k < m_bytes; ++k)
+                    plane[x + k] = static_cast<char>(sum >> (8 * (m_bytes - 1 - k)) & 0xffU);
+            }
+        }
+    }
+
+    std::size_t m_width, m_height, m_bytes;
+    bool m_isLarge;
+    std::map<int, std::string> m_planes;  // by what they are: −1 alpha, 0 … the colours
+};
+
 /// The sections of a file, each after its length: colours, resources, layers, and the picture.
 class PsdSections {
   public:
@@ -175,16 +363,45 @@ class PsdSections {
 
     LayeredFile read() {
         LayeredFile result;
-        if (lacksPicture(ByteWalk(m_file.bytes(m_resources, m_layers - m_resources))))
+        if (lacksPicture(m_file.bytes(m_resources, m_layers - m_resources)))
             throw InputError("holds no picture of all its layers (Maximize Compatibility): save it with one");
-        bool isTransparent = false;
-        result.layers = layers(isTransparent);
-        result.merged = m_file.bytes(0, m_layers) + noLayers(m_isLarge, isTransparent) +
+        const LayerSection section = layers();
+        result.layers = section.layers();
+        result.merged = m_file.bytes(0, m_layers) + noLayers(m_isLarge, section.isTransparent) +
                         m_file.bytes(m_layersEnd, m_file.size());
         return result;
     }
 
+    /// A PNG file of that layer.
+    std::string layer(const std::string& name, std::vector<std::string>& notices) {
+        constexpr unsigned kGrey = 1, kRgb = 3;
+        const LayerSection section = layers();
+        layerNamed(section.layers(), name);
+        std::size_t at = 0;
+        for (const LayerRecord& record : section.records) {
+            if (record.kind != LayerRecord::Kind::Layer || record.layer.name != name) {
+                for (const auto& channel : record.channels) at += channel.second;
+                continue;
+            }
+            const std::string header = m_file.bytes(0, 26);
+            const unsigned mode = bigEndian(header, 24, 2);
+            if (mode != kGrey && mode != kRgb) throw InputError("has colours that are neither RGB nor grey");
+            if (record.hasMask)
+                notices.push_back("the mask of its layer \"" + name + "\" is left out: apply it first");
+            if (const unsigned bits = bigEndian(header, 22, 2); bits != 8 && bits != 16)
+                throw InputError("has layers of " + std::to_string(bits) + " bits: only 8 and 16 are read");
+            const PsdPlanes planes(record, section.pixels.substr(std::min(at, section.pixels.size())),
+                                   bigEndian(header, 22, 2), m_isLarge);
+            return planes.png(mode == kRgb ? 3 : 1, profile());
+        }
+        return {};
+    }
+
   private:
+    std::string profile() const {
+        constexpr unsigned kProfile = 1039;
+        return resource(m_file.bytes(m_resources, m_layers - m_resources), kProfile).value_or("");
+    }
     std::size_t lengthSize() const { return m_isLarge ? 8 : 4; }
     std::uint64_t lengthAt(std::uint64_t at) const {
         return ByteWalk(m_file.bytes(at, lengthSize()), m_isLarge).length();
@@ -195,17 +412,16 @@ class PsdSections {
     }
 
     /// Those of 8 bits are first in the section, others in a block behind.
-    std::vector<PictureLayer> layers(bool& isTransparent) const {
+    LayerSection layers() const {
         if (m_layersEnd == m_layers + lengthSize()) return {};
         const std::uint64_t begin = m_layers + 2 * lengthSize(), size = lengthAt(m_layers + lengthSize());
         if (begin + size > m_layersEnd) throw InputError("is truncated or corrupt");
-        if (size > 0)
-            return layersIn(ByteWalk(m_file.bytes(begin, size), m_isLarge), m_isLarge, isTransparent);
+        if (size > 0) return layersIn(m_file.bytes(begin, size), m_isLarge);
         ByteWalk rest(m_file.bytes(begin, m_layersEnd - begin));
         if (rest.left() >= 4) rest.skip(std::min<std::size_t>(rest.number(), rest.left()));
         while (const auto block = nextBlock(rest, m_isLarge)) {
             if (block->key == "Lr16" || block->key == "Lr32")
-                return layersIn(ByteWalk(std::string(block->data)), m_isLarge, isTransparent);
+                return layersIn(std::string(block->data), m_isLarge);
             rest.skip(std::min<std::size_t>((4 - block->data.size() % 4) % 4, rest.left()));
         }
         return {};
@@ -220,6 +436,13 @@ class PsdSections {
 
 LayeredFile readPsdFile(const InputFile& file) try {
     return PsdSections(file).read();
+} catch (const InputError& error) {
+    throw error.named(file.path());
+}
+
+std::string readPsdLayer(const InputFile& file, const std::string& name,
+                         std::vector<std::string>& notices) try {
+    return PsdSections(file).layer(name, notices);
 } catch (const InputError& error) {
     throw error.named(file.path());
 }

@@ -11,4 +11,8 @@ namespace wend {
 /// Formats Specification" describes the format. Throws InputError(path, reason).
 LayeredFile readPsdFile(const InputFile& file);
 
+/// A PNG file of one layer, without its mask, which `notices` tells. Throws InputError(path,
+/// reason), also for colours other than RGB and grey.
+std::string readPsdLayer(const InputFile& file, const std::string& name, std::vector<std::string>& notices);
+
 }  // namespace wend

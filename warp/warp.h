@@ -29,6 +29,8 @@ struct WarpOptions {
     /// Where nothing has moved, pixels that are no farther than this from the shape's are the source's own,
     /// to the bit: for an outline that leaves gaps open between soft edges. 0: the outline cuts them.
     int restMargin = 0;
+    /// The size of the picture that the view is a part of; 0: that of the source.
+    int frameWidth = 0, frameHeight = 0;
     int threads = 0;
     MakeCellPainter makePainter;
     std::stop_token stop;

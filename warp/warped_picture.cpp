@@ -65,7 +65,8 @@ std::shared_ptr<const Image> colouredAsNeeded(const Image& source, const WarpOpt
     return std::make_shared<const Image>(converted(source, layout));
 }
 
-Image warpedHeader(const Image& source, const View& view, bool addsAlpha) {
+Image warpedHeader(const Image& source, const View& view, const WarpOptions& options, bool addsAlpha) {
+    const bool hasFrame = options.frameWidth > 0;
     return {view.width,
             view.height,
             source.channels + (addsAlpha ? 1 : 0),
@@ -74,7 +75,8 @@ Image warpedHeader(const Image& source, const View& view, bool addsAlpha) {
             source.unassociated || addsAlpha,
             {},
             source.metadata,
-            placeOf(view, source.width, source.height)};
+            placeOf(view, hasFrame ? options.frameWidth : source.width,
+                    hasFrame ? options.frameHeight : source.height)};
 }
 
 bool visible(const Points<2>& pixels, const Cell<2>& cell, const View& view) {
@@ -141,7 +143,7 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     auto job = std::make_unique<WarpJob>();
     job->view = view;
     job->options = options;
-    job->header = warpedHeader(source, view, false);
+    job->header = warpedHeader(source, view, options, false);
     job->atRest = options.restMargin > 0 && source.alpha && options.outside == Outside::Transparent &&
                   isAtRest(source, rest, pose, view);
     job->outsideFilter = CellFilter(view.scale * Mat<2>::Identity(), options.filter, levels);
@@ -190,7 +192,7 @@ void setSource(WarpJob& job, const Pyramid& source) {
     const bool needsAlpha = !image.alpha && image.channels < 4 && job.options.outside == Outside::Transparent;
     job.source = &source;
     job.addsAlpha = needsAlpha && !coversView(job);
-    job.header = warpedHeader(image, job.view, job.addsAlpha);
+    job.header = warpedHeader(image, job.view, job.options, job.addsAlpha);
 }
 
 int deepestLevel(const WarpJob& job) {

@@ -232,10 +232,40 @@ void addDesign(Json& json, const Design<Dim>& design) {
     json["handles"] = handlesInfo(design);
 }
 
+/// The parts of a picture, from front to back.
+Json partsInfo(const Domain& domain) {
+    Json list = Json::array();
+    for (const PicturePart& part : domain.parts) {
+        Json json{{"name", part.name}};
+        if (!part.path.empty()) json["file"] = part.path;
+        if (!part.layer.empty()) json["layer"] = part.layer;
+        if (!part.cutFrom.empty()) json["cutFrom"] = part.cutFrom;
+        if (!part.ridesOn.empty()) json["ridesOn"] = part.ridesOn;
+        for (const Joint& joint : part.joints) json["joinedTo"].push_back(joint.to);
+        if (part.hidden) json["hidden"] = true;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+/// Tells of files that the domain names and that are not there.
+void addMissing(const Domain& domain, const std::string& folder, Json& json) {
+    std::vector<std::string> files{domain.path};
+    for (const PicturePart& part : domain.parts)
+        if (std::ranges::find(files, part.path) == files.end()) files.push_back(part.path);
+    std::error_code error;
+    for (const std::string& file : files)
+        if (const std::string path = pathIn(folder, file);
+            !(file.empty() && !domain.parts.empty()) && !std::filesystem::exists(path, error))
+            json["problems"].push_back(
+                {{"what", "the domain's file " + path + " does not exist"}, {"fatal", true}});
+}
+
 /// The file that is warped, and what is asked of its mesh where Wend makes it.
 Json domainInfo(const Domain& domain) {
     static const char* const kinds[] = {"image", "mesh", "surface"};
     Json json{{"kind", kinds[static_cast<int>(domain.kind)]}, {"file", domain.path}};
+    if (!domain.parts.empty()) json = {{"kind", "parts"}, {"parts", partsInfo(domain)}};
     if (domain.kind != DomainKind::Mesh) {
         if (domain.edge > 0)
             json["edge"] = domain.edge;
@@ -253,17 +283,13 @@ Json projectInfo(const std::string& path) {
     const LoadedProject loaded = readProject(path);
     const Project& project = *loaded.project;
     const Domain& domain = domainOf(project);
-    const std::string file = pathIn(folderOf(path), domain.path);
     Json json{{"kind", "project"},
               {"dimension", dimensionOf(project)},
               {"domain", domainInfo(domain)},
               {"end", endOf(project)}};
     std::visit([&](const auto& design) { addDesign(json, design); }, designOf(project));
     json["warnings"] = loaded.warnings;
-    std::error_code error;
-    if (!std::filesystem::exists(file, error))
-        json["problems"].push_back(
-            {{"what", "the domain's file " + file + " does not exist"}, {"fatal", true}});
+    addMissing(domain, folderOf(path), json);
     return json;
 }
 

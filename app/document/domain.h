@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/part.h"
 #include "core/mesh/region.h"
 #include "core/meshing/outline.h"
 #include "core/meshing/surface_fixes.h"
@@ -12,7 +13,6 @@
 namespace wend {
 
 enum class DomainKind { Image, Mesh, Surface };
-enum class OutlineKind { Frame, Alpha, Polygons };
 /// The place of the cut-out whose holes are filled in the list of outlines, behind those kinds.
 inline constexpr int kFilledCutOut = 3;
 /// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
@@ -37,8 +37,9 @@ using SizeRegion = SizeRegionIn<3>;
 /// What a project deforms, as its file says it.
 struct Domain {
     DomainKind kind = DomainKind::Image;
-    std::string path;     // of the image, mesh or surface, relative to the project file
-    std::string texture;  // Mesh: an optional image
+    std::string path;                // of the image, mesh or surface, relative to the project file
+    std::string texture;             // Mesh: an optional image
+    std::vector<PicturePart> parts;  // Image: from front to back, in the place of `path`
     OutlineKind outline = OutlineKind::Frame;
     AlphaOutlineOptions alpha;
     Outline polygons;

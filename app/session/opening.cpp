@@ -3,12 +3,15 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/edits/free_name.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/said.h"
+#include "app/session/layered_opening.h"
 #include "app/session/program_files.h"
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
@@ -76,10 +79,18 @@ bool isBlank(const Image& image) {
     return true;
 }
 
+/// The file of a picture that stands for the project: of parts, of the first one that has one.
+std::string shownFile(const Domain& domain) {
+    const auto part =
+        std::ranges::find_if(domain.parts, [](const PicturePart& one) { return !one.path.empty(); });
+    return part == domain.parts.end() ? domain.path : part->path;
+}
+
 OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     OpenedFile file;
     std::vector<std::string> notices;
     auto picture = std::make_shared<const Image>(readImage(path.toStdString(), kMaxMegapixels, &notices));
+    std::vector<PicturePart> parts = partsOfLayers(path.toStdString(), *picture, notices);
     for (const std::string& notice : notices) file.warnings << said(notice);
     if (!evenIfBlank && isBlank(*picture))
         throw NothingToSee(path.toStdString(), "is transparent everywhere");
@@ -88,6 +99,11 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     domain.kind = DomainKind::Image;
     domain.path = path.toStdString();
     domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
+    if (!parts.empty()) {
+        domain.path.clear();
+        domain.parts = std::move(parts);
+        domain.outline = OutlineKind::Alpha;
+    }
     file.picture = std::move(picture);
     file.project = std::move(project);
     return file;
@@ -154,6 +170,31 @@ OpenedFile openFile(const QString& path, bool evenIfBlank) {
     return file;
 }
 
+OpenedFile openTogether(const QStringList& paths) {
+    OpenedFile file;
+    auto project = newProject();
+    Domain& domain = domainOf(*project);
+    domain.outline = OutlineKind::Alpha;
+    for (const QString& path : paths) {
+        if (hasExtension(path, QStringLiteral("*.wend ") + meshExtensions()))
+            throw InputError(path.toStdString(), "is no picture: only pictures are opened together");
+        const QFileInfo info(path);
+        PicturePart& part = domain.parts.emplace_back();
+        part.path = info.absoluteFilePath().toStdString();
+        std::vector<std::string> notices;
+        const Image picture = readImage(part.path, kMaxMegapixels, &notices);
+        for (const std::string& notice : notices) file.warnings << said(notice);
+        if (!hasTransparency(picture)) part.outline = PartOutline{};
+        const std::string name = info.completeBaseName().toStdString();
+        const std::vector<std::string> taken = namesOf(domain.parts);
+        part.name = std::ranges::find(taken, name) == taken.end() ? name : freeName(taken, name, 2);
+    }
+    file.picture = loadPicture(domain, {});
+    file.project = std::move(project);
+    file.source = QFileInfo(paths.first()).absoluteFilePath();
+    return file;
+}
+
 QStringList missingFiles(const QString& project) {
     QStringList missing;
     try {
@@ -206,7 +247,8 @@ ProjectLook lookOf(const QString& project) {
         if (look.isSolid && own.exists())
             look.picture = own.absoluteFilePath();
         else if (domainOf(*read).kind == DomainKind::Image)
-            look.picture = info.absoluteDir().absoluteFilePath(QString::fromStdString(domainOf(*read).path));
+            look.picture =
+                info.absoluteDir().absoluteFilePath(QString::fromStdString(shownFile(domainOf(*read))));
         return look;
     } catch (const std::exception&) {
         return {};

@@ -19,6 +19,10 @@ class NothingToSee : public InputError {
 /// advice, and NothingToSee for a blank picture unless `evenIfBlank`.
 OpenedFile openFile(const QString& path, bool evenIfBlank = false);
 
+/// Reads several pictures as the parts of one, the first one in front, each where it lies in its own picture.
+/// Throws as openFile(), and for files that are no pictures.
+OpenedFile openTogether(const QStringList& paths);
+
 /// The files that a project needs and that are not there, by their absolute paths.
 QStringList missingFiles(const QString& project);
 /// The project with other files in the place of those.

@@ -33,14 +33,27 @@ class Placer {
     Placer(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator)
         : m_rest(rest), m_locator(locator), m_vertices(vertexLocations(rest)) {}
 
+    /// Where the handle's points are, by the parts of HandlePlacer.
+    PinPlace<Dim> place(const Handle<Dim>& handle) {
+        m_parts.clear();
+        for (auto part = m_rest.parts.rbegin(); part != m_rest.parts.rend(); ++part)
+            if (handle.part.empty() || handle.part == part->name) m_parts.push_back(*part);
+        if (m_parts.empty()) m_parts.push_back({"", 0, m_rest.vertexCount(), 0, m_rest.cellCount()});
+        m_isNamed = !handle.part.empty() && m_parts.size() == 1;
+        return std::visit(*this, handle.at);
+    }
+
     PinPlace<Dim> operator()(const std::vector<int>& vertices) const {
         PinPlace<Dim> place;
+        const int first = m_isNamed ? m_parts.front().firstVertex : 0;
         for (const int v : vertices)
-            if (v >= 0 && v < m_rest.vertexCount()) place.points.push_back(m_vertices[v]);
+            if (v >= 0 && first + v < m_rest.vertexCount()) place.points.push_back(m_vertices[first + v]);
         return place;
     }
+    /// Of parts over one another the locator finds the frontmost.
     PinPlace<Dim> operator()(const std::vector<Vec<Dim>>& points) const {
         PinPlace<Dim> place;
+        if (m_isNamed) return inPart(points, m_parts.front());
         for (const Vec<Dim>& p : points)
             if (const auto location = m_locator.find(p, 1e-9)) place.points.push_back(*location);
         return place;
@@ -48,15 +61,32 @@ class Placer {
     PinPlace<Dim> operator()(const Region<Dim>& region) const {
         PinPlace<Dim> place;
         place.region = true;
-        for (int v = 0; v < m_rest.vertexCount(); ++v)
-            if (signedDistance<Dim>(region, m_rest.points.col(v)) <= 0) place.points.push_back(m_vertices[v]);
+        for (std::size_t i = 0; i < m_parts.size() && place.points.empty(); ++i)
+            for (int v = m_parts[i].firstVertex; v < m_parts[i].endVertex; ++v)
+                if (signedDistance<Dim>(region, m_rest.points.col(v)) <= 0)
+                    place.points.push_back(m_vertices[v]);
         return place;
     }
 
   private:
+    PinPlace<Dim> inPart(const std::vector<Vec<Dim>>& points, const MeshPart& part) const {
+        PinPlace<Dim> place;
+        const std::vector<Cell<Dim>> cells(m_rest.cells.begin() + part.firstCell,
+                                           m_rest.cells.begin() + part.endCell);
+        const PointLocator<Dim> locator(m_rest.points, cells);
+        for (const Vec<Dim>& p : points)
+            if (auto location = locator.find(p, 1e-9)) {
+                location->cell += part.firstCell;
+                place.points.push_back(*location);
+            }
+        return place;
+    }
+
     const SimplicialMesh<Dim>& m_rest;
     const PointLocator<Dim>& m_locator;
     std::vector<Location<Dim>> m_vertices;
+    std::vector<MeshPart> m_parts;  // that a handle may be in, from front to back
+    bool m_isNamed = false;
 };
 
 template <int Dim>
@@ -82,10 +112,10 @@ Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points) {
 template <int Dim>
 std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, const SimplicialMesh<Dim>& rest,
                                      const PointLocator<Dim>& locator) {
-    const Placer<Dim> placer(rest, locator);
+    Placer<Dim> placer(rest, locator);
     std::vector<PinPlace<Dim>> places;
     places.reserve(handles.size());
-    for (const Handle<Dim>& handle : handles) places.push_back(std::visit(placer, handle.at));
+    for (const Handle<Dim>& handle : handles) places.push_back(placer.place(handle));
     return places;
 }
 

@@ -3,6 +3,7 @@
 #include "app/document/design.h"
 #include "app/document/edits/free_name.h"
 #include "app/document/edits/handle_edits.h"
+#include "app/session/shape/mesh_parts.h"
 
 namespace wend {
 
@@ -71,11 +72,11 @@ int ShapeSession::addPin(const std::optional<Location<Dim>>& place) {
     if (!place) emit notice(tr("No pin was set: this place lies outside the shape."));
     if (!place || !shape) return -1;
     return addHandle<Dim>(std::vector<Vec<Dim>>{positionOf<Dim>(*place, *shape->rest, shape->rest->points)},
-                          tr("Pin").toStdString());
+                          tr("Pin").toStdString(), partNameOf<Dim>(*shape->rest, place->cell));
 }
 
 template <int Dim>
-int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
+int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind, const std::string& part) {
     if (!frame<Dim>()) return -1;
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
@@ -83,7 +84,7 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     const std::string name = freeName(namesOf(m_document.design<Dim>().handles), kind);
     m_motion.setChangeMovesNothing(true);
     m_document.changeDesign(tr("Add %1").arg(QString::fromStdString(name)),
-                            withHandle<Dim>(m_document.design<Dim>(), std::move(at), name, time));
+                            withHandle<Dim>(m_document.design<Dim>(), std::move(at), name, time, part));
     m_motion.setChangeMovesNothing(false);
     const int handle = handleCount() - 1;
     m_selection.set({handle});
@@ -109,10 +110,10 @@ void ShapeSession::removeSelected() {
     m_document.changeDesign(name, withoutHandles(m_document.design(), handles, time));
 }
 
-#define WEND_INSTANTIATE(Dim)                                                      \
-    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                       \
-    template int ShapeSession::addPin<Dim>(const std::optional<Location<Dim>>&);   \
-    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&); \
+#define WEND_INSTANTIATE(Dim)                                                                          \
+    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                                           \
+    template int ShapeSession::addPin<Dim>(const std::optional<Location<Dim>>&);                       \
+    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&, const std::string&); \
     template void ShapeSession::changeHandle<Dim>(int, Placement<Dim>)
 
 WEND_INSTANTIATE(2);

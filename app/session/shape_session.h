@@ -98,7 +98,7 @@ class ShapeSession : public QObject {
     int addPin(const std::optional<Location<Dim>>& place);
     /// Adds a handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
     template <int Dim>
-    int addHandle(Placement<Dim> at, const std::string& kind);
+    int addHandle(Placement<Dim> at, const std::string& kind, const std::string& part = {});
     template <int Dim>
     void changeHandle(int handle, Placement<Dim> at);
     /// Returns the placement of a solid's vertices: by number if the mesh comes from a file, by position if

@@ -121,8 +121,9 @@ void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
         if (m_grip.x != 0) b.x() += by.x();
         if (m_grip.y != 0) b.y() += by.y();
     }
-    if (const auto source = picture(); proportional && source) {
-        const double aspect = static_cast<double>(source->height) / source->width;
+    if (const auto frame = surface().shownFrame(); proportional && frame && frame->built->picture) {
+        const auto [wide, high] = canvasSize(*frame->built);
+        const double aspect = static_cast<double>(high) / wide;
         const Vec<2> size = b - a;
         const double width = std::max(std::abs(size.x()), std::abs(size.y()) / aspect);
         b = a + Vec<2>(std::copysign(width, size.x()), std::copysign(width * aspect, size.y()));

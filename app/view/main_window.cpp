@@ -47,6 +47,7 @@
 #include "app/view/notices/border_offer.h"
 #include "app/view/notices/info_banner.h"
 #include "app/view/notices/line_art_offer.h"
+#include "app/view/notices/parts_offer.h"
 #include "app/view/notices/problem_remedies.h"
 #include "app/view/notices/shape_notices.h"
 #include "app/view/notices/soft_edge_offer.h"
@@ -237,6 +238,7 @@ void MainWindow::connectFiles() {
     new BorderOffer(m_session.document(), *m_banner, this);
     new SoftEdgeOffer(m_session.document(), *m_banner, this);
     new LineArtOffer(m_session.document(), *m_banner, this);
+    new PartsOffer(m_session.document(), *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);
     const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
     connect(m_files, &FileWorkflow::recentChanged, this, showRecent);

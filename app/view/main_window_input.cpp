@@ -64,7 +64,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!mayBeOpened(path)) return;
     event->acceptProposedAction();
     m_start->setDropHighlighted(true);
-    m_fields->showTip(tr("Let go to open “%1”").arg(QFileInfo(path).fileName()));
+    const auto count = event->mimeData()->urls().size();
+    m_fields->showTip(count > 1 ? tr("Let go to open %n pictures as parts", nullptr, static_cast<int>(count))
+                                : tr("Let go to open “%1”").arg(QFileInfo(path).fileName()));
 }
 
 void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
@@ -80,7 +82,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     }
     m_start->setDropHighlighted(false);
     m_fields->showTip({});
-    openPath(event->mimeData()->urls().first().toLocalFile());
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls()) paths << url.toLocalFile();
+    m_files->openAll(paths);
     event->acceptProposedAction();
 }
 

@@ -24,6 +24,7 @@
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/paint_panel.h"
+#include "app/panels/part_list.h"
 #include "app/panels/pin_list.h"
 #include "app/panels/region_list.h"
 #include "app/panels/region_panel.h"
@@ -62,6 +63,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_detailRegions(new RegionList(session, RegionsOf::Detail)),
       m_depthRegions(new RegionList(session, RegionsOf::Depth)),
       m_surface(new SurfacePanel),
+      m_parts(new PartList(session)),
       m_pins(new PinList(session)),
       m_advanced(new FoldingSection(tr("Advanced"), tr("The same in numbers, for those who want them."),
                                     QStringLiteral("advanced"))),
@@ -123,6 +125,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(m_depthRegions, tr("Depth"), "depth", {.modes = Mode::Paint, .solid = false, .tool = "depth"});
     put(m_paint, tr("Paint"), "brush", {.modes = Mode::Paint, .without = "depth"});
     put(m_layers, tr("Layers"), "layers", {.modes = Mode::Paint});
+    put(m_parts, tr("Parts"), "layers", {.modes = kShaping, .solid = false});
     put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
     put(new FlowPanel(session), tr("Flow"), "curve", {.modes = Mode::Animate});

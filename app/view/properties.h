@@ -25,6 +25,7 @@ class MaterialPanel;
 class MeasurePanel;
 class MeshPanel;
 class PaintPanel;
+class PartList;
 class PinList;
 class ReachRow;
 class RegionList;
@@ -52,6 +53,7 @@ class Properties : public QWidget {
     RegionList& detailRegions() { return *m_detailRegions; }
     RegionList& depthRegions() { return *m_depthRegions; }
     SurfacePanel& surface() { return *m_surface; }
+    PartList& parts() { return *m_parts; }
     PinList& pins() { return *m_pins; }
 
     /// Sets the width for a window's width. In wide windows the pins get a column of their own.
@@ -117,6 +119,7 @@ class Properties : public QWidget {
     SizePanel* m_sizes;
     RegionList *m_detailRegions, *m_depthRegions;
     SurfacePanel* m_surface;
+    PartList* m_parts;
     PinList* m_pins;
     FoldingSection* m_advanced;
     QWidget *m_content, *m_beside;  // the scrolled column, and the pins in a wide window

@@ -120,6 +120,7 @@ QPixmap TilePictures::drawnFlat(const FramePtr& frame) const {
     RenderRequest request;
     request.frame = posed<2>(frame);
     request.picture = m_canvas.screenPicture();
+    if (request.frame->built) request.texture = request.frame->built->texture;
     request.size = EnergySlider::pictureSize();
     request.ratio = m_tiles.devicePixelRatioF();
     request.filter = Filter::Ewa;

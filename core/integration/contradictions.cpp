@@ -53,6 +53,14 @@ namespace {
 // Relative to the largest velocity: frames are tabulated to about 1e-10.
 constexpr double kAgree = 1e-7;
 
+/// The rows of points, and those of welds behind them.
+template <int Dim>
+std::vector<ConstraintRow> withWelds(const Constraints<Dim>& constraints, const std::vector<int>& ids) {
+    std::vector<ConstraintRow> rows = rowsOf(constraints, ids);
+    for (const Weld& weld : constraints.welds()) rows.push_back({weld.terms});
+    return rows;
+}
+
 /// Follows the constrained points alone from breakpoint to breakpoint.
 template <int Dim>
 class Rehearsal {
@@ -86,8 +94,9 @@ class Rehearsal {
     void activate(double t) {
         const std::vector<int> before = std::exchange(m_ids, m_constraints.activePoints(t, Side::After));
         if (before != m_ids) {
-            m_dependent = dependentRows(rowsOf(m_constraints, m_ids));
-            for (const DependentRow& row : m_dependent) join(row, before);
+            m_dependent = dependentRows(withWelds(m_constraints, m_ids));
+            for (const DependentRow& row : m_dependent)
+                if (!isWeld(row.row)) join(row, before);
         }
         for (const int id : m_ids) {
             const auto& timeline = m_constraints.timeline(m_constraints.points()[id].handle);
@@ -100,7 +109,7 @@ class Rehearsal {
     void join(const DependentRow& row, const std::vector<int>& before) {
         const auto old = [&](int id) { return std::binary_search(before.begin(), before.end(), id); };
         const int id = m_ids[row.row];
-        if (row.combination.size() == 1) {
+        if (row.combination.size() == 1 && !isWeld(row.combination.front().first)) {
             const int other = m_ids[row.combination.front().first];
             if (old(id) && !old(other)) m_positions[other] = m_positions[id];
             if (old(id)) return;
@@ -108,7 +117,8 @@ class Rehearsal {
             return;
         }
         Vec<Dim> p = Vec<Dim>::Zero();
-        for (const auto& [other, weight] : row.combination) p += weight * m_positions[m_ids[other]];
+        for (const auto& [other, weight] : row.combination)
+            if (!isWeld(other)) p += weight * m_positions[m_ids[other]];
         m_positions[id] = p;
     }
 
@@ -117,32 +127,44 @@ class Rehearsal {
         Points<Dim> positions, velocities;
         m_constraints.evaluate(m_ids, m_anchors, t, Side::After, positions, velocities);
         for (const DependentRow& row : m_dependent) {
-            Vec<Dim> difference = velocities.col(row.row);
+            Vec<Dim> difference = Vec<Dim>::Zero();
+            if (!isWeld(row.row)) difference = velocities.col(row.row);
             double size = difference.norm();
             for (const auto& [other, weight] : row.combination) {
+                if (isWeld(other)) continue;
                 difference -= weight * velocities.col(other);
                 size = std::max(size, velocities.col(other).norm());
             }
-            if (difference.norm() > kAgree * size) contradict(row, t, positions.col(row.row));
+            if (difference.norm() > kAgree * size) contradict(row, t, positions);
         }
     }
 
-    /// The other handle is the one that weighs most in the combination.
-    [[noreturn]] void contradict(const DependentRow& row, double t, const Vec<Dim>& p) const {
+    /// A weld's number is behind those of the points.
+    bool isWeld(int row) const { return row >= static_cast<int>(m_ids.size()); }
+
+    /// The other handle is the one that weighs most in the combination; of a weld, so are both.
+    [[noreturn]] void contradict(const DependentRow& row, double t, const Points<Dim>& positions) const {
         const auto handleOf = [&](int index) { return m_constraints.points()[m_ids[index]].handle; };
-        int other = -1;
-        double most = 0;
-        for (const auto& [index, weight] : row.combination) {
-            if (handleOf(index) == handleOf(row.row) || std::abs(weight) <= most) continue;
-            most = std::abs(weight);
-            other = handleOf(index);
-        }
-        if (other < 0) other = handleOf(row.combination.front().first);
+        int first = isWeld(row.row) ? -1 : row.row, other = -1;
+        const auto take = [&](int& place, int without) {
+            double most = 0;
+            for (const auto& [index, weight] : row.combination) {
+                if (isWeld(index) || std::abs(weight) <= most) continue;
+                if (without >= 0 && handleOf(index) == handleOf(without)) continue;
+                most = std::abs(weight);
+                place = index;
+            }
+        };
+        if (first < 0) take(first, -1);
+        take(other, first);
+        if (other < 0) take(other, -1);
+        const int low = std::min(handleOf(first), handleOf(other)),
+                  high = std::max(handleOf(first), handleOf(other));
         std::ostringstream out;
         out.imbue(std::locale::classic());
-        out << m_constraints.handleName(std::min(other, handleOf(row.row))) << " and "
-            << m_constraints.handleName(std::max(other, handleOf(row.row))) << " move the point "
-            << placeName<Dim>(m_units.domain(p)) << " in different ways at time " << t;
+        out << m_constraints.handleName(low) << " and " << m_constraints.handleName(high)
+            << (isWeld(row.row) ? " move the joint at " : " move the point ")
+            << placeName<Dim>(m_units.domain(positions.col(first))) << " in different ways at time " << t;
         throw InputError(out.str());
     }
 
@@ -161,7 +183,7 @@ void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& r
     std::vector<int> all;
     for (size_t k = 0; k < constraints.points().size(); ++k)
         if (!constraints.points()[k].slides) all.push_back(static_cast<int>(k));
-    if (dependentRows(rowsOf(constraints, all)).empty()) return;  // nor are those of any part of them
+    if (dependentRows(withWelds(constraints, all)).empty()) return;  // nor are those of any part of them
     Rehearsal<Dim>(constraints, rest, units).run();
 }
 

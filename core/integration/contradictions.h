@@ -23,7 +23,7 @@ std::vector<int> guidedAlone(const Constraints<Dim>& constraints, const std::vec
 /// Throws InputError naming two handles that prescribe different motions for one point: linearly dependent
 /// rows whose velocities are not the same combination. They are compared at several times between consecutive
 /// breakpoints, on the trajectories from rest. Handles that agree are accepted: the solver drops the
-/// redundant row.
+/// redundant row. The mesh's welds are rows of velocity 0.
 template <int Dim>
 void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& rest,
                        const Normalization<Dim>& units);

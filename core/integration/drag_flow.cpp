@@ -36,6 +36,7 @@ std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const No
         Handle<Dim> held;
         held.name = handle.name;
         held.at = handle.at;
+        held.part = handle.part;
         held.slides = handle.slides;
         held.normal = handle.normal;
         if (handle.motions.empty()) held.slide = handle.slide;  // a surface that moves is not followed

@@ -1,10 +1,27 @@
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/types.h"
 
 namespace wend {
+
+/// Consecutive vertices and cells of a partition, under a name. Parts share no vertex.
+struct MeshPart {
+    std::string name;
+    int firstVertex = 0, endVertex = 0;
+    int firstCell = 0, endCell = 0;
+    bool operator==(const MeshPart&) const = default;
+};
+
+/// Two points of a partition at one place, which stay together: Σ weight · x_vertex = 0. The weights of one
+/// point sum to 1, those of the other to −1.
+struct Weld {
+    std::vector<std::pair<int, double>> terms;
+    bool operator==(const Weld&) const = default;
+};
 
 /// A partition: triangles in the plane (Dim 2) or tetrahedra in space (Dim 3). Vertex and cell order are the
 /// input's.
@@ -12,6 +29,9 @@ template <int Dim>
 struct SimplicialMesh {
     Points<Dim> points;
     std::vector<Cell<Dim>> cells;
+    std::vector<MeshPart> parts =
+        {};  // all vertices and cells, from back to front; empty: one without a name
+    std::vector<Weld> welds = {};
 
     int vertexCount() const { return static_cast<int>(points.cols()); }
     int cellCount() const { return static_cast<int>(cells.size()); }

@@ -10,6 +10,7 @@ namespace wend {
 /// islands in holes).
 struct Outline {
     std::vector<std::vector<Vec<2>>> loops;
+    bool operator==(const Outline&) const = default;
 };
 
 }  // namespace wend

@@ -110,14 +110,15 @@ std::vector<double> HandleTimeline<Dim>::breakpoints() const {
 
 template <int Dim>
 Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
-                              const Normalization<Dim>& units) {
+                              const Normalization<Dim>& units)
+    : m_welds(rest.welds) {
     const HandlePlacer<Dim> placer(rest, units);
     for (size_t i = 0; i < handles.size(); ++i) {
         m_names.push_back(handles[i].name.empty() ? "handle " + std::to_string(i)
                                                   : "handle \"" + handles[i].name + '"');
         try {
             m_timelines.emplace_back(handles[i]);
-            std::vector<ConstrainedPoint> points = placer.place(handles[i].at, static_cast<int>(i));
+            std::vector<ConstrainedPoint> points = placer.place(handles[i], static_cast<int>(i));
             std::shared_ptr<const GuideSurface<Dim>> surface;
             if (handles[i].slide) surface = surfaceOf(handles[i], points, rest);
             take(surface ? onSurface<Dim>(*surface, points, rest.points) : points, handles[i], surface);

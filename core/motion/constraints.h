@@ -74,6 +74,8 @@ class Constraints {
 
     /// Those that slide come last.
     const std::vector<ConstrainedPoint>& points() const { return m_points; }
+    /// Those of the mesh, which hold at all times.
+    const std::vector<Weld>& welds() const { return m_welds; }
     /// How the points of a handle are held: along `normal` (of length 1) if there is one, else in the
     /// coordinates whose bits are set in `held`. Of points that do not slide that is all of them. Points on a
     /// surface are held along its normals, see guide().
@@ -158,6 +160,7 @@ class Constraints {
     Vec<Dim> anchorAt(const HandleMap& map, size_t id, const Vec<Dim>& p) const;
 
     std::vector<ConstrainedPoint> m_points;
+    std::vector<Weld> m_welds;
     /// Per point the displacements by FieldMotions, by the number of the motion; empty without any.
     std::vector<std::vector<Vec<Dim>>> m_displacements;
     std::vector<Hold> m_holds;            // per handle

@@ -129,6 +129,7 @@ struct Handle {
     std::optional<Slide<Dim>> slide = {};  // the points are held on this surface, which the motions move
     bool isPartlyHeld() const { return slides != 0 || normal || slide; }
     HandleTraits traits = {};
+    std::string part = {};  // of the mesh; empty: the frontmost part that has the place
 };
 
 }  // namespace wend

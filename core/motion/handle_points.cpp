@@ -38,12 +38,33 @@ HandlePlacer<Dim>::HandlePlacer(const SimplicialMesh<Dim>& rest, const Normaliza
     : m_rest(rest),
       m_units(units),
       m_size(shapeSize<Dim>(rest.points, rest.cells).size),
-      m_standsFor(standsFor(rest)),
-      m_locator(rest.points, rest.cells) {}
+      m_standsFor(standsFor(rest)) {
+    std::vector<MeshPart> ranges = rest.parts;
+    if (ranges.empty()) ranges.push_back({"", 0, rest.vertexCount(), 0, rest.cellCount()});
+    for (auto range = ranges.rbegin(); range != ranges.rend(); ++range)
+        m_parts.push_back(std::make_unique<const Part>(rest, *range));
+}
 
 template <int Dim>
-std::vector<ConstrainedPoint> HandlePlacer<Dim>::place(const Placement<Dim>& at, int handle) const {
-    std::vector<Terms> all = std::visit([this](const auto& given) { return this->termsOf(given); }, at);
+HandlePlacer<Dim>::Part::Part(const SimplicialMesh<Dim>& rest, const MeshPart& own)
+    : range(own),
+      cells(rest.cells.begin() + own.firstCell, rest.cells.begin() + own.endCell),
+      locator(rest.points, cells) {}
+
+template <int Dim>
+auto HandlePlacer<Dim>::partsFor(const std::string& name) const -> Parts {
+    if (name.empty()) return m_parts;
+    const auto found =
+        std::ranges::find_if(m_parts, [&](const auto& part) { return part->range.name == name; });
+    if (found == m_parts.end()) throw InputError("there is no part \"" + name + "\"");
+    return {&*found, 1};
+}
+
+template <int Dim>
+std::vector<ConstrainedPoint> HandlePlacer<Dim>::place(const Handle<Dim>& handle, int number) const {
+    const Parts parts = partsFor(handle.part);
+    std::vector<Terms> all =
+        std::visit([&](const auto& given) { return this->termsOf(given, parts); }, handle.at);
     if (all.empty()) throw InputError("it has no points");
     std::vector<ConstrainedPoint> points;
     std::vector<Terms> seen;  // sorted
@@ -51,59 +72,73 @@ std::vector<ConstrainedPoint> HandlePlacer<Dim>::place(const Placement<Dim>& at,
         const auto place = std::lower_bound(seen.begin(), seen.end(), terms);
         if (place != seen.end() && *place == terms) continue;
         seen.insert(place, terms);
-        points.push_back({handle, std::move(terms)});
+        points.push_back({number, std::move(terms)});
     }
     return points;
 }
 
 template <int Dim>
-auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices) const -> std::vector<Terms> {
+auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices, const Parts& parts) const
+    -> std::vector<Terms> {
+    const bool isOne = parts.size() == 1;
+    const int first = isOne ? parts.front()->range.firstVertex : 0,
+              end = isOne ? parts.front()->range.endVertex : m_rest.vertexCount();
     std::vector<Terms> result;
     for (const int v : vertices) {
-        if (v < 0 || v >= m_rest.vertexCount()) {
+        if (v < 0 || v >= end - first) {
             throw InputError("vertex " + std::to_string(v) +
                              " is out of range, the shape has vertices 0 to " +
-                             std::to_string(m_rest.vertexCount() - 1));
+                             std::to_string(end - first - 1));
         }
-        if (m_standsFor[v] < 0) throw InputError("vertex " + std::to_string(v) + " belongs to no cell");
-        result.push_back({{m_standsFor[v], 1.0}});
+        if (m_standsFor[first + v] < 0)
+            throw InputError("vertex " + std::to_string(v) + " belongs to no cell");
+        result.push_back({{m_standsFor[first + v], 1.0}});
     }
     return result;
 }
 
 template <int Dim>
-auto HandlePlacer<Dim>::termsOf(const std::vector<Vec<Dim>>& points) const -> std::vector<Terms> {
+auto HandlePlacer<Dim>::termsOf(const std::vector<Vec<Dim>>& points, const Parts& parts) const
+    -> std::vector<Terms> {
     std::vector<Terms> result;
     result.reserve(points.size());
-    for (const Vec<Dim>& p : points) result.push_back(termsOf(p));
+    for (const Vec<Dim>& p : points) {
+        Terms terms;
+        for (std::size_t i = 0; i < parts.size() && terms.empty(); ++i) terms = termsIn(*parts[i], p);
+        if (terms.empty())
+            throw InputError("point " + placeName<Dim>(m_units.domain(p)) + " lies outside the " +
+                             (parts.size() == 1 && !parts.front()->range.name.empty() ? "part" : "shape"));
+        result.push_back(std::move(terms));
+    }
     return result;
 }
 
 template <int Dim>
-auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region) const -> std::vector<Terms> {
+auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region, const Parts& parts) const -> std::vector<Terms> {
     std::vector<Terms> result;
-    for (int v = 0; v < m_rest.vertexCount(); ++v) {
-        if (m_standsFor[v] == v &&
-            signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBoundary * m_size)
-            result.push_back({{v, 1.0}});
-    }
+    for (std::size_t i = 0; i < parts.size() && result.empty(); ++i)
+        for (int v = parts[i]->range.firstVertex; v < parts[i]->range.endVertex; ++v)
+            if (m_standsFor[v] == v &&
+                signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBoundary * m_size)
+                result.push_back({{v, 1.0}});
     if (result.empty()) throw InputError("its region holds no vertex");
     return result;
 }
 
+/// Returns nothing for a point outside.
 template <int Dim>
-auto HandlePlacer<Dim>::termsOf(const Vec<Dim>& p) const -> Terms {
-    const int nearest = m_locator.nearestVertex(p);
+auto HandlePlacer<Dim>::termsIn(const Part& part, const Vec<Dim>& p) const -> Terms {
+    const int nearest = part.locator.nearestVertex(p);
     if (nearest >= 0 && (m_rest.points.col(nearest) - p).norm() <= kSameVertex * m_size)
         return {{nearest, 1.0}};
-    const auto location = m_locator.find(p, kOutside);
-    if (!location) throw InputError("point " + placeName<Dim>(m_units.domain(p)) + " lies outside the shape");
+    const auto location = part.locator.find(p, kOutside);
+    if (!location) return {};
     Terms terms;
     double sum = 0;
     for (int k = 0; k <= Dim; ++k) {
         const double weight = location->weights[k];
         if (std::abs(weight) <= kNoWeight) continue;
-        terms.emplace_back(m_rest.cells[location->cell][k], weight);
+        terms.emplace_back(part.cells[location->cell][k], weight);
         sum += weight;
     }
     for (auto& term : terms) term.second /= sum;

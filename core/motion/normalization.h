@@ -19,7 +19,7 @@ struct Normalization {
     Vec<Dim> domain(const Vec<Dim>& p) const { return centre + size * p; }
     Points<Dim> normal(const Points<Dim>& points) const { return (points.colwise() - centre) / size; }
     SimplicialMesh<Dim> normal(const SimplicialMesh<Dim>& mesh) const {
-        return {normal(mesh.points), mesh.cells};
+        return {normal(mesh.points), mesh.cells, mesh.parts, mesh.welds};
     }
     Handle<Dim> normal(const Handle<Dim>& handle) const;
 };

@@ -2,10 +2,13 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <optional>
 
 #include "core/mesh/decompositions.h"
 #include "core/mesh/shape_size.h"
+#include "core/solver/welded_components.h"
 
 namespace wend {
 namespace {
@@ -33,23 +36,18 @@ bool spanEnough(const std::vector<Vec<Dim>>& points, double size) {
 }
 
 /// How much points that are held, in all coordinates or some, leave of the similarities: MᵀM, where a row of
-/// M has one coordinate of the velocities at one point, of a translation along each axis, a rotation in each
-/// plane, and a scaling.
+/// M has one coordinate of the velocities at one point (SimilarityVelocities).
 template <int Dim>
 class HeldSimilarities {
   public:
-    static constexpr int kModes = Dim + Dim * (Dim - 1) / 2 + 1;
+    static constexpr int kModes = SimilarityVelocities<Dim>::ColsAtCompileTime;
 
     /// p relative to the middle of the shape, in terms of its size.
     void add(const Vec<Dim>& p, const Mat<Dim>& projector) {
-        const Velocities velocities = velocitiesAt(p);
+        const SimilarityVelocities<Dim> velocities = similarityVelocities<Dim>(p);
         m_square += velocities.transpose() * projector * velocities;
     }
-    void add(const Vec<Dim>& p, unsigned held) {
-        const Velocities velocities = velocitiesAt(p);
-        for (int k = 0; k < Dim; ++k)
-            if (held >> k & 1U) m_square += velocities.row(k).transpose() * velocities.row(k);
-    }
+    const Mat<kModes>& square() const { return m_square; }
     /// Returns whether every eigenvalue of MᵀM exceeds the square of kDistinct.
     bool all() const {
         const Mat<kModes> shifted = m_square - kDistinct * kDistinct * Mat<kModes>::Identity();
@@ -57,17 +55,6 @@ class HeldSimilarities {
     }
 
   private:
-    using Velocities = Eigen::Matrix<double, Dim, kModes>;
-    static Velocities velocitiesAt(const Vec<Dim>& p) {
-        Velocities velocities;
-        velocities.setZero();
-        velocities.template leftCols<Dim>().setIdentity();
-        int mode = Dim;
-        for (int a = 0; a < Dim; ++a)
-            for (int b = a + 1; b < Dim; ++b, ++mode) velocities(a, mode) = -p[b], velocities(b, mode) = p[a];
-        velocities.col(mode) = p;
-        return velocities;
-    }
     Mat<kModes> m_square = Mat<kModes>::Zero();
 };
 
@@ -93,6 +80,28 @@ std::vector<int> componentsOfRow(const ConstraintRow& row, const std::vector<std
             return !std::binary_search(ofVertex[v].begin(), ofVertex[v].end(), c);
         });
     return common;
+}
+
+/// The components of a weld's two points; nothing if the vertices of one are of several.
+std::optional<std::array<int, 2>> componentsOfWeld(const Weld& weld,
+                                                   const std::vector<std::vector<int>>& ofVertex) {
+    std::array<ConstraintRow, 2> sides;
+    for (const auto& term : weld.terms) sides[term.second > 0 ? 0 : 1].terms.push_back(term);
+    std::array<int, 2> result{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::vector<int> common =
+            sides[k].terms.empty() ? std::vector<int>() : componentsOfRow(sides[k], ofVertex);
+        if (common.empty()) return std::nullopt;
+        result[k] = common.front();
+    }
+    return result;
+}
+
+template <int Dim>
+Vec<Dim> firstPointOf(const Weld& weld, const Points<Dim>& points) {
+    Vec<Dim> x = Vec<Dim>::Zero();
+    for (const auto& [vertex, weight] : weld.terms) x += std::max(weight, 0.0) * points.col(vertex);
+    return x;
 }
 
 }  // namespace
@@ -132,15 +141,22 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     const double size = shapeSize<Dim>(mesh.points, mesh.cells).size;
     std::vector<bool> result(count);
     for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], size);
-    if (sliders.empty()) return result;
+    if (sliders.empty() && mesh.welds.empty()) return result;
     const Vec<Dim> middle = mesh.points.rowwise().mean();
     std::vector<HeldSimilarities<Dim>> held(count);
     for (int i = 0; i < count; ++i)
-        for (const Vec<Dim>& p : points[i]) held[i].add((p - middle) / size, ~0U);
+        for (const Vec<Dim>& p : points[i]) held[i].add((p - middle) / size, Mat<Dim>::Identity());
     for (const auto& slider : sliders.vertices())
         for (int component : ofVertex[slider.vertex])
             held[component].add((mesh.points.col(slider.vertex) - middle) / size, slider.projector);
     for (int i = 0; i < count; ++i) result[i] = result[i] || held[i].all();
+    std::vector<WeldedPoint<Dim>> welded;
+    for (const Weld& weld : mesh.welds)
+        if (const auto between = componentsOfWeld(weld, ofVertex))
+            welded.push_back({*between, (firstPointOf<Dim>(weld, mesh.points) - middle) / size});
+    std::vector<SimilaritySquare<Dim>> squares;
+    for (const auto& one : held) squares.push_back(one.square());
+    holdWelded<Dim>(squares, welded, kDistinct, result);
     return result;
 }
 

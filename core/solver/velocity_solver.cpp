@@ -92,7 +92,8 @@ double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
         const Vec<Dim> own = gradient.col(slider.vertex);
         gradient.col(slider.vertex) = own - slider.projector * own;
     }
-    project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_impl->rows.size())));
+    const std::size_t given = m_impl->rows.size() - m_impl->rest->welds.size();
+    project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(given)));
     return gradient.norm();
 }
 
@@ -160,7 +161,7 @@ template <int Dim>
 void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets) const {
     const SliderSet<Dim>& sliders = m_impl->system.sliders();
     const auto rows = static_cast<Eigen::Index>(m_impl->rows.size());
-    Points<Dim> all = targets;
+    Points<Dim> all = m_impl->withWelds(targets);
     if (all.cols() < rows + sliders.count()) {  // sliders stay where they are
         all.conservativeResize(Eigen::NoChange, rows + sliders.count());
         for (std::size_t i = 0; i < m_impl->givenSliders.size(); ++i)
@@ -170,7 +171,7 @@ void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets
         for (const auto& slider : sliders.vertices()) slider.place(all, rows, shape.col(slider.vertex));
     };
     slide();
-    m_impl->projection.apply(shape, targets);
+    m_impl->projection.apply(shape, all);
     slide();
 }
 

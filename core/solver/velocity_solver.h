@@ -86,7 +86,8 @@ class VelocitySolver {
 
     /// Once per set (nothing if the rows are those set already). Dependent rows are left
     /// out: see dependentRows(). Throws InputError for a vertex out of range, a weight that is not finite, a
-    /// row of no weight. What a row says of a vertex comes before what `sliders` say.
+    /// row of no weight. What a row says of a vertex comes before what `sliders` say. The mesh's welds hold
+    /// beside any set: Σ weight v = 0.
     void setConstraints(std::vector<ConstraintRow> rows, Sliders sliders = {});
     /// Sets the directions of guided sliders for the next solves, one column of length 1 per slider; columns
     /// of other sliders do not count. The analysis and the factor stay.

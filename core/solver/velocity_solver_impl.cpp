@@ -94,6 +94,7 @@ VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
 
 template <int Dim>
 void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders) {
+    for (const Weld& weld : rest->welds) newRows.push_back({weld.terms});
     newRows = simplified(newRows);
     if (constrained && newSliders == givenSliders &&
         std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms))
@@ -106,7 +107,9 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
     system = ReducedSystem<Dim>(*plan, elimination, givenSliders);
 
-    const auto held = wellConstrained(*rest, components, rows, system.sliders());
+    const std::vector<ConstraintRow> given(rows.begin(),
+                                           rows.end() - static_cast<std::ptrdiff_t>(rest->welds.size()));
+    const auto held = wellConstrained(*rest, components, given, system.sliders());
     std::vector<double> massRegularization;
     if (std::find(held.begin(), held.end(), false) != held.end())
         for (int component : components)
@@ -119,6 +122,18 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     cache->reset(*plan);
     constrained = true;
     ++statistics.analyses;
+}
+
+/// Returns the values of all rows and sliders: a weld prescribes that its points keep their distance, which
+/// is 0.
+template <int Dim>
+Points<Dim> VelocitySolver<Dim>::Impl::withWelds(const Points<Dim>& given) const {
+    const auto welds = static_cast<Eigen::Index>(rest->welds.size()),
+               first = static_cast<Eigen::Index>(rows.size()) - welds, sliding = given.cols() - first;
+    Points<Dim> all = Points<Dim>::Zero(Dim, given.cols() + welds);
+    all.leftCols(first) = given.leftCols(first);
+    all.rightCols(sliding) = given.rightCols(sliding);
+    return all;
 }
 
 template <int Dim>
@@ -263,9 +278,10 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed,
 }
 
 template <int Dim>
-SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Points<Dim>& v,
+SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& given, Points<Dim>& v,
                                               const std::optional<Points<Dim>>& guess) {
     if (!constrained) setConstraints({});
+    const Points<Dim> prescribed = withWelds(given);
     last.resize(Dim, 0);
     if (!prescribed.allFinite()) return {SolveOutcome::Kind::NotFinite, -1};
     {

@@ -19,7 +19,7 @@ struct VelocitySolver<Dim>::Impl {
     BackEnd<Dim>* backEnd = nullptr;           // that, or multigrid's
     std::vector<int> components;
 
-    std::vector<ConstraintRow> rows;
+    std::vector<ConstraintRow> rows;  // those that were set, then those of welds
     Sliders givenSliders;
     bool constrained = false;  // rows were set
     Elimination elimination;
@@ -49,12 +49,12 @@ struct VelocitySolver<Dim>::Impl {
          const IterativeSolverFactory<Dim>& makeMultigrid);
     bool isMultigrid() const { return multigrid != nullptr; }
     void setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders = {});
+    Points<Dim> withWelds(const Points<Dim>& given) const;
     bool analyze();
     RestEnergy<Dim>& rested();
     void computeLoad();
     const Points<Dim>* loadOrNull() const { return load.cols() > 0 ? &load : nullptr; }
-    SolveOutcome solve(const Points<Dim>& prescribed, Points<Dim>& v,
-                       const std::optional<Points<Dim>>& guess);
+    SolveOutcome solve(const Points<Dim>& given, Points<Dim>& v, const std::optional<Points<Dim>>& guess);
     bool reuses() const;
     typename FactorCache<Dim>::Use use() const;
     void turn(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields);

@@ -120,6 +120,18 @@ bent() {
     done
 }
 
+# A character in layers, at rest and posed.
+parts() {
+    python3 character.py "$work/character.ora"
+    cp character.wend "$work"
+    run "$work/character.wend" "$work/rest.png" --at 0
+    run "$work/character.wend" "$work/posed.png"
+    convert "$work/rest.png" "$work/posed.png" -background "$paper" +append -flatten +repage "$work/all.png"
+    finish "$work/all.png" 960 parts.png
+    convert "$here/parts.png" +dither -colors 64 "$here/parts.png"
+    optipng -quiet -o2 "$here/parts.png"
+}
+
 four_energies strip 960x1300+40+120 450x
 four_energies giraffe 2060x1600+220+760 450x
 giraffe_steps
@@ -127,3 +139,4 @@ frames
 material
 mesh
 bent
+parts

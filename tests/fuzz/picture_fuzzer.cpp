@@ -24,6 +24,7 @@
 #include "core/mesh/input_file.h"
 #include "tests/fuzz/picture_samples.h"
 #include "warp/image.h"
+#include "warp/picture_metadata.h"
 
 namespace fs = std::filesystem;
 
@@ -108,7 +109,10 @@ std::string changed(const Sample& sample, unsigned seed) {
 std::string read(const fs::path& path) {
     alarm(300);
     try {
-        wend::readImage(path.string(), 20);
+        const wend::Image image = wend::readImage(path.string(), 20);
+        if (const auto* metadata = wend::fileMetadata(image))
+            for (const wend::PictureLayer& layer : metadata->layers)
+                wend::readLayer(path.string(), layer.name);
     } catch (const wend::InputError& error) {
         return error.what();
     } catch (const wend::OutOfMemory& error) {

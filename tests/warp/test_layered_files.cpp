@@ -39,6 +39,8 @@ class TestLayeredFiles : public QObject {
     void pictureOfAllLayers();
     void layersAreListed_data();
     void layersAreListed();
+    void layersAreRead_data();
+    void layersAreRead();
     void damagedFiles_data();
     void damagedFiles();
 
@@ -120,6 +122,45 @@ void TestLayeredFiles::layersAreListed() {
                      .arg(QString::fromStdString(layer.blend))
                      .arg(layer.visible ? "shown" : "hidden");
     QCOMPARE(found, layers);
+}
+
+void TestLayeredFiles::layersAreRead_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("layer");
+    QTest::addColumn<int>("scale");
+    QTest::newRow("OpenRaster") << "layers.ora"
+                                << "arm & hand" << 1;
+    QTest::newRow("Photoshop, runs") << "layers.psd"
+                                     << "arm" << 1;
+    QTest::newRow("Photoshop, zip") << "layers16.psd"
+                                    << "arm" << 257;
+    QTest::newRow("Photoshop, large") << "layers.psb"
+                                      << "arm" << 1;
+}
+
+/// Every layer has the script's pixels, as they are in the file.
+void TestLayeredFiles::layersAreRead() {
+    QFETCH(QString, name);
+    QFETCH(QString, layer);
+    QFETCH(int, scale);
+    const Image image = readLayer(given(name), layer.toStdString());
+    QCOMPARE(QSize(image.width, image.height), QSize(4, 3));
+    QCOMPARE(image.channels, 4);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 4; ++c) QCOMPARE(sample(image, x, y, c), scale * pixel(x, y)[std::size_t(c)]);
+    const Image ground = readLayer(given(name), "Körper");
+    QCOMPARE(QSize(ground.width, ground.height), QSize(kWidth, kHeight));
+    const auto reasonFor = [&](const std::string& file, const std::string& one) {
+        try {
+            readLayer(file, one);
+        } catch (const InputError& error) {
+            return QString::fromStdString(error.reason());
+        }
+        return QString();
+    };
+    QCOMPARE(reasonFor(given(name), "tail"), QString("has no layer \"tail\""));
+    QVERIFY(reasonFor(given("layers.kra"), "ink").startsWith("its layers cannot be read one by one"));
 }
 
 void TestLayeredFiles::damagedFiles_data() {

@@ -385,7 +385,11 @@ void setPictures(const PictureSource& source, Image& image) {
 
 StoredPicture readStoredHeader(const PictureSource& source) {
     const OpenPicture input(source);
-    return header(specOf(source.path, *input), source);
+    StoredPicture stored = header(specOf(source.path, *input), source);
+    auto metadata = std::make_shared<PictureMetadata>(*fileMetadata(stored.image));
+    metadata->layers = source.layers;
+    stored.image.metadata = std::move(metadata);
+    return stored;
 }
 
 StoredPicture readStored(const PictureSource& source, double maxMegapixels, PixelSink& sink) {

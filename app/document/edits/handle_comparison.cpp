@@ -147,7 +147,8 @@ bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b) {
     const bool sameSurface = a.slide && b.slide
                                  ? a.slide->file == b.slide->file && a.slide->mesh == b.slide->mesh
                                  : !a.slide && !b.slide;
-    return same(a.at, b.at) && a.slides == b.slides && a.normal == b.normal && sameSurface;
+    return same(a.at, b.at) && a.part == b.part && a.slides == b.slides && a.normal == b.normal &&
+           sameSurface;
 }
 
 template <int Dim>

@@ -107,10 +107,12 @@ bool isActive(const Handle<Dim>& handle, double t) {
 }
 
 template <int Dim>
-Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time) {
+Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time,
+                       const std::string& part) {
     Design<Dim> next = design;
     Handle<Dim> handle;
     handle.name = name;
+    handle.part = part;
     handle.at = std::move(at);
     if (time > 0 && hasMotion(design)) handle.activeFrom = time;
     next.handles.push_back(std::move(handle));
@@ -332,7 +334,8 @@ std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& p
     template bool hasMotion(const Design<Dim>&);                                                             \
     template bool movesAfter(const Design<Dim>&, double);                                                    \
     template bool isActive(const Handle<Dim>&, double);                                                      \
-    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double);    \
+    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double,     \
+                                         const std::string&);                                                \
     template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                      \
     template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&,  \
                                      const std::vector<Vec<Dim>>&);                                          \

@@ -32,8 +32,8 @@ template <int Dim>
 bool isActive(const Handle<Dim>& handle, double t);
 /// A handle that holds from a time on; from the start if nothing has moved by then.
 template <int Dim>
-Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name,
-                       double time = 0);
+Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time = 0,
+                       const std::string& part = {});
 /// Other names for its handles and layers; the same project where none differs.
 std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& project,
                                          const std::function<std::string(const std::string&)>& nameOf);

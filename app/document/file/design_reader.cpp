@@ -257,10 +257,11 @@ void readHold(const JsonValue& value, Handle<Dim>& handle) {
 
 /// A place that is named is found later.
 template <int Dim>
-Placement<Dim> readPlacement(const JsonValue& value, Extras& extras) {
+Placement<Dim> readPlacement(const JsonValue& value, Handle<Dim>& handle) {
     JsonObject object(value);
+    if (auto part = object.find("part")) handle.part = part->text();
     const std::string kind = object.oneOf({"vertices", "points", "region", "group"});
-    if (readNamedPlace(object, extras)) return std::vector<int>();
+    if (readNamedPlace(object, handle.extras)) return std::vector<int>();
     const JsonValue at = object.require(kind);
     object.finish();
     if (kind == "vertices") return readVertexIds<Dim>(at);
@@ -516,7 +517,7 @@ Handle<Dim> readHandle(const JsonValue& value, double end) {
     Handle<Dim> handle;
     JsonObject object(value.ownedBy(handle.extras));
     if (auto name = object.find("name")) handle.name = name->text();
-    handle.at = readPlacement<Dim>(object.require("at"), handle.extras);
+    handle.at = readPlacement<Dim>(object.require("at"), handle);
     if (auto active = object.find("active")) readActive(*active, handle);
     if (auto motion = object.find("motion")) handle.motions = readMotions<Dim>(*motion, end);
     if (auto hold = object.find("hold")) readHold(*hold, handle);

@@ -146,4 +146,13 @@ std::string prettyJson(const Json& json) try {
     throw InputError("has text that is not UTF-8: " + bareReason(error.what()));
 }
 
+Json withExtras(Json json, const Extras& extras) {
+    for (const auto& [pointer, text] : extras) {
+        const Json::json_pointer place(pointer);
+        const Json::json_pointer parent = place.parent_pointer();
+        if (json.contains(parent) && json[parent].is_object()) json[place] = Json::parse(text);
+    }
+    return json;
+}
+
 }  // namespace wend

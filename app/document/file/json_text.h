@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/motion/handle.h"
+
 namespace wend {
 
 /// Parses JSON strictly. Throws InputError(path, "line 3, column 7: …") for a syntax error, a number too
@@ -13,5 +15,8 @@ nlohmann::ordered_json parseJson(const std::string& text, const std::string& pat
 /// the shortest form that reads back equal. Ends with a newline. Throws InputError for text that is not
 /// UTF-8.
 std::string prettyJson(const nlohmann::ordered_json& json);
+
+/// Adds unknown keys of a file again, but for those of objects that are gone.
+nlohmann::ordered_json withExtras(nlohmann::ordered_json json, const Extras& extras);
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include "app/document/file/motion_files.h"
 #include "app/document/file/named_files.h"
 #include "app/document/file/named_places.h"
+#include "app/document/file/part_json.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/file/text_file.h"
@@ -36,19 +37,6 @@ void checkFormat(JsonObject& root) {
 
 // --- Domain ---
 
-void readOutline(const JsonValue& value, Project& project) {
-    JsonObject object(value);
-    Domain& domain = project.domain;
-    if (object.oneOf({"from", "polygons"}) == "polygons") {
-        domain.outline = OutlineKind::Polygons;
-        domain.polygons = readPolygons(object.require("polygons"));
-    } else {
-        domain.outline = object.require("from").choice<OutlineKind>("domain.outline.from");
-    }
-    readSettings(object, "domain.outline", project);
-    object.finish();
-}
-
 std::string readFileName(const JsonValue& value) {
     const std::string name = value.text();
     if (name.empty()) value.fail("names no file");
@@ -70,7 +58,10 @@ SizeRegionIn<Dim> readSizeRegion(const JsonValue& owner) {
 void readImageDomain(JsonObject& object, Project& project) {
     Domain& domain = project.domain;
     domain.kind = DomainKind::Image;
-    domain.path = readFileName(object.require("image"));
+    if (auto parts = object.find("parts"))
+        readParts(*parts, domain);
+    else
+        domain.path = readFileName(object.require("image"));
     if (auto outline = object.find("outline")) readOutline(*outline, project);
     if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
     if (auto sizes = object.find("sizes"))
@@ -146,9 +137,9 @@ void readDomain(const JsonValue& value, Project& project) {
     Domain& domain = project.domain;
     JsonObject object(value);
     const bool textured = object.has("mesh") && object.has("image");
-    const std::string kind = textured ? "mesh" : object.oneOf({"image", "mesh", "surface"});
+    const std::string kind = textured ? "mesh" : object.oneOf({"image", "parts", "mesh", "surface"});
     if (textured && object.has("surface")) object.oneOf({"mesh", "surface"});
-    if (kind == "image") readImageDomain(object, project);
+    if (kind == "image" || kind == "parts") readImageDomain(object, project);
     if (kind == "surface") readSurfaceDomain(object, project);
     if (kind == "mesh") {
         domain.kind = DomainKind::Mesh;
@@ -157,7 +148,7 @@ void readDomain(const JsonValue& value, Project& project) {
     } else if (auto vertices = object.find("vertices")) {
         domain.vertices = vertices->integer("domain.vertices");
     }
-    if (kind != "image")
+    if (domain.kind != DomainKind::Image)
         if (auto detail = object.find("detail")) domain.detail = readFileName(*detail);
     readSettings(object, "domain", project);
     object.finish();

@@ -6,6 +6,7 @@
 #include "app/document/file/json_text.h"
 #include "app/document/file/motion_files.h"
 #include "app/document/file/named_places.h"
+#include "app/document/file/part_json.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/file/text_file.h"
@@ -24,16 +25,6 @@ struct Overloaded : Cases... {
 };
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
-
-/// Restores unknown keys, unless the object that contained them is gone.
-Json withExtras(Json json, const Extras& extras) {
-    for (const auto& [pointer, text] : extras) {
-        const Json::json_pointer place(pointer);
-        const Json::json_pointer parent = place.parent_pointer();
-        if (json.contains(parent) && json[parent].is_object()) json[place] = Json::parse(text);
-    }
-    return json;
-}
 
 template <class Vector>
 Json point(const Vector& v) {
@@ -83,15 +74,6 @@ Json groupJson(const char* group, const Project& project) {
     return json;
 }
 
-Json outlineJson(const Project& project) {
-    Json json = groupJson("domain.outline", project);
-    if (project.domain.outline == OutlineKind::Polygons)
-        for (const auto& loop : project.domain.polygons.loops) json["polygons"].push_back(points(loop));
-    else
-        json["from"] = wordOf("domain.outline.from", project.domain.outline);
-    return json;
-}
-
 /// The settings if there is something to say, or else true.
 Json switchedOn(const char* group, const Project& project) {
     Json json = groupJson(group, project);
@@ -124,7 +106,11 @@ void addSurfaceKeys(Json& json, const Project& project) {
 Json domainJson(const Project& project) {
     static const char* const kinds[] = {"image", "mesh", "surface"};
     const Domain& domain = project.domain;
-    Json json{{kinds[static_cast<int>(domain.kind)], domain.path}};
+    Json json = Json::object();
+    if (domain.parts.empty())
+        json[kinds[static_cast<int>(domain.kind)]] = domain.path;
+    else
+        json["parts"] = partsJson(domain);
     if (domain.kind == DomainKind::Image) json["outline"] = outlineJson(project);
     if (domain.kind != DomainKind::Mesh && domain.edge <= 0 && domain.maxVolume <= 0)
         json["vertices"] = domain.vertices;
@@ -328,6 +314,7 @@ Json handleJson(const Handle<Dim>& handle) {
     Json json = Json::object();
     if (!handle.name.empty()) json["name"] = handle.name;
     json["at"] = placementJson<Dim>(handle.at);
+    if (!handle.part.empty()) json["at"]["part"] = handle.part;
     if (const auto name = nameOfPlace(handle.extras, json["at"])) json["at"] = *name;
     if (std::isfinite(handle.activeFrom) || std::isfinite(handle.activeTo))
         json["active"] = activeJson(handle.activeFrom, handle.activeTo);
@@ -408,6 +395,7 @@ void leaveEndOut(Json& json, const Extras& extras) {
 std::vector<std::string*> filesOf(Project& project) {
     Domain& domain = project.domain;
     std::vector<std::string*> files{&domain.path, &domain.texture, &domain.sizesFile, &domain.detail};
+    for (PicturePart& part : domain.parts) files.push_back(&part.path);
     std::visit(
         [&](auto& design) {
             files.push_back(&design.material.cellsFile);

@@ -257,7 +257,7 @@ constexpr std::array kOptions{
            "with the number of vertices only; auto: by size and the machine's memory",
            Field{AT(integration.solver), nullptr, Makes::Motion}, Row{.undo = Options::tr("Change solver")}},
     Option{"", "--image", Output, "", kAny, "", "", "run",
-           "write the warped picture (png, tif, exr, jpg, webp …)"},
+           "write the warped picture (png, tif, exr, jpg, webp …); ora: every part as a layer"},
     Option{
         "", "--mesh", Output, "", kAny, "", "", "run",
         "write the deformed mesh ({surfaces}, glb; {volumes}); for a solid, those before the semicolon get "

@@ -114,7 +114,7 @@ class CoarseBody<Dim>::Holding {
 
     void take(const Handle<Dim>& handle) {
         const int number = static_cast<int>(m_held.handles.size());
-        const std::vector<ConstrainedPoint> points = m_placer.place(handle.at, number);
+        const std::vector<ConstrainedPoint> points = m_placer.place(handle, number);
         m_held.handles.push_back(handle);
         const bool single = static_cast<int>(points.size()) <= Dim || points.front().terms.size() > 1;
         if (single && !handle.isPartlyHeld()) return takePoints(points, m_held.handles.back());
@@ -214,7 +214,7 @@ class CoarseBody<Dim>::Holding {
 template <int Dim>
 std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::of(const Shape<Dim>& shape) {
     const int most = shape.rest->vertexCount() / kWorthwhile;
-    if (shape.rest->vertexCount() <= kLarge<Dim>) return nullptr;
+    if (shape.rest->vertexCount() <= kLarge<Dim> || !shape.rest->parts.empty()) return nullptr;
     for (const int aim : {kAim<Dim>, kFiner * kAim<Dim>}) try {
             SimplicialMesh<Dim> mesh = coarseMesh<Dim>(*shape.rest, std::min(aim, most));
             if (mesh.vertexCount() <= most) return std::make_shared<const CoarseBody>(shape, std::move(mesh));

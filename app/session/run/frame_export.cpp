@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/domain.h"
 #include "app/session/motion/velocity_probe.h"
+#include "app/session/run/layer_export.h"
 #include "app/session/run/run_options.h"
 #include "app/session/run/shape_file.h"
 #include "app/session/shape/depth.h"
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/safe_file.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -44,7 +47,11 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     m_picture = flat->built->picture;
     m_rest = flat->built->texture ? flat->built->texture->rest : flat->rest;
     m_pose = inPixels(*flat->built, flat->pose);
-    m_depths = cellDepths(document.depth(), *flat->rest);
+    if (m_picture) m_size = canvasSize(*flat->built);
+    m_source = flat->built->texture && flat->built->texture->drawn ? flat->built->texture->drawn : m_rest;
+    const auto drawn = drawnRest(*flat->built);
+    m_levels = partLevels(document.domain().parts, *drawn, flat->time);
+    m_depths = *CellDepths().of(document.depth(), drawn, m_levels);
 }
 
 Extent<2> FrameExport::extent(ExportKind kind) const {
@@ -60,24 +67,26 @@ Extent<2> FrameExport::extent(ExportKind kind) const {
 }
 
 View FrameExport::view(ExportKind kind, const CanvasChoice& canvas) const {
-    return canvasView(*m_picture, extent(kind), canvas);
+    return canvasView(m_size, extent(kind), canvas);
 }
 
 /// The outline is grown beyond what is seen: what of it lies outside at rest is no loss.
 Overhang FrameExport::overhang(ExportKind kind) const {
     if (!m_picture) return {};
-    const Extent<2> shape = extent(kind), rest = extentOf<2>(m_rest->points, m_rest->cells);
+    const Extent<2> shape = extent(kind), rest = extentOf<2>(m_source->points, m_source->cells);
     const auto beyond = [](double by, double free) {
         return by > std::max(free, 0.0) + 0.5 ? static_cast<int>(std::ceil(std::min(by, 1e9))) : 0;
     };
     return {beyond(-shape.low.x(), -rest.low.x()), beyond(-shape.low.y(), -rest.low.y()),
-            beyond(shape.high.x() - m_picture->width, rest.high.x() - m_picture->width),
-            beyond(shape.high.y() - m_picture->height, rest.high.y() - m_picture->height)};
+            beyond(shape.high.x() - m_size[0], rest.high.x() - m_size[0]),
+            beyond(shape.high.y() - m_size[1], rest.high.y() - m_size[1])};
 }
 
 WarpOptions FrameExport::warpOptions(const RunOptions& options) const {
+    requireNothingOutside(*m_project, options);
     WarpOptions warp = warpOptionsOf(*m_project, options);
     warp.depth = m_depths;
+    warp.frameWidth = m_size[0], warp.frameHeight = m_size[1];
     return warp;
 }
 
@@ -87,11 +96,21 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     warp.stop = watch.stop;
     if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
     requireDepth(path, options);
+    if (isLayeredFile(path)) {
+        const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);
+        return writeWhole(path, [&](const std::string& temporary) {
+            writeOpenRaster(temporary, layers, warpImage(*m_picture, *m_rest, m_pose, view, warp));
+        });
+    }
     writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth, options.lossy);
 }
 
+Image FrameExport::stMapOf(const View& view) const {
+    return stMap(*m_source, m_pose, view, m_size[0], m_size[1], m_depths);
+}
+
 void FrameExport::writeStMap(const std::string& path, const View& view) const {
-    writeImage(path, stMap(*m_rest, m_pose, view, m_picture->width, m_picture->height, m_depths));
+    writeImage(path, stMapOf(view));
 }
 
 template <int Dim>

@@ -27,6 +27,7 @@ class FrameExport {
     int dimension() const { return m_frame->dimension; }
     const FramePtr& frame() const { return m_frame; }
     double seconds() const { return m_seconds; }
+    bool hasParts() const { return !m_levels.empty(); }
     /// That a mesh file with this extension gets.
     int vertexCount(const std::string& extension) const;
 
@@ -34,6 +35,8 @@ class FrameExport {
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     const SimplicialMesh<2>& restInPixels() const { return *m_rest; }
     const Points<2>& poseInPixels() const { return m_pose; }
+    /// Where the picture's pixels are from.
+    Image stMapOf(const View& view) const;
     const std::vector<float>& depths() const { return m_depths; }
     /// What the canvas shows of it; of a sequence, all of the motion. Throws InputError.
     View view(ExportKind kind, const CanvasChoice& canvas) const;
@@ -64,8 +67,10 @@ class FrameExport {
     std::vector<FramePtr> m_motion;
     double m_seconds = 0;
     std::shared_ptr<const Image> m_picture;
-    std::shared_ptr<const SimplicialMesh<2>> m_rest;
+    std::shared_ptr<const SimplicialMesh<2>> m_rest, m_source;  // the second: see sourceRest()
+    std::array<int, 2> m_size{};                                // of the plane that is rendered
     Points<2> m_pose;
+    std::vector<int> m_levels;    // of parts: see partLevels()
     std::vector<float> m_depths;  // per cell: see WarpOptions
 };
 

@@ -80,6 +80,7 @@ std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, co
     if (!path.empty()) inputs.push_back({OwnFile::Project, path == "-" ? "/dev/stdin" : path});
     add(domain.kind == DomainKind::Image ? OwnFile::Picture : OwnFile::Mesh, domain.path);
     add(OwnFile::Picture, domain.texture);
+    for (const PicturePart& part : domain.parts) add(OwnFile::Picture, part.path);
     add(OwnFile::Sizes, domain.sizesFile);
     add(OwnFile::Detail, domain.detail);
     if (domain.kind != DomainKind::Image)

@@ -11,6 +11,7 @@
 #include "app/document/file/named_files.h"
 #include "app/document/file/text_file.h"
 #include "app/document/options/options.h"
+#include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
 #include "app/session/run/pose_file.h"
 #include "app/session/run/report.h"
@@ -315,18 +316,34 @@ class Run {
         });
     }
 
-    const std::vector<float>& depths() { return *m_depths.of(depthOf(m_project), m_shape.rest); }
+    const std::vector<float>& depths(double time) {
+        const auto mesh = drawnRest(m_shape);
+        return *m_depths.of(depthOf(m_project), mesh, partLevels(domainOf(m_project).parts, *mesh, time));
+    }
 
-    /// The picture in the pixels of `view`.
-    WarpedPicture warped(const Points<2>& pixels, const View& view,
-                         const std::function<void(double)>& progress) {
+    WarpOptions warpOptions(double time, const std::function<void(double)>& progress) {
         if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
         WarpOptions options = warpOptionsOf(m_project, m_options);
-        options.depth = depths();
+        options.depth = depths(time);
+        const auto [width, height] = canvasSize(m_shape);
+        options.frameWidth = width, options.frameHeight = height;
         options.makePainter = m_painters;
         options.stop = m_watch.stop;
         options.progress = progress;
-        return {*m_shape.picture, restInPixels(m_shape), pixels, view, options};
+        return options;
+    }
+
+    /// The picture at a time in the pixels of `view`.
+    WarpedPicture warped(double time, const Points<2>& pixels, const View& view,
+                         const std::function<void(double)>& progress) {
+        return {*m_shape.picture, restInPixels(m_shape), pixels, view, warpOptions(time, progress)};
+    }
+
+    void writeLayers(const std::string& file, double time, const Points<2>& pixels, const View& view) {
+        const WarpOptions options = warpOptions(time, {});
+        const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
+        writeOpenRaster(file, warpedLayers(m_shape, pixels, levels, view, options),
+                        warpImage(*m_shape.picture, restInPixels(m_shape), pixels, view, options));
     }
 
     /// Throws Cancelled.
@@ -348,30 +365,31 @@ class Run {
         const RunOutputs& outputs = m_options.outputs;
         if (outputs.image.empty() && outputs.stMap.empty()) return;
         const Points<2> pixels = inPixels(m_shape, pose);
-        const View view = canvasView(*m_shape.picture, extent(pixels), m_options.canvas);
+        const auto size = canvasSize(m_shape);
+        const View view = canvasView(size, extent(pixels), m_options.canvas);
+        const double time = m_deformer.state().time;
         m_canvas = view;
         const double count = static_cast<double>(outputs.image.size());
         for (std::size_t k = 0; k < outputs.image.size(); ++k) {
             const double done = static_cast<double>(k);
             m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
-                writePicture(file, warped(pixels, view, warping(done / count, (done + 1) / count)));
+                if (isLayeredFile(file)) return writeLayers(file, time, pixels, view);
+                writePicture(file, warped(time, pixels, view, warping(done / count, (done + 1) / count)));
             });
         }
         for (const std::string& path : outputs.stMap)
             m_files.add(path, ".exr", [&](const std::string& file) {
-                writeImage(file, stMap(restInPixels(m_shape), pixels, view, m_shape.picture->width,
-                                       m_shape.picture->height, depths()));
+                writeImage(file, stMap(sourceRest(m_shape), pixels, view, size[0], size[1], depths(time)));
             });
     }
 
     void writeMaterial() {
-        const Image none;
         const bool isPicture = domainOf(m_project).kind == DomainKind::Image;
-        const Image& picture = isPicture ? *m_shape.picture : none;
+        const auto size = isPicture ? canvasSize(m_shape) : std::array{0, 0};
         for (const MaterialPart part : kMaterialParts)
             for (const std::string& path : m_options.outputs.material[static_cast<std::size_t>(part)])
                 m_files.add(path, ".png", [&](const std::string& file) {
-                    const PictureFrame frame = pictureFrame(picture.width, picture.height, *m_shape.rest);
+                    const PictureFrame frame = pictureFrame(size[0], size[1], *m_shape.rest);
                     writeImage(file, materialPicture(part, frame, *m_shape.rest, *m_shape.material));
                 });
     }
@@ -437,8 +455,8 @@ class Run {
     void takePictureFrame(int number, const Points<2>& pixels) {
         const Extent<2> shape = extent(pixels);
         if (m_options.canvas.kind != Canvas::Fit)
-            return writePictureFrames(number, pixels, canvasView(*m_shape.picture, shape, m_options.canvas),
-                                      {});
+            return writePictureFrames(number, pixels,
+                                      canvasView(canvasSize(m_shape), shape, m_options.canvas), {});
         if (!m_waiting) {
             m_waiting.emplace(*std::ranges::find_if(m_options.outputs.frames, canWriteImage));
             m_allFrames = shape;
@@ -450,7 +468,7 @@ class Run {
 
     void writeWaitingFrames() {
         if (!m_waiting) return;
-        const View view = canvasView(*m_shape.picture, m_allFrames, m_options.canvas);
+        const View view = canvasView(canvasSize(m_shape), m_allFrames, m_options.canvas);
         const double count = m_waiting->count();
         for (int k = 0; k < m_waiting->count(); ++k) {
             if (!isPainted(k)) continue;
@@ -461,7 +479,7 @@ class Run {
 
     void writePictureFrames(int number, const Points<2>& pixels, const View& view,
                             const std::function<void(double)>& progress) {
-        const WarpedPicture picture = warped(pixels, view, progress);
+        const WarpedPicture picture = warped(frameTime(number), pixels, view, progress);
         m_canvas = view;
         for (const std::string& pattern : m_options.outputs.frames) {
             if (!canWriteImage(pattern)) continue;
@@ -553,6 +571,7 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
         for (const std::string& file : *pictures) requireDepth(file, options);
     if (watch.progress) watch.progress("reading", 0);
     const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
+    requireNothingOutside(project, options);
     AnyShape shape = loadShape(project, folderOf(path), watch.stop);
     std::vector<std::string> notices = std::visit([](const auto& one) { return one.notices; }, shape);
     if (const std::string note = fallsShort(project); !note.empty() && !options.at) notices.push_back(note);

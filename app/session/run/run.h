@@ -139,8 +139,8 @@ bool isAnimation(const std::string& frames);
 std::string collectionName(const std::string& pattern);
 
 /// The pixels that a picture shows of a shape (or of all frames of one) that lies there. Throws InputError
-/// for more than pictures may have.
-View canvasView(const Image& picture, const Extent<2>& shapeInPixels, const CanvasChoice& canvas);
+/// for more than pictures may have. `size`: of the plane that is rendered.
+View canvasView(const std::array<int, 2>& size, const Extent<2>& shapeInPixels, const CanvasChoice& canvas);
 
 /// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
 template <int Dim>

@@ -1,5 +1,6 @@
 #include "app/session/run/run_options.h"
 
+#include "app/document/domain.h"
 #include "app/document/file/rgb_text.h"
 #include "app/session/shape/flat_shape.h"
 
@@ -76,6 +77,12 @@ void requireDepth(const std::string& path, const RunOptions& options) {
     if (!options.depth || path.empty() || path == "-" || !canWriteImage(path)) return;
     if (!holdsType(path, *options.depth))
         throw InputError(path, "the format does not hold pictures of this depth (--depth)");
+}
+
+void requireNothingOutside(const Project& project, const RunOptions& options) {
+    if (!domainOf(project).parts.empty() &&
+        (options.outside == Outside::Clamp || options.outside == Outside::Original))
+        throw InputError("--outside clamp and original are for a picture that is one part");
 }
 
 }  // namespace wend

@@ -17,4 +17,7 @@ WarpOptions warpOptionsOf(const Project& project, const RunOptions& options);
 /// Throws InputError for a depth that the format of this picture does not hold.
 void requireDepth(const std::string& path, const RunOptions& options);
 
+/// Throws InputError for parts of a picture that are to be continued outside them.
+void requireNothingOutside(const Project& project, const RunOptions& options);
+
 }  // namespace wend

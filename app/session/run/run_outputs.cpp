@@ -5,6 +5,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/options/options.h"
+#include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
 #include "app/session/run/run.h"
 #include "app/session/run/shape_file.h"
@@ -92,7 +93,7 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     };
     for (const std::string& path : outputs.image) {
         requirePicture(project, path);
-        if (path != "-" && !canWriteImage(path))
+        if (path != "-" && !canWriteImage(path) && !isLayeredFile(path))
             throw InputError(path, "is in no picture format that can be written");
     }
     for (const std::string& path : outputs.mesh)
@@ -112,8 +113,8 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     requirePlaces(outputs.numberedFrames());
 }
 
-View canvasView(const Image& picture, const Extent<2>& shape, const CanvasChoice& canvas) {
-    View view{picture.width, picture.height, Vec<2>::Zero(), 1};
+View canvasView(const std::array<int, 2>& canvasSize, const Extent<2>& shape, const CanvasChoice& canvas) {
+    View view{canvasSize[0], canvasSize[1], Vec<2>::Zero(), 1};
     if (canvas.kind == Canvas::Picture) return view;
     const bool fits = canvas.kind == Canvas::Fit;
     const PixelRect& part = canvas.part;

@@ -36,6 +36,11 @@ std::string meshDigest(const SimplicialMesh<Dim>& rest) {
     Digest digest;
     digest.add(std::span<const double>(rest.points.data(), static_cast<std::size_t>(rest.points.size())));
     for (const Cell<Dim>& cell : rest.cells) digest.add(std::span<const int>(cell));
+    for (const Weld& weld : rest.welds)
+        for (const auto& [vertex, weight] : weld.terms) {
+            digest.add(std::span<const int>(&vertex, 1));
+            digest.add(std::span<const double>(&weight, 1));
+        }
     return digest.text();
 }
 

@@ -107,7 +107,7 @@ void carryNodes(const Shape<Dim>& shape, const Points<Dim>& pose, const Points<3
 }
 
 void addUv(const Shape<2>& shape, MeshFile& file) {
-    const auto& pixels = restInPixels(shape).points;
+    const auto pixels = restInPixels(shape).points.leftCols(shape.rest->vertexCount());
     file.uv.resize(2, pixels.cols());
     file.uv.row(0) = pixels.row(0) / shape.picture->width;
     file.uv.row(1) = 1 - pixels.row(1).array() / shape.picture->height;

@@ -1,6 +1,9 @@
 #include "app/session/shape/depth.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <tuple>
 
 #include "core/mesh/limb_order.h"
 
@@ -19,7 +22,48 @@ float orderAt(const std::vector<DepthRegion>& regions, const Vec<2>& p) {
     return last == regions.rend() ? 0 : static_cast<float>(last->order);
 }
 
+/// Lifts the cells of every part above those of all parts below it.
+void lift(const SimplicialMesh<2>& mesh, const std::vector<int>& levels, std::vector<float>& depths) {
+    if (levels.empty()) return;
+    if (depths.empty()) depths.assign(mesh.cells.size(), 0);
+    const auto [low, high] = std::ranges::minmax(depths);
+    const float step = std::floor(high) - std::floor(low) + 1;
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+        for (int c = mesh.parts[i].firstCell; c < mesh.parts[i].endCell; ++c)
+            depths[static_cast<std::size_t>(c)] += step * static_cast<float>(levels[i]);
+}
+
+/// Where a part is at a time.
+double placeAt(const std::vector<PicturePart>& parts, std::size_t part, double time) {
+    double place = static_cast<double>(part);
+    for (const PartOrder& order : parts[part].order)
+        if (order.time <= time) place = order.place;
+    return place;
+}
+
 }  // namespace
+
+std::vector<int> partLevels(const std::vector<PicturePart>& parts, const SimplicialMesh<2>& mesh,
+                            double time) {
+    struct Place {
+        double place;
+        bool isOwn;  // no entry has moved it
+        std::size_t part, mesh;
+    };
+    std::vector<Place> places;
+    for (std::size_t k = 0; k < mesh.parts.size(); ++k) {
+        const auto i = static_cast<std::size_t>(
+            std::ranges::find(parts, mesh.parts[k].name, &PicturePart::name) - parts.begin());
+        if (i == parts.size()) return {};
+        const bool isMoved = !parts[i].order.empty() && parts[i].order.front().time <= time;
+        places.push_back({placeAt(parts, i, time), !isMoved, i, k});
+    }
+    std::ranges::sort(places, std::greater<>(),
+                      [](const Place& one) { return std::tuple(one.place, one.isOwn, one.part); });
+    std::vector<int> levels(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) levels[places[k].mesh] = static_cast<int>(k);
+    return levels;
+}
 
 std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
     if (regions.empty()) return {};
@@ -44,11 +88,15 @@ std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const Sim
 }
 
 const CellDepths::Values& CellDepths::of(const std::vector<DepthRegion>& regions,
-                                         const std::shared_ptr<const SimplicialMesh<2>>& rest) {
-    if (m_values && rest == m_rest && regions == m_regions) return m_values;
+                                         const std::shared_ptr<const SimplicialMesh<2>>& rest,
+                                         const std::vector<int>& levels) {
+    if (m_values && rest == m_rest && regions == m_regions && levels == m_levels) return m_values;
     m_regions = regions;
     m_rest = rest;
-    m_values = std::make_shared<const std::vector<float>>(m_make(regions, *rest));
+    m_levels = levels;
+    std::vector<float> depths = m_make(regions, *rest);
+    lift(*rest, levels, depths);
+    m_values = std::make_shared<const std::vector<float>>(std::move(depths));
     m_plan.reset();
     return m_values;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/document/depth_region.h"
+#include "app/document/part.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "warp/coverage.h"
 
@@ -17,7 +18,13 @@ std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const Sim
 /// them.
 std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest);
 
-/// Cached depths and painting plan, recomputed only for other regions or another mesh.
+/// Returns the level of every part of the mesh at a time, from 0 (behind all): see PicturePart::order. Empty
+/// if the mesh has no parts.
+std::vector<int> partLevels(const std::vector<PicturePart>& parts, const SimplicialMesh<2>& mesh,
+                            double time);
+
+/// Cached depths and painting plan, recomputed only for other regions, another mesh or other levels of its
+/// parts, which lie whole over one another.
 class CellDepths {
   public:
     using Values = std::shared_ptr<const std::vector<float>>;
@@ -25,7 +32,8 @@ class CellDepths {
                                                    const SimplicialMesh<2>&) = cellDepths)
         : m_make(make) {}
     const Values& of(const std::vector<DepthRegion>& regions,
-                     const std::shared_ptr<const SimplicialMesh<2>>& rest);
+                     const std::shared_ptr<const SimplicialMesh<2>>& rest,
+                     const std::vector<int>& levels = {});
     /// Returns the plan of the last result of of().
     std::shared_ptr<const PaintingPlan> plan();
 
@@ -33,6 +41,7 @@ class CellDepths {
     std::vector<float> (&m_make)(const std::vector<DepthRegion>&, const SimplicialMesh<2>&);
     std::vector<DepthRegion> m_regions;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
+    std::vector<int> m_levels;
     Values m_values;
     std::shared_ptr<const PaintingPlan> m_plan;  // made when it is asked for first
 };

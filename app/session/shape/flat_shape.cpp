@@ -7,6 +7,7 @@
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
 #include "app/session/shape/mesh_rest.h"
+#include "app/session/shape/part_pictures.h"
 #include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_cells.h"
@@ -66,8 +67,16 @@ double outlineSlack(const Domain& domain) {
 
 }  // namespace
 
+bool isInOutline(const Outline& outline, const Vec<2>& p) {
+    return belongs(outline, p, kCoincident * outlineDiagonal(outline));
+}
+
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
                                          std::vector<std::string>* notices) {
+    if (!domain.parts.empty()) {
+        const PartPictures pictures = loadParts(domain.parts, folder, {}, notices);
+        return std::make_shared<const Image>(flattened(pictures.sheets, pictures.width, pictures.height));
+    }
     const std::string& file = domain.kind == DomainKind::Image ? domain.path : domain.texture;
     if (file.empty() || domain.kind == DomainKind::Surface) return nullptr;
     return std::make_shared<const Image>(readImage(pathIn(folder, file), kMaxMegapixels, notices));
@@ -153,7 +162,34 @@ const SimplicialMesh<2>& restInPixels(const Shape<2>& shape) {
 }
 
 Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose) {
-    return shape.texture ? shape.texture->toPixels(pose) : pose;
+    return shape.texture ? shape.texture->toPixels(shape.texture->withRiders(pose)) : pose;
+}
+
+Points<2> Texture::withRiders(const Points<2>& pose) const {
+    if (riders.empty()) return pose;
+    Points<2> points(2, rest->vertexCount());
+    points.leftCols(pose.cols()) = pose;
+    Eigen::Index at = pose.cols();
+    for (const Rider& rider : riders) {
+        const Points<2> own = rider.embedding.carry(rider.host, pose);
+        points.middleCols(at, own.cols()) = own;
+        at += own.cols();
+    }
+    return points;
+}
+
+std::shared_ptr<const SimplicialMesh<2>> drawnRest(const Shape<2>& shape) {
+    return shape.texture && shape.texture->drawn ? shape.texture->drawn : shape.rest;
+}
+
+const SimplicialMesh<2>& sourceRest(const Shape<2>& shape) {
+    return shape.texture && shape.texture->drawn ? *shape.texture->drawn : restInPixels(shape);
+}
+
+std::array<int, 2> canvasSize(const Shape<2>& shape) {
+    const bool isGiven = shape.texture && shape.texture->width > 0;
+    return isGiven ? std::array{shape.texture->width, shape.texture->height}
+                   : std::array{shape.picture->width, shape.picture->height};
 }
 
 }  // namespace wend

@@ -15,6 +15,9 @@ std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string
 /// Returns the outline of the deformed part of a picture.
 Outline domainOutline(const Domain& domain, const Image& picture);
 
+/// Whether the mesher takes the point: inside by even and odd, or on the border within rounding.
+bool isInOutline(const Outline& outline, const Vec<2>& p);
+
 /// The mesh of an outline; points of handles that are there from the start become vertices.
 std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
                                                      const Outline& outline, std::stop_token stop = {});

@@ -71,7 +71,8 @@ std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& sh
     std::vector<Handle<2>> handles = designOf<2>(project).handles;
     const Border kind = domainOf(project).border;
     if (kind == Border::Free || domainOf(project).kind != DomainKind::Image) return handles;
-    const Vec<2> frame(shape.picture->width, shape.picture->height);
+    const auto [width, height] = canvasSize(shape);
+    const Vec<2> frame(width, height);
     const auto border = freeBorder(handles, *shape.rest, frame);
     const bool slide = kind == Border::Slide;
     add(handles, border[Corner], 0);

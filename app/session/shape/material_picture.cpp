@@ -8,6 +8,7 @@
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
 #include "app/session/shape/material_raster.h"
+#include "app/session/shape/part_pictures.h"
 #include "core/energy/energy_stops.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
@@ -201,6 +202,10 @@ PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest) 
 }
 
 PictureFrame pictureFrame(const Domain& domain, const std::string& folder) {
+    if (!domain.parts.empty()) {
+        const PartPictures pictures = loadParts(domain.parts, folder, {}, nullptr);
+        return pictureFrame(pictures.width, pictures.height, {});
+    }
     const std::string path = pathIn(folder, domain.path);
     if (domain.kind != DomainKind::Image) return pictureFrame(0, 0, readMesh<2>(path));
     const Image header = readImageHeader(path);

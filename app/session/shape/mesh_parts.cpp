@@ -57,6 +57,13 @@ std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell) {
 }
 
 template <int Dim>
+std::string partNameOf(const SimplicialMesh<Dim>& mesh, int cell) {
+    for (const MeshPart& part : mesh.parts)
+        if (part.firstCell <= cell && cell < part.endCell) return part.name;
+    return {};
+}
+
+template <int Dim>
 Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh) {
     std::vector<int> all(mesh.cells.size());
     std::iota(all.begin(), all.end(), 0);
@@ -74,6 +81,7 @@ Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>
 
 #define WEND_INSTANTIATE(Dim)                                                                    \
     template std::vector<int> partOf<Dim>(const SimplicialMesh<Dim>&, int);                      \
+    template std::string partNameOf<Dim>(const SimplicialMesh<Dim>&, int);                       \
     template Region<Dim> regionAround<Dim>(const SimplicialMesh<Dim>&, const std::vector<int>&); \
     template Region<Dim> regionOfAll<Dim>(const SimplicialMesh<Dim>&)
 WEND_INSTANTIATE(2);

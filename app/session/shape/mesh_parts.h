@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/mesh/region.h"
@@ -10,6 +11,10 @@ namespace wend {
 /// The cells that are connected with one through facets, increasing.
 template <int Dim>
 std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell);
+
+/// Returns the name of the part of a picture that a cell belongs to; empty if the mesh has no parts.
+template <int Dim>
+std::string partNameOf(const SimplicialMesh<Dim>& mesh, int cell);
 
 /// Returns a region around the points at rest: in the plane their outer outline, in space a box.
 template <int Dim>

@@ -82,10 +82,25 @@ Facets<Dim> sewn(const Facets<Dim>& border, const Points<Dim>& rest) {
     return result;
 }
 
+/// The part that a vertex belongs to. Parts may cross one another.
+int partOfVertex(const std::vector<MeshPart>& parts, int vertex) {
+    return static_cast<int>(std::ranges::find_if(parts,
+                                                 [&](const MeshPart& part) {
+                                                     return part.firstVertex <= vertex &&
+                                                            vertex < part.endVertex;
+                                                 }) -
+                            parts.begin());
+}
+
 template <int Dim>
 std::vector<Crossed> newCrossings(const PoseFaults<Dim>& faults, const Facets<Dim>& sewnBorder,
-                                  const Points<Dim>& rest) {
+                                  const Points<Dim>& rest, const std::vector<MeshPart>& parts) {
     std::vector<Crossed> now = crossedIn(faults.points, faults.border);
+    if (!parts.empty())
+        std::erase_if(now, [&](const Crossed& one) {
+            return partOfVertex(parts, faults.border[one.facets[0]][0]) !=
+                   partOfVertex(parts, faults.border[one.facets[1]][0]);
+        });
     std::erase_if(now, [&](const Crossed& one) {
         const auto &a = sewnBorder[one.facets[0]], &b = sewnBorder[one.facets[1]];
         return std::ranges::find_first_of(a, b) != a.end();
@@ -123,7 +138,7 @@ void findCrossings(const Shape<Dim>& shape, const Points<Dim>& pose, PoseFaults<
             for (const int v : border[f]) take(v);
     };
     std::vector<std::vector<Crossed>> places;
-    if (const auto all = newCrossings<Dim>(faults, border, rest); Dim == 3)
+    if (const auto all = newCrossings<Dim>(faults, border, rest, shape.rest->parts); Dim == 3)
         places = connected(all, static_cast<int>(rest.cols()), vertices);
     else
         for (const Crossed& one : all) places.push_back({one});

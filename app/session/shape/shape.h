@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +12,7 @@
 #include "core/energy/material.h"
 #include "core/mesh/embedding.h"
 #include "core/mesh/skin.h"
-#include "warp/image.h"
+#include "warp/atlas.h"
 
 namespace wend {
 
@@ -25,10 +26,24 @@ struct PictureMap {
     Points<2> operator()(const Points<2>& points) const { return (A * points).colwise() + b; }
 };
 
-/// Placement of a 2D mesh from a file in its picture.
+/// A part that follows the map of another one and has no mesh in the equations.
+struct Rider {
+    SimplicialMesh<2> host;  // all points of the shape, and the cells of the part that it rides on
+    Embedding<2> embedding;  // of its points in that
+};
+
+/// Placement of a 2D mesh in its picture: of one from a file, or of the parts of a picture in their atlas.
 struct Texture {
-    std::shared_ptr<const SimplicialMesh<2>> rest;  // the rest mesh in pixels of the picture
+    std::shared_ptr<const SimplicialMesh<2>> rest;  // what is drawn, in pixels of the picture
     PictureMap toPixels;                            // takes poses to the plane that is rendered
+    // Of parts only.
+    std::shared_ptr<const SimplicialMesh<2>> drawn = {};  // `rest` in domain coordinates
+    std::vector<Sheet> sheets = {};                       // of its parts, in their order
+    std::vector<Rider> riders = {};                       // whose vertices come behind those of the shape
+    int width = 0, height = 0;                            // of the plane that is rendered
+
+    /// Returns the vertices that are drawn of a pose, in domain coordinates.
+    Points<2> withRiders(const Points<2>& pose) const;
 };
 
 /// The shape that is deformed, shown and exported: a domain with its files, mesh and material. Immutable
@@ -57,8 +72,18 @@ struct Shape {
 };
 using AnyShape = std::variant<Shape<2>, Shape<3>>;
 
-/// Rest mesh and pose in pixels of the picture, or in domain coordinates if there is none.
+/// The mesh that is drawn, at rest in pixels of the picture, and in a pose in the plane that is rendered.
+/// Both are in domain coordinates if there is no picture.
 const SimplicialMesh<2>& restInPixels(const Shape<2>& shape);
 Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose);
+
+/// The same mesh in domain coordinates: the shape's, with the parts that ride on others behind it.
+std::shared_ptr<const SimplicialMesh<2>> drawnRest(const Shape<2>& shape);
+
+/// The rest mesh in the pixels that ST maps refer to: of the picture, of parts as they lie at rest.
+const SimplicialMesh<2>& sourceRest(const Shape<2>& shape);
+
+/// The size of the plane that is rendered, in pixels; the shape has a picture.
+std::array<int, 2> canvasSize(const Shape<2>& shape);
 
 }  // namespace wend

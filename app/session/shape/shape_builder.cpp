@@ -25,15 +25,16 @@ const Design<Dim>& designOf(const ShapeInputs& inputs) {
 bool sameOutline(const Project& a, const Project& b) {
     const Domain &p = domainOf(a), &q = domainOf(b);
     return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Outline) &&
-           p.polygons.loops == q.polygons.loops;
+           p.polygons.loops == q.polygons.loops && p.parts == q.parts;
 }
 
-/// The points that become vertices of the mesh: those of handles that are there from the start.
-std::vector<Vec<2>> startPoints(const ShapeInputs& inputs) {
-    std::vector<Vec<2>> points;
+/// The points that become vertices of the mesh, and their parts: those of handles that are there from the
+/// start.
+std::vector<std::pair<std::string, Vec<2>>> startPoints(const ShapeInputs& inputs) {
+    std::vector<std::pair<std::string, Vec<2>>> points;
     for (const Handle<2>& handle : designOf<2>(inputs).handles)
         if (const auto* own = std::get_if<std::vector<Vec<2>>>(&handle.at); own && handle.activeFrom <= 0)
-            points.insert(points.end(), own->begin(), own->end());
+            for (const Vec<2>& p : *own) points.emplace_back(handle.part, p);
     return points;
 }
 
@@ -114,7 +115,11 @@ template <>
 Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     const Domain& domain = domainOf(*inputs.project);
     Shape<2> shape;
-    if (domain.kind == DomainKind::Image) {
+    if (!domain.parts.empty()) {
+        if (m_made.empty()) m_parted = {};
+        shape = loadPartedShape(domain, designOf<2>(inputs), inputs.folder, m_parted, stop);
+        if (!shape.rest) return shape;
+    } else if (domain.kind == DomainKind::Image) {
         shape.picture = inputs.picture ? inputs.picture : loadPicture(domain, inputs.folder, &shape.notices);
         shape.rest = meshOutline(inputs, *shape.picture, stop);
         tellOfAim(domain, *shape.rest, shape.notices);

@@ -2,6 +2,7 @@
 
 #include <stop_token>
 
+#include "app/session/shape/parted_shape.h"
 #include "app/session/shape/shape.h"
 #include "app/session/shape/solid.h"
 #include "core/meshing/outline.h"
@@ -48,6 +49,7 @@ class ShapeBuilder {
     std::vector<Made> m_made;  // the newest first, of one file
     ShapeInputs m_outlineFrom;
     std::shared_ptr<const Outline> m_outline;  // 2D only
+    PartedCache m_parted;                      // of the file of the newest shape
 };
 
 /// Builds a shape without any cache. Messages use the terms of the command line. Throws InputError, and

@@ -90,6 +90,11 @@ bool OutlineTool::isReady() {
     const Document& document = session().document();
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
+    if (!document.domain().parts.empty()) {
+        emit session().notice(QCoreApplication::translate(
+            "OutlineTool", "Outlines are drawn for a picture that is one part: open it flattened."));
+        return false;
+    }
     Playback& playback = session().playback();
     if (playback.isPlaying()) playback.setPlaying(false);
     if (playback.time() > 0) {
@@ -363,7 +368,10 @@ void OutlineTool::paintOutline(QPainter& painter) const {
 
 /// Draws the document's outline, even before it is meshed, and the one being drawn.
 void OutlineTool::paint(QPainter& painter) const {
-    if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
+    const Document& document = session().document();
+    if (!document.picture() || document.domain().kind != DomainKind::Image ||
+        !document.domain().parts.empty())
+        return;
     paintOutline(painter);
     m_cross.paint(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);

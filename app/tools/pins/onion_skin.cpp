@@ -126,7 +126,8 @@ template <int Dim>
 void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
     m_drawn.reset();
     if constexpr (Dim == 2) {
-        Outline drawing = shape.picture ? drawingOf(*shape.picture) : Outline();
+        const bool hasParts = shape.texture && shape.texture->drawn;
+        Outline drawing = shape.picture && !hasParts ? drawingOf(*shape.picture) : Outline();
         if (drawing.loops.empty()) return;
         const SimplicialMesh<2>& rest = restInPixels(shape);
         Outline boundary;

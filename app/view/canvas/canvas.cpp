@@ -51,7 +51,9 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent)
     setAccessibleName(tr("Canvas"));
     setAccessibleDescription(tr("The picture with its pins"));
     m_refine.setSingleShot(true);
-    connect(&m_refine, &QTimer::timeout, this, [this] { m_renderer.post(request(Filter::Ewa)); });
+    connect(&m_refine, &QTimer::timeout, this, [this] {
+        if (pictureOf(drawnFrame()) || !m_session.document().picture()) m_renderer.post(request(Filter::Ewa));
+    });
     connect(&m_renderer, &RenderThread::rendered, this, &ShapeCanvas::takeRendered);
     connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
     connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
@@ -67,7 +69,8 @@ bool ShapeCanvas::showsPicture() const {
 bool ShapeCanvas::isSettled() const {
     return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && m_session.frame() &&
            m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view &&
-           m_drawn->request.plan == plan() && m_drawn->request.allOfPicture == showsPicture();
+           m_drawn->request.plan == plan() &&
+           (m_drawn->request.allOfPicture == showsPicture() || !m_session.document().domain().parts.empty());
 }
 
 /// Returns the visible one of overlapping cells.
@@ -100,8 +103,10 @@ void ShapeCanvas::showMaterial(std::shared_ptr<const Material<2>> painted, bool 
 void ShapeCanvas::takeOpened() {
     m_refine.stop();  // it would draw the new document without its picture
     m_picture.reset();
+    m_flat.reset();
     m_unbent.reset();
     m_source.reset();
+    m_pictureOf.reset();
     m_drawn.reset();
     const auto& picture = m_session.document().picture();
     m_view.setPointsUp(!picture);
@@ -116,8 +121,10 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
     m_source = picture;
     const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
     inBackground(this, prepare, [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
+        if (picture == m_session.document().picture()) m_flat = prepared;
         if (m_source != picture) return;
         m_picture = prepared;
+        m_pictureOf = picture;
         emit this->prepared();
         render();
     });
@@ -132,6 +139,22 @@ void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
     preparePicture(frame.built->picture);
 }
 
+/// The parts of a picture are drawn from their atlas, and from the document's picture without a mesh.
+void ShapeCanvas::takeParts(const PosedFrame<2>& frame) {
+    if (!m_session.document().picture() || !frame.built) return;
+    const auto& texture = frame.built->texture;
+    const auto& wanted = texture && texture->drawn ? frame.built->picture : m_session.document().picture();
+    if (wanted != m_source) preparePicture(wanted);
+}
+
+/// Returns the picture of a frame; null without one, or while it is prepared.
+std::shared_ptr<const ScreenPicture> ShapeCanvas::pictureOf(const PosedPtr<2>& frame) const {
+    if (!frame || frame == m_unbent || !frame->built) return frame == m_unbent ? m_flat : m_picture;
+    const bool hasParts = frame->built->texture && frame->built->texture->drawn;
+    if (!hasParts) return m_session.document().picture() ? m_flat : m_picture;
+    return m_pictureOf == frame->built->picture ? m_picture : nullptr;
+}
+
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
     const auto frame = seen<2>(m_viewport.looks(), shownFrame());
     return frame ? frame : m_unbent;
@@ -142,7 +165,22 @@ CellDepths::Values ShapeCanvas::depths() const {
     const auto frame = m_session.frame<2>();
     if (!frame) return nullptr;
     const FramePtr& standIn = m_viewport.looks().standIn;
-    return m_depths.of(m_session.document().depth(), standIn ? posed<2>(standIn)->rest : frame->rest);
+    const auto seen = standIn ? posed<2>(standIn) : frame;
+    const auto mesh = seen->built ? drawnRest(*seen->built) : seen->rest;
+    const Document& document = m_session.document();
+    return m_depths.of(document.depth(), mesh, partLevels(document.domain().parts, *mesh, seen->time));
+}
+
+/// The plan of the mesh without parts that ride on others.
+std::shared_ptr<const PaintingPlan> ShapeCanvas::cellPlan() const {
+    const auto frame = drawnFrame();
+    if (!depths() || !frame || !frame->built ||
+        drawnRest(*frame->built)->cellCount() == frame->rest->cellCount())
+        return plan();
+    const Document& document = m_session.document();
+    m_cellDepths.of(document.depth(), frame->rest,
+                    partLevels(document.domain().parts, *frame->rest, frame->time));
+    return m_cellDepths.plan();
 }
 
 std::shared_ptr<const PaintingPlan> ShapeCanvas::plan() const {
@@ -170,6 +208,7 @@ void ShapeCanvas::takeFrame() {
     const auto frame = m_session.frame<2>();
     const bool first = !m_drawn && !m_session.document().picture() && frame;
     if (first) takeTexture(*frame);
+    if (frame) takeParts(*frame);
     m_viewport.takeFrame();
     if (first) fitTo(Fitted::Picture);
     render();
@@ -179,11 +218,12 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     const Looks& looks = m_viewport.looks();
     RenderRequest request;
     request.document = m_session.document().generation();
-    request.picture = m_picture;
     request.frame = drawnFrame();
+    request.picture = pictureOf(request.frame);
     if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
     request.plan = plan();
-    request.allOfPicture = showsPicture();
+    request.cellPlan = cellPlan();
+    request.allOfPicture = showsPicture() && !(request.texture && request.texture->drawn);
     request.view = m_view;
     request.size = size();
     request.ratio = devicePixelRatioF();
@@ -224,7 +264,7 @@ QImage ShapeCanvas::smallView(const QSize& size) const {
 
 void ShapeCanvas::render() {
     m_viewport.showLegendLock();
-    if (drawnFrame() && (m_picture || !m_session.document().picture())) {
+    if (drawnFrame() && (pictureOf(drawnFrame()) || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start(m_session.isDragging() ? kRefineInDrag : kRefineAfter);
     }
@@ -237,7 +277,7 @@ void ShapeCanvas::redraw() {
 
 void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
     const bool isOld = result->request.document != m_session.document().generation();
-    if (isOld || !drawnFrame() || result->request.picture != m_picture) return;
+    if (isOld || !drawnFrame() || result->request.picture != pictureOf(drawnFrame())) return;
     m_drawn = result;
     if (result->request.filter == Filter::Bilinear)
         m_pace.learn(double(result->image.width()) * result->image.height(), result->milliseconds);

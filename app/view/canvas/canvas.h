@@ -90,9 +90,12 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     void fitView();
     void preparePicture(const std::shared_ptr<const Image>& picture);
     void takeTexture(const PosedFrame<2>& frame);
+    void takeParts(const PosedFrame<2>& frame);
+    std::shared_ptr<const ScreenPicture> pictureOf(const PosedPtr<2>& frame) const;
     PosedPtr<2> drawnFrame() const;
     CellDepths::Values depths() const;
     std::shared_ptr<const PaintingPlan> plan() const;
+    std::shared_ptr<const PaintingPlan> cellPlan() const;
     void takeFrame();
     void takeRendered(const std::shared_ptr<const RenderResult>& result);
     RenderRequest request(Filter filter) const;
@@ -106,8 +109,10 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
 
     ShapeSession& m_session;
     Viewport m_viewport;
-    std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
+    std::shared_ptr<const Image> m_source;     // the document's picture, or that of a file's mesh or of parts
+    std::shared_ptr<const Image> m_pictureOf;  // the image of m_picture
     std::shared_ptr<const ScreenPicture> m_picture;
+    std::shared_ptr<const ScreenPicture> m_flat;  // the document's picture
     std::shared_ptr<const PoseFaults<2>> m_faults;
     PosedPtr<2> m_unbent;  // the original picture, before the first mesh
     MaterialPreview<2> m_preview;
@@ -118,7 +123,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     std::shared_ptr<const RenderResult> m_drawn;
     mutable DrawingPace m_pace;
     QTimer m_refine;  // starts a drawing of full quality once nothing has moved for a while
-    mutable CellDepths m_depths;
+    mutable CellDepths m_depths, m_cellDepths;  // of what is drawn, and of the mesh alone
     Ground m_ground;
     Fitted m_fitted = Fitted::No;  // the view follows the window's size until the user changes it
     bool m_follows = false;

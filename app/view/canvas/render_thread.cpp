@@ -24,7 +24,7 @@ std::shared_ptr<const SimplicialMesh<2>> restOf(const RenderRequest& request) {
 /// Returns the pose in pixels of the picture or of the screen.
 Points<2> poseOf(const RenderRequest& request) {
     if (!request.texture) return request.frame->pose;
-    Points<2> pose = request.frame->pose;
+    Points<2> pose = request.texture->withRiders(request.frame->pose);
     for (Eigen::Index i = 0; i < pose.cols(); ++i) {
         const QPointF p = request.scale() * request.view.toWidget(pose.col(i));
         pose.col(i) = Vec<2>(p.x(), p.y());
@@ -117,8 +117,8 @@ void fillCells(QImage& image, const RenderRequest& request) {
     };
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
     if (request.map && request.picture && !request.plain) takeColours(image);
-    const auto plan =
-        request.plan ? request.plan : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
+    const auto plan = request.cellPlan ? request.cellPlan
+                                       : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
     CellFiller filler(image.size(), *plan, frame.pose, toPixels(request));
     if (request.map && isPainted(request.measure)) {
         fillPaint(filler, *frame.rest, plan->order, values, colourOf);
@@ -255,7 +255,7 @@ void RenderThread::loop(std::stop_token stop) {
 
 void RenderThread::chooseCells(RenderRequest& request) {
     const bool moves = request.filter == Filter::Bilinear && request.frame && request.frame->live;
-    if (!moves || !request.picture) return;
+    if (!moves || !request.picture || (request.texture && request.texture->drawn)) return;
     const double pixel = 1 / (request.view.zoom() * request.scale());
     request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, kDrawnOff * pixel);
 }

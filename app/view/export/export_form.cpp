@@ -11,6 +11,7 @@
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/session/motion/playback.h"
+#include "app/session/run/layer_export.h"
 #include "app/session/run/run_options.h"
 #include "app/session/run/shape_file.h"
 #include "app/view/export/answer.h"
@@ -127,7 +128,8 @@ bool ExportForm::isFilm() const {
 }
 
 bool ExportForm::isPicture() const {
-    return canWriteImage("picture" + extension().toStdString());
+    const std::string file = "picture" + extension().toStdString();
+    return canWriteImage(file) || isLayeredFile(file);
 }
 
 OptionField* ExportForm::field(const char* flag) const {
@@ -142,6 +144,7 @@ bool ExportForm::takes(const std::string& flag) const {
     if (flag == "--count" || flag == "--fps") return kind() == ExportKind::Frames;
     if (flag == "--canvas") return isPicture();
     if (flag == "--webp") return extension() == QStringLiteral(".webp");
+    if (isLayeredFile(file) && (flag == "--depth" || flag == "--outside")) return false;
     if (flag == "--depth" && isFilm()) return false;
     if (flag == "--depth" || flag == "--outside" || flag == "--filter")
         return isPicture() && kind() != ExportKind::StMap;
@@ -170,7 +173,7 @@ void ExportForm::tieRate(const OptionField& changed) {
 void ExportForm::adapt() {
     if (!shape()) return;
     showFields();
-    if (isPicture()) showDepths();
+    if (takes("--depth")) showDepths();
     showCrop();
     m_facts->setText(pixels());
     tellProblem({});

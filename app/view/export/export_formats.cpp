@@ -1,5 +1,6 @@
 #include "app/view/export/export_formats.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -43,7 +44,12 @@ void putOwnFirst(Formats& formats, const FrameExport& shape) {
 }  // namespace
 
 QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
-    if (kind == ExportKind::Picture) return kPictures;
+    const bool hasParts = shape.hasParts();
+    if (kind == ExportKind::Picture)
+        return hasParts
+                   ? kPictures + Formats{{QCoreApplication::translate("ExportFormats", "Layers (OpenRaster)"),
+                                          QStringLiteral(".ora")}}
+                   : kPictures;
     if (kind == ExportKind::StMap) return kMaps;
     const bool solid = shape.dimension() == 3;
     const bool film = kind == ExportKind::Frames;

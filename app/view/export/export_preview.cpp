@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "app/session/run/layer_export.h"
 #include "app/session/shape/shape.h"
 #include "app/view/canvas/ground.h"
 #include "app/view/canvas/render_thread.h"
@@ -35,7 +36,8 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
     if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
     QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
-    if (holdsAlpha("picture" + request.extension)) return warped;
+    const std::string file = "picture" + request.extension;
+    if (holdsAlpha(file) || isLayeredFile(file)) return warped;
     QImage opaque(warped.size(), QImage::Format_RGB32);
     opaque.fill(Qt::white);
     QPainter(&opaque).drawImage(0, 0, warped);
@@ -45,8 +47,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
 /// The map's red and green, as a compositing program shows them.
 QImage mapPreview(const FrameExport& shape, const PreviewRequest& request) {
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
-    const Image map = stMap(shape.restInPixels(), shape.poseInPixels(), view, shape.picture()->width,
-                            shape.picture()->height, shape.depths());
+    const Image map = shape.stMapOf(view);
     const Image shown = converted(map, {PixelType::UInt8, 4, true, true});
     return QImage(reinterpret_cast<const uchar*>(shown.data.data()), shown.width, shown.height,
                   static_cast<qsizetype>(shown.rowBytes()), QImage::Format_RGBA8888)
@@ -59,7 +60,7 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const ScreenP
     draw.picture = picture;
     draw.frame = posed<2>(shape.frame());
     draw.texture = draw.frame->built->texture;
-    draw.plan = std::make_shared<PaintingPlan>(*draw.frame->rest, shape.depths());
+    draw.plan = std::make_shared<PaintingPlan>(*drawnRest(*draw.frame->built), shape.depths());
     draw.mesh = true;
     draw.fill = request.fill;
     draw.line = request.line;
@@ -81,7 +82,7 @@ QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Scree
     QImage image;
     if (request.kind == ExportKind::StMap)
         image = mapPreview(shape, request);
-    else if (canWriteImage("picture" + request.extension))
+    else if (canWriteImage("picture" + request.extension) || isLayeredFile("picture" + request.extension))
         image = picturePreview(shape, *picture, request, std::move(stop));
     else if (shape.dimension() == 2)
         image = meshPreview(shape, picture, request);

@@ -94,9 +94,15 @@ void FileWorkflow::askOpen() {
                             tr("Projects (*.wend)") + QStringLiteral(";;") +
                             tr("Meshes (%1)").arg(meshExtensions());
     QSettings settings;
-    const QString path =
-        QFileDialog::getOpenFileName(&m_window, tr("Open"), settings.value("folder").toString(), filters);
-    if (!path.isEmpty()) open(path);
+    openAll(
+        QFileDialog::getOpenFileNames(&m_window, tr("Open"), settings.value("folder").toString(), filters));
+}
+
+void FileWorkflow::openAll(const QStringList& paths) {
+    if (paths.size() == 1) open(paths.first());
+    if (paths.size() < 2 || !mayLeave()) return;
+    m_found.clear();
+    read(paths.first(), [paths] { return openTogether(paths); });
 }
 
 void FileWorkflow::open(const QString& path) {

@@ -30,7 +30,8 @@ class InfoBanner : public QWidget {
         Mesh,
         Border,
         SoftEdges,
-        LineArt
+        LineArt,
+        Parts
     };
     /// A button that puts it right.
     struct Remedy {

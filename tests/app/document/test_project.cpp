@@ -545,7 +545,7 @@ class TestProject : public QObject {
         row("newer", "{'format': 'wend', 'version': 2}", "reads versions up to 1");
         row("no domain", "{'format': 'wend', 'version': 1}", "the key `domain` is missing");
         row("empty domain", projectText("'domain': {}"),
-            "domain: has none of the known kinds: image, mesh, surface");
+            "domain: has none of the known kinds: image, parts, mesh, surface");
         row("two domains", projectText("'domain': {'image': 'a', 'surface': 'b'}"),
             "domain: has both `image` and `surface`");
         row("path type", projectText("'domain': {'image': 3}"), "domain.image: must be a text, not 3");

@@ -1,0 +1,253 @@
+#include "app/panels/part_list.h"
+
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QToolButton>
+#include <algorithm>
+
+#include "app/document/domain.h"
+#include "app/document/edits/part_edits.h"
+#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
+#include "app/session/shape/joint_place.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kFullOpacity = 100;
+
+/// Returns the tooltip and accessible description of a part's line.
+QString describedPart(const PicturePart& part) {
+    QStringList words;
+    if (part.hidden) words << PartList::tr("hidden");
+    if (!part.ridesOn.empty()) words << PartList::tr("rides on %1").arg(QString::fromStdString(part.ridesOn));
+    for (const Joint& joint : part.joints)
+        words << PartList::tr("joined to %1").arg(QString::fromStdString(joint.to));
+    return words.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+PartList::PartList(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_list(new QListWidget(this)),
+      m_forward(new QToolButton(this)),
+      m_backward(new QToolButton(this)),
+      m_opacity(new NumberBox(this)),
+      m_joined(new QComboBox(this)),
+      m_rides(new QComboBox(this)) {
+    makeControls();
+    auto* layout = sectionColumn(this);
+    layout->addLayout(sideBySide({panelTitle(tr("Parts"), this), nullptr, m_forward, m_backward}));
+    layout->addWidget(m_list);
+    m_rows = new QWidget(this);
+    auto* rows = bareColumn(m_rows, 8);
+    rows->addWidget(panelRowIn(tr("Opac&ity"), m_opacity, this));
+    rows->addWidget(panelRowIn(tr("&Joined to"), m_joined, this));
+    rows->addWidget(panelRowIn(tr("&Rides on"), m_rides, this));
+    layout->addWidget(m_rows);
+    connectControls();
+    showParts();
+}
+
+void PartList::makeControls() {
+    m_list->setObjectName(QStringLiteral("partList"));
+    m_list->setFixedHeight(168);
+    m_list->setDragDropMode(QAbstractItemView::InternalMove);
+    m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_list->installEventFilter(this);
+    describe(
+        m_list, tr("Parts of the picture"),
+        tr("The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies "
+           "in front; clear its check to hide it; a double-click changes its name."));
+    const auto chip = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
+        button->setObjectName(QString::fromLatin1(id));
+        button->setText(text);
+        button->setProperty("role", "chip");
+        describe(button, text, help);
+    };
+    chip(m_forward, "partForward", tr("Forward"), tr("Brings the part in front of the next one (Alt+Up)."));
+    chip(m_backward, "partBackward", tr("Backward"), tr("Brings the part behind the next one (Alt+Down)."));
+    m_opacity->setObjectName(QStringLiteral("partOpacity"));
+    m_opacity->setRange(0, kFullOpacity);
+    m_opacity->setDecimals(0);
+    m_opacity->setSuffix(tr(" %"));
+    describe(m_opacity, tr("Opacity"), tr("How much is seen of the part."));
+    m_joined->setObjectName(QStringLiteral("partJoined"));
+    describe(
+        m_joined, tr("Joined to"),
+        tr("Welds the part to another one in the middle of where they overlap at rest: it turns there, and "
+           "pulls nothing else."));
+    m_rides->setObjectName(QStringLiteral("partRides"));
+    describe(m_rides, tr("Rides on"),
+             tr("The part follows the motion of another one, as eyes do on a face."));
+}
+
+void PartList::connectControls() {
+    connect(&m_session.document(), &Document::projectChanged, this, &PartList::showParts);
+    connect(m_list, &QListWidget::currentRowChanged, this, &PartList::showChosen);
+    connect(m_list, &QListWidget::itemChanged, this, &PartList::takeItem);
+    connect(m_list->model(), &QAbstractItemModel::rowsMoved, this,
+            [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
+                takeOrder(from, to > from ? to - 1 : to);
+            });
+    connect(m_forward, &QToolButton::clicked, this, [this] { move(-1); });
+    connect(m_backward, &QToolButton::clicked, this, [this] { move(1); });
+    connect(m_opacity, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (chosen() < 0) return;
+        std::vector<PicturePart> next = parts();
+        next[static_cast<std::size_t>(chosen())].opacity = value / kFullOpacity;
+        change(tr("Change opacity"), std::move(next), QStringLiteral("part opacity %1").arg(chosen()));
+    });
+    connect(m_joined, &QComboBox::textActivated, this, &PartList::join);
+    connect(m_rides, &QComboBox::textActivated, this, &PartList::ride);
+}
+
+const std::vector<PicturePart>& PartList::parts() const {
+    static const std::vector<PicturePart> none;
+    return m_session.document().isEmpty() ? none : m_session.document().domain().parts;
+}
+
+int PartList::chosen() const {
+    const int row = m_list->currentRow();
+    return row < static_cast<int>(parts().size()) ? row : -1;
+}
+
+void PartList::change(const QString& step, std::vector<PicturePart> next, const QString& key) {
+    Domain domain = m_session.document().domain();
+    domain.parts = std::move(next);
+    m_session.document().changeDomain(step, std::move(domain), key);
+}
+
+void PartList::showParts() {
+    {
+        const QSignalBlocker quiet(m_list);
+        const QString name = m_list->currentItem() ? m_list->currentItem()->text() : QString();
+        const int row = m_list->currentRow();
+        m_list->clear();
+        int same = -1;
+        for (const PicturePart& part : parts()) {
+            auto* item = new QListWidgetItem(QString::fromStdString(part.name), m_list);
+            item->setFlags((item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable) &
+                           ~Qt::ItemIsDropEnabled);
+            item->setCheckState(part.hidden ? Qt::Unchecked : Qt::Checked);
+            item->setToolTip(describedPart(part));
+            item->setData(Qt::AccessibleDescriptionRole, describedPart(part));
+            if (item->text() == name) same = m_list->row(item);
+        }
+        m_list->setCurrentRow(same >= 0 ? same : std::min(row, m_list->count() - 1));
+    }
+    setVisible(!parts().empty());
+    showChosen();
+}
+
+void PartList::showChosen() {
+    const int part = chosen();
+    m_rows->setVisible(part >= 0);
+    allow(m_forward, part > 0, tr("Choose a part that is not in front."));
+    allow(m_backward, part >= 0 && part + 1 < m_list->count(), tr("Choose a part that is not at the back."));
+    if (part < 0) return;
+    const QSignalBlocker quiet(m_opacity);
+    m_opacity->setValue(kFullOpacity * parts()[static_cast<std::size_t>(part)].opacity);
+    fillChoices();
+}
+
+void PartList::fillChoices() {
+    const PicturePart& own = parts()[static_cast<std::size_t>(chosen())];
+    const auto fill = [&](QComboBox* box, const std::string& now, const auto& mayBe) {
+        box->clear();
+        box->addItem(tr("Nothing"));
+        for (int i = 0; i < static_cast<int>(parts().size()); ++i)
+            if (i != chosen() && mayBe(i)) box->addItem(QString::fromStdString(parts()[std::size_t(i)].name));
+        box->setCurrentText(now.empty() ? tr("Nothing") : QString::fromStdString(now));
+    };
+    fill(m_rides, own.ridesOn, [this](int i) { return mayRide(parts(), chosen(), i); });
+    fill(m_joined, own.joints.empty() ? std::string() : own.joints.front().to,
+         [&](int i) { return own.ridesOn.empty() && parts()[std::size_t(i)].ridesOn.empty(); });
+}
+
+/// The list is in the middle of the change.
+void PartList::takeItem(QListWidgetItem* item) {
+    const int row = m_list->row(item);
+    const std::string name = item->text().trimmed().toStdString();
+    const bool hides = item->checkState() == Qt::Unchecked;
+    QMetaObject::invokeMethod(
+        this,
+        [this, row, name, hides] {
+            if (row < 0 || row >= static_cast<int>(parts().size())) return;
+            const PicturePart& part = parts()[static_cast<std::size_t>(row)];
+            if (hides != part.hidden) {
+                std::vector<PicturePart> next = parts();
+                next[static_cast<std::size_t>(row)].hidden = hides;
+                return change(hides ? tr("Hide part") : tr("Show part"), std::move(next));
+            }
+            const bool isTaken = std::ranges::find(parts(), name, &PicturePart::name) != parts().end();
+            if (name == part.name) return;
+            if (name.empty() || isTaken) {
+                emit m_session.notice(tr("Another part has this name."));
+                return showParts();
+            }
+            Document& document = m_session.document();
+            document.change(tr("Rename part"), withPartName(*document.project(), row, name));
+        },
+        Qt::QueuedConnection);
+}
+
+void PartList::takeOrder(int from, int to) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, from, to] {
+            if (std::max(from, to) >= static_cast<int>(parts().size())) return;
+            change(tr("Change order"), withPartMoved(parts(), from, to));
+        },
+        Qt::QueuedConnection);
+}
+
+void PartList::move(int by) {
+    const int from = chosen(), to = from + by;
+    if (from < 0 || to < 0 || to >= static_cast<int>(parts().size())) return;
+    change(tr("Change order"), withPartMoved(parts(), from, to));
+}
+
+void PartList::join(const QString& to) {
+    if (chosen() < 0) return;
+    std::vector<PicturePart> next = parts();
+    PicturePart& own = next[static_cast<std::size_t>(chosen())];
+    own.joints.clear();
+    if (m_joined->currentIndex() > 0) {
+        const auto frame = m_session.frame<2>();
+        const auto place = frame ? jointPlace(*frame->rest, own.name, to.toStdString()) : std::nullopt;
+        if (!place) {
+            emit m_session.notice(tr("These parts do not overlap at rest: there is no place for a joint."));
+            return showChosen();
+        }
+        own.joints.push_back({to.toStdString(), *place});
+    }
+    change(own.joints.empty() ? tr("Remove joint") : tr("Join parts"), std::move(next));
+}
+
+void PartList::ride(const QString& on) {
+    if (chosen() < 0) return;
+    std::vector<PicturePart> next = parts();
+    next[static_cast<std::size_t>(chosen())].ridesOn = m_rides->currentIndex() > 0 ? on.toStdString() : "";
+    change(tr("Change what a part rides on"), std::move(next));
+}
+
+bool PartList::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_list && event->type() == QEvent::KeyPress) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        const int by = key.key() == Qt::Key_Up ? -1 : key.key() == Qt::Key_Down ? 1 : 0;
+        if (by != 0 && key.modifiers() == Qt::AltModifier) {
+            move(by);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace wend

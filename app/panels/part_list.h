@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/document/part.h"
+
+class QComboBox;
+class QListWidget;
+class QListWidgetItem;
+class QToolButton;
+
+namespace wend {
+
+class NumberBox;
+class ShapeSession;
+
+/// The parts of a picture, the frontmost first: an eye, a name that a double click changes, and an order that
+/// dragging and Alt with the arrow keys change. Below it what the chosen part is: its opacity, what it is
+/// joined to, and what it rides on. Hidden for a picture that is one part.
+class PartList : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PartList(ShapeSession& session, QWidget* parent = nullptr);
+    QListWidget* list() const { return m_list; }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    const std::vector<PicturePart>& parts() const;
+    int chosen() const;
+    void makeControls();
+    void connectControls();
+    void showParts();
+    void showChosen();
+    void fillChoices();
+    void takeItem(QListWidgetItem* item);
+    void takeOrder(int from, int to);
+    void move(int by);
+    void change(const QString& step, std::vector<PicturePart> parts, const QString& key = {});
+    void join(const QString& to);
+    void ride(const QString& on);
+
+    ShapeSession& m_session;
+    QListWidget* m_list;
+    QToolButton *m_forward, *m_backward;
+    NumberBox* m_opacity;
+    QComboBox *m_joined, *m_rides;
+    QWidget* m_rows = nullptr;
+};
+
+}  // namespace wend

@@ -1,0 +1,74 @@
+#include "app/session/layered_opening.h"
+
+#include <algorithm>
+
+#include "app/session/shape/part_pictures.h"
+#include "core/mesh/error.h"
+#include "core/mesh/input_file.h"
+#include "warp/outline.h"
+#include "warp/picture_format.h"
+#include "warp/picture_metadata.h"
+
+namespace wend {
+
+namespace {
+
+bool hasOutline(const Image& picture) {
+    try {
+        outlineFromAlpha(picture);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+/// From front to back. A Photoshop file begins with the layer at the back.
+std::vector<PictureLayer> layersOf(const Image& picture, PictureFormat format) {
+    std::vector<PictureLayer> layers = fileMetadata(picture)->layers;
+    if (format == PictureFormat::Psd) std::ranges::reverse(layers);
+    std::erase_if(layers, [](const PictureLayer& layer) { return layer.width < 1 || layer.height < 1; });
+    return layers;
+}
+
+/// Layers without an outline ride on the next one below that has one; at the back they are left out.
+void letSmallOnesRide(std::vector<PicturePart>& parts, const PartPictures& pictures) {
+    std::string below;
+    for (std::size_t i = parts.size(); i-- > 0;) {
+        const Image& picture = *pictures.sheets[i].picture;
+        if (!picture.alpha) parts[i].outline = PartOutline{};
+        if (!picture.alpha || hasOutline(picture)) {
+            below = parts[i].name;
+            continue;
+        }
+        parts[i].outline = PartOutline{};
+        parts[i].ridesOn = below;
+        if (below.empty()) parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+}  // namespace
+
+std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& picture,
+                                       std::vector<std::string>& notices) try {
+    const PictureFormat format = pictureFormat(InputFile(path));
+    if (format != PictureFormat::OpenRaster && format != PictureFormat::Psd) return {};
+    const std::vector<PictureLayer> layers = layersOf(picture, format);
+    if (layers.size() < 2) return {};
+    std::vector<PicturePart> parts;
+    for (const PictureLayer& layer : layers) {
+        PicturePart& part = parts.emplace_back();
+        part.name = part.layer = layer.name;
+        part.path = path;
+        part.hidden = !layer.visible;
+    }
+    std::vector<std::string> ofLayers;
+    letSmallOnesRide(parts, loadParts(parts, {}, {}, &ofLayers));
+    if (parts.size() < 2) return {};
+    notices = std::move(ofLayers);  // instead of that it was flattened
+    return parts;
+} catch (const InputError& error) {
+    notices.push_back(error.what());
+    return {};
+}
+
+}  // namespace wend

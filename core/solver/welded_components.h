@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// The velocities at a point of the similarities' modes, a column each: a translation along every axis, a
+/// rotation in every plane, and a scaling.
+template <int Dim>
+using SimilarityVelocities = Eigen::Matrix<double, Dim, Dim + Dim*(Dim - 1) / 2 + 1>;
+template <int Dim>
+SimilarityVelocities<Dim> similarityVelocities(const Vec<Dim>& p);
+
+/// MᵀM, where the rows of M are coordinates of similarityVelocities() at places that are held.
+template <int Dim>
+using SimilaritySquare = Mat<SimilarityVelocities<Dim>::ColsAtCompileTime>;
+
+/// A point that two components share, relative to the middle of the shape, in terms of its size.
+template <int Dim>
+struct WeldedPoint {
+    std::array<int, 2> components;
+    Vec<Dim> place;
+};
+
+/// Sets `held` for components without any similarity left, where each has those that `squares` leave and
+/// welded points move alike: of the form S that sums up the squares and |M(p) (a − b)|², those in no
+/// eigenvector to an eigenvalue of at most distinct². Looks at components that welds connect only.
+template <int Dim>
+void holdWelded(const std::vector<SimilaritySquare<Dim>>& squares,
+                const std::vector<WeldedPoint<Dim>>& welded, double distinct, std::vector<bool>& held);
+
+}  // namespace wend

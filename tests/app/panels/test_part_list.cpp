@@ -1,0 +1,214 @@
+// A file with layers in the window: opened as parts, which a list hides, renames, orders, joins and lets
+// ride; the canvas shows what the export writes.
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QListWidget>
+#include <QUndoStack>
+#include <QtTest>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/panels/part_list.h"
+#include "app/session/run/frame_export.h"
+#include "app/session/run/run.h"
+#include "app/view/files/file_workflow.h"
+#include "app/view/notices/info_banner.h"
+#include "tests/support/pictures.h"
+#include "tests/support/solid_fixture.h"
+#include "warp/open_raster.h"
+
+using namespace wend;
+using namespace wend::test;
+
+class TestPartList : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_f.reset(); }
+    void layersAreParts();
+    void listChangesParts();
+    void canvasIsTheExport();
+    void picturesOpenTogether();
+
+  private:
+    void dragged();
+    double gap() {
+        const auto frame = m_f->session().frame<2>();
+        Vec<2> difference = Vec<2>::Zero();
+        for (const auto& [v, weight] : frame->rest->welds.at(0).terms)
+            difference += weight * frame->pose.col(v);
+        return difference.norm();
+    }
+    PartList& panel() { return m_f->window().properties().parts(); }
+    QListWidget& list() { return *panel().list(); }
+    const std::vector<PicturePart>& parts() { return m_f->session().document().domain().parts; }
+    QStringList names() {
+        QStringList all;
+        for (const PicturePart& part : parts()) all << QString::fromStdString(part.name);
+        return all;
+    }
+    QUndoStack& undo() { return *m_f->session().document().undoStack(); }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+/// A red bar over a green board that it reaches beyond, with a small blue dot on it.
+void TestPartList::init() {
+    m_f = std::make_unique<SolidFixture>();
+    const auto layer = [](const char* name, int width, int height, const std::vector<std::uint8_t>& colour,
+                          int x, int y) {
+        return LayerToWrite{name, plainPicture(width, height, colour), x, y};
+    };
+    const QString path = m_folder.filePath("layers.ora");
+    writeOpenRaster(
+        path.toStdString(),
+        {layer("dot", 6, 6, {0, 0, 255, 255}, 60, 37), layer("bar", 120, 24, {255, 0, 0, 255}, 40, 28),
+         layer("board", 80, 70, {0, 255, 0, 255}, 10, 10)},
+        plainPicture(180, 90, {9, 9, 9, 255}));
+    QVERIFY(m_f->openFile(path));
+}
+
+/// A layer that is too small for a mesh rides; one click makes the file's picture of them, which undo takes
+/// back.
+void TestPartList::layersAreParts() {
+    QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
+    QCOMPARE(parts()[0].ridesOn, std::string("bar"));
+    QVERIFY(panel().isVisible());
+    QCOMPARE(list().count(), 3);
+    auto* banner = m_f->window().findChild<InfoBanner*>();
+    QVERIFY(banner && banner->text().contains("3 layers"));
+    QAbstractButton* flatten = nullptr;
+    for (auto* button : banner->findChildren<QAbstractButton*>())
+        if (button->text() == "Open Flattened") flatten = button;
+    QVERIFY(flatten);
+    flatten->click();
+    QVERIFY(parts().empty());
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(m_f->session().frame<2>()->built->picture->width, 180);
+    QVERIFY(!panel().isVisible());
+    undo().undo();
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(parts().size(), std::size_t{3});
+    QVERIFY(panel().isVisible());
+}
+
+void TestPartList::listChangesParts() {
+    QVERIFY(list().model()->moveRow({}, 0, {}, 3));  // as a drag does
+    QTRY_COMPARE(names(), (QStringList{"bar", "board", "dot"}));
+    undo().undo();
+    QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
+    list().item(1)->setCheckState(Qt::Unchecked);
+    QTRY_VERIFY(parts()[1].hidden);
+    list().item(1)->setText("arm");
+    QTRY_COMPARE(names(), (QStringList{"dot", "arm", "board"}));
+    QCOMPARE(parts()[0].ridesOn, std::string("arm"));  // references follow
+    list().item(1)->setText("board");
+    QTRY_COMPARE(list().item(1)->text(), QString("arm"));  // names are their own
+    list().setCurrentRow(1);
+    QTest::keyClick(&list(), Qt::Key_Down, Qt::AltModifier);
+    QCOMPARE(names(), (QStringList{"dot", "board", "arm"}));
+    QCOMPARE(list().currentItem()->text(), QString("arm"));
+    QVERIFY(settle(m_f->session()));
+    auto* joined = panel().findChild<QComboBox*>("partJoined");
+    joined->setCurrentText("board");
+    emit joined->textActivated("board");
+    QCOMPARE(parts()[2].joints.size(), std::size_t{1});
+    const Vec<2> at = parts()[2].joints[0].at;  // where bar and board overlap
+    QVERIFY(at.x() > 38 && at.x() < 92 && at.y() > 26 && at.y() < 54);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(m_f->session().frame<2>()->rest->welds.size(), std::size_t{1});
+    dragged();
+    while (undo().canUndo()) undo().undo();
+    QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
+    QVERIFY(!parts()[1].hidden && parts()[1].joints.empty());
+    QVERIFY(settle(m_f->session()));
+}
+
+/// Under the hand, and when it has let go, both parts are together at the joint.
+void TestPartList::dragged() {
+    ShapeSession& session = m_f->session();
+    session.addPin<2>({20, 70});
+    session.addPin<2>({150, 40});
+    QVERIFY(settle(session));
+    session.beginDrag();
+    for (int k = 1; k <= 5; ++k) {
+        session.dragTo({-6.0 * k, 8.0 * k});
+        QTRY_VERIFY(session.frame()->live && session.frame()->amount.norm() > 1);
+        QVERIFY(gap() < 1e-9);
+    }
+    session.endDrag(0.2);
+    QVERIFY(settle(session));
+    QVERIFY(gap() < 1e-9);
+    QVERIFY((session.frame<2>()->pose - session.frame<2>()->rest->points).colwise().norm().maxCoeff() > 20);
+}
+
+/// A pin belongs to the part under it, and the canvas has the pixels of the file.
+void TestPartList::canvasIsTheExport() {
+    ShapeSession& session = m_f->session();
+    ShapeCanvas& canvas = m_f->window().canvas();
+    const QPoint middle = canvas.toWidget({70, 45}).toPoint(), end = canvas.toWidget({140, 40}).toPoint();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, middle);
+    QVERIFY(settle(session));
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, end);
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas, end + QPoint(-4 * i, 5 * i));
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, end + QPoint(-24, 30));
+    QVERIFY(settle(session));
+    const auto& handles = session.document().design<2>().handles;
+    QCOMPARE(handles.size(), std::size_t{2});
+    for (const Handle<2>& handle : handles) QCOMPARE(handle.part, std::string("bar"));
+    session.selection().clear();
+    m_f->window().canvas().viewport().set(&Looks::hidden, true);
+    QTRY_VERIFY_WITH_TIMEOUT(canvas.isSettled(), 20000);
+    const QString path = m_folder.filePath("out.png");
+    const FrameExport frame(session.document(), session.frame(), {}, 1);
+    std::string remark;
+    frame.write(ExportKind::Picture, path.toStdString(), {}, {}, remark);
+    const QImage file(path), drawn = canvas.drawn()->image;
+    const double ratio = drawn.devicePixelRatio();
+    int compared = 0;
+    for (int y = 4; y < file.height() - 4; y += 3)
+        for (int x = 4; x < file.width() - 4; x += 3) {
+            const QRgb own = file.pixel(x, y);
+            bool isEdge = false;  // where scaling mixes colours
+            for (const auto& [u, v] :
+                 {std::pair{-3, 0}, {3, 0}, {0, -3}, {0, 3}, {-2, -2}, {2, 2}, {2, -2}, {-2, 2}})
+                isEdge = isEdge || file.pixel(x + u, y + v) != own;
+            if (isEdge) continue;
+            const QPointF at = canvas.toWidget({x + 0.5, y + 0.5}) * ratio;
+            const QColor seen = drawn.pixelColor(at.toPoint());
+            ++compared;
+            QVERIFY2(std::abs(seen.alpha() - qAlpha(own)) <= 2 &&
+                         (qAlpha(own) == 0 || std::abs(seen.red() - qRed(own)) <= 2),
+                     qPrintable(QString("%1 %2").arg(x).arg(y)));
+        }
+    QVERIFY(compared > 500);
+}
+
+/// The first is in front; a file that is no picture is refused by its name.
+void TestPartList::picturesOpenTogether() {
+    const QString front = m_folder.filePath("a.png"), back = m_folder.filePath("b/a.png");
+    QVERIFY(QDir(m_folder.path()).mkpath("b"));
+    writeImage(front.toStdString(), plainPicture(30, 20, {255, 0, 0, 255}));
+    writeImage(back.toStdString(), plainPicture(90, 60, {0, 0, 255}));
+    m_f->window().files().openAll(QStringList{front, back});
+    QVERIFY(m_f->takeOpened([&] { return m_f->session().document().source() == front; }));
+    QCOMPARE(names(), (QStringList{"a", "a 2"}));
+    QCOMPARE(m_f->session().document().picture()->width, 90);
+    QVERIFY(m_f->window().findChild<InfoBanner*>()->text().contains("2 pictures"));
+    const QString written = m_folder.filePath("out.ora");
+    const FrameExport frame(m_f->session().document(), m_f->session().frame(), {}, 1);
+    QVERIFY(frame.hasParts());
+    std::string remark;
+    frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
+    QCOMPARE(readLayer(written.toStdString(), "a 2").width, 90);
+    const QString project = m_folder.filePath("p.wend");
+    QVERIFY(QFile::copy(front, project));
+    m_f->window().files().openAll(QStringList{front, project});
+    auto* banner = m_f->window().findChild<InfoBanner*>();
+    QTRY_VERIFY(banner->text().contains("only pictures are opened together"));
+}
+
+QTEST_MAIN(TestPartList)
+#include "test_part_list.moc"

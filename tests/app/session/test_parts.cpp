@@ -1,0 +1,298 @@
+// Pictures of several parts: their place, opacity and order, what rides on another part, what is cut out, and
+// the file of layers, which Python's zipfile and Qt read.
+
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+#include <fstream>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/file/project_reader.h"
+#include "app/document/file/project_writer.h"
+#include "app/session/run/run.h"
+#include "app/session/shape/shape_builder.h"
+#include "core/integration/deformer.h"
+#include "core/mesh/error.h"
+#include "tests/support/pictures.h"
+#include "warp/open_raster.h"
+
+using namespace wend;
+using namespace wend::test;
+
+namespace {
+
+using Rgba = std::array<double, 4>;
+
+Rgba pixelOf(const QImage& image, int x, int y) {
+    const QColor colour = image.pixelColor(x, y);
+    return {colour.redF(), colour.greenF(), colour.blueF(), colour.alphaF()};
+}
+
+/// Porter and Duff: colours not multiplied with alpha.
+Rgba over(const Rgba& top, const Rgba& below) {
+    const double alpha = top[3] + (1 - top[3]) * below[3];
+    Rgba result{0, 0, 0, alpha};
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c)
+        result[c] = (top[c] * top[3] + (1 - top[3]) * below[3] * below[c]) / alpha;
+    return result;
+}
+
+/// Colours of transparent pixels do not count.
+bool isNear(const Rgba& a, const Rgba& b, double tolerance = 1.6 / 255) {
+    if (a[3] == 0 && b[3] == 0) return true;
+    for (std::size_t c = 0; c < 4; ++c)
+        if (std::abs(a[c] - b[c]) > tolerance) return false;
+    return true;
+}
+
+constexpr Rgba kRed{1, 0, 0, 1}, kGreen{0, 1, 0, 1}, kBlue{0, 0, 1, 1}, kNothing{0, 0, 0, 0};
+
+}  // namespace
+
+class TestParts : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void projectsAreKept();
+    void wrongProjects_data();
+    void wrongProjects();
+    void partsLieOverOneAnother();
+    void orderChanges();
+    void limbTurnsAtItsJoint();
+    void ridersFollow();
+    void cutsBecomeParts();
+    void layersAreWritten();
+
+  private:
+    QString at(const QString& name) const { return m_folder.filePath(name); }
+    LoadedProject project(const std::string& parts, const std::string& rest = "") const {
+        return parseProject(R"({"format": "wend", "version": 1, "domain": {"vertices": 300, "parts": [)" +
+                                parts + "]}" + rest + "}",
+                            at("project.wend").toStdString());
+    }
+    QImage run(const LoadedProject& loaded, std::optional<double> time = {},
+               const QString& name = "out.png") const {
+        RunOptions options;
+        options.outputs.image = {at(name).toStdString()};
+        options.at = time;
+        options.backEnd = BackEndKind::Cpu;
+        const AdvanceResult result = runProject(*loaded.project, at("project.wend").toStdString(), options);
+        if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
+        return QImage(at(name));
+    }
+
+    QTemporaryDir m_folder;
+};
+
+/// A green board, a red bar, and a blue square of half opacity.
+void TestParts::initTestCase() {
+    const auto write = [&](const char* name, int width, int height, const std::vector<std::uint8_t>& colour) {
+        writeImage(at(name).toStdString(), plainPicture(width, height, colour));
+    };
+    write("board.png", 80, 60, {0, 255, 0});
+    write("bar.png", 50, 12, {255, 0, 0, 255});
+    write("square.png", 16, 16, {0, 0, 255, 128});
+}
+
+void TestParts::projectsAreKept() {
+    const std::string parts = R"(
+        {"name": "arm", "image": "bar.png", "at": [10, 5.5], "opacity": 0.5, "hidden": true, "mood": 1,
+         "outline": {"from": "alpha", "threshold": 0.25}, "vertices": 77,
+         "order": [{"time": 0.25, "place": 3}, {"time": 0.5, "place": -1}],
+         "joints": [{"to": "board", "at": [12, 8], "radius": 2, "of": "leather"}]},
+        {"name": "eye", "layer": {"file": "face.ora", "name": "left eye"}, "ridesOn": "arm"},
+        {"name": "board", "image": "board.png"},
+        {"name": "hole", "cut": {"from": "board", "polygons": [[[1, 1], [9, 1], [9, 9]]], "feather": 2}})";
+    const LoadedProject first =
+        project(parts, R"(, "handles": [{"at": {"part": "arm", "points": [[12, 8]]}}])");
+    QCOMPARE(first.warnings.size(), std::size_t{2});  // mood, of
+    const std::string text = toJson(*first.project);
+    const LoadedProject second = parseProject(text, at("project.wend").toStdString());
+    QVERIFY(domainOf(*first.project).parts == domainOf(*second.project).parts);
+    QCOMPARE(designOf<2>(*second.project).handles.front().part, std::string("arm"));
+    QCOMPARE(toJson(*second.project), text);
+    QVERIFY(text.find("\"mood\": 1") != std::string::npos && text.find("leather") != std::string::npos);
+    QVERIFY(
+        toJson(*parseProject(R"({"format": "wend", "version": 1, "domain": {"image": "a.png"}})", "a.wend")
+                    .project)
+            .find("parts") == std::string::npos);
+}
+
+void TestParts::wrongProjects_data() {
+    QTest::addColumn<QString>("parts");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char* name, const QString& parts, const QString& reason) {
+        QTest::newRow(name) << parts << reason;
+    };
+    const QString a = R"({"name": "a", "image": "bar.png")";
+    row("empty", "", "domain.parts: has no part");
+    row("two sources", a + R"(, "cut": {"from": "a", "polygons": []}})", "domain.parts[0]");
+    row("same name", a + "}," + a + "}", "domain.parts[1]: a part before it has the name \"a\", too");
+    row("unknown joint", a + R"(, "joints": [{"to": "b", "at": [1, 1]}]})",
+        "domain.parts[0]: `joints`: there is no part \"b\"");
+    row("own joint", a + R"(, "joints": [{"to": "a", "at": [1, 1]}]})", "domain.parts[0]: `joints`");
+    row("unknown host", a + R"(, "ridesOn": "b"})", "domain.parts[0]: `ridesOn`: there is no part \"b\"");
+    row("riders only", a + R"(, "ridesOn": "b"}, {"name": "b", "image": "bar.png", "ridesOn": "a"})",
+        "domain.parts[0]: `ridesOn` leads back to the part \"a\"");
+    row("cut of itself", R"({"name": "a", "cut": {"from": "a", "polygons": [[[0, 0], [9, 0], [9, 9]]]}})",
+        "domain.parts[0]: `cut` leads back to the part \"a\"");
+    row("joint of a rider",
+        a + R"(, "ridesOn": "b", "joints": [{"to": "b", "at": [1, 1]}]}, {"name": "b", "image": "bar.png"})",
+        "domain.parts[0]: `joints`: \"a\" rides on another part and has no mesh");
+    row("order of times", a + R"(, "order": [{"time": 1, "place": 1}, {"time": 1, "place": 2}]})",
+        "domain.parts[0].order[1]");
+    row("opacity", a + R"(, "opacity": 1.5})", "domain.parts[0].opacity: must be in [0, 1]");
+    row("handle of no part",
+        a + R"(}]}, "handles": [{"name": "h", "at": {"part": "b", "points": [[1, 1]]}}], "with": {"more": [{"x": 1})",
+        "handle \"h\": there is no part \"b\"");
+    row("joint outside",
+        a + R"(, "joints": [{"to": "b", "at": [70, 30]}]}, {"name": "b", "image": "board.png"})",
+        "domain.parts[0].joints[0]: point (70, 30) lies outside the part \"a\"");
+}
+
+void TestParts::wrongProjects() {
+    QFETCH(QString, parts);
+    QFETCH(QString, reason);
+    try {
+        run(project(parts.toStdString()));
+        QFAIL("accepted");
+    } catch (const InputError& error) {
+        QVERIFY2(QString::fromStdString(error.reason()).startsWith(reason), error.what());
+    }
+}
+
+/// At rest the picture is the sheets over one another, pixel by pixel, as Porter and Duff have it.
+void TestParts::partsLieOverOneAnother() {
+    const QImage image = run(project(R"({"name": "square", "image": "square.png", "at": [20, 10]},
+                                        {"name": "bar", "image": "bar.png", "at": [4, 14], "opacity": 0.75},
+                                        {"name": "board", "image": "board.png"})"));
+    QCOMPARE(image.size(), QSize(80, 60));
+    const Rgba blue{0, 0, 1, 128 / 255.0}, red{1, 0, 0, 0.75};
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            Rgba expected = kGreen;
+            if (x >= 4 && x < 54 && y >= 14 && y < 26) expected = over(red, expected);
+            if (x >= 20 && x < 36 && y >= 10 && y < 26) expected = over(blue, expected);
+            QVERIFY2(isNear(pixelOf(image, x, y), expected), qPrintable(QString("%1 %2").arg(x).arg(y)));
+        }
+}
+
+void TestParts::orderChanges() {
+    const LoadedProject loaded = project(R"({"name": "bar", "image": "bar.png", "at": [4, 14],
+                                             "order": [{"time": 0.5, "place": 5}]},
+                                            {"name": "board", "image": "board.png"})");
+    QVERIFY(isNear(pixelOf(run(loaded, 0.0), 30, 20), kRed));
+    QVERIFY(isNear(pixelOf(run(loaded, 0.49), 30, 20), kRed));
+    QVERIFY(isNear(pixelOf(run(loaded, 0.5), 30, 20), kGreen));
+    QVERIFY(isNear(pixelOf(run(loaded), 30, 20), kGreen));
+}
+
+/// A bar that is pinned by a joint at its left end and turned down by its right one: pixels are where a rigid
+/// rotation takes them, and the board stays.
+void TestParts::limbTurnsAtItsJoint() {
+    const LoadedProject loaded = project(
+        R"({"name": "bar", "image": "bar.png", "at": [10, 14], "joints": [{"to": "board", "at": [14, 20]}]},
+           {"name": "board", "image": "board.png"})",
+        R"(, "handles": [
+            {"at": {"part": "board", "points": [[5, 5], [70, 50]]}},
+            {"at": {"points": [[56, 20]]}, "motion": [{"kind": "rotate", "centre": [14, 20], "angle": 0.7}]}],
+            "integration": {"tolerance": 1e-6})");
+    const QImage image = run(loaded);
+    int inside = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const Vec<2> p =
+                Vec<2>(14, 20) + Eigen::Rotation2Dd(-0.7) * (Vec<2>(x + 0.5, y + 0.5) - Vec<2>(14, 20));
+            const double border = std::max({10 - p.x(), p.x() - 60, 14 - p.y(), p.y() - 26});
+            if (std::abs(border) < 1.5) continue;
+            inside += border < 0;
+            QVERIFY2(isNear(pixelOf(image, x, y), border < 0 ? kRed : kGreen),
+                     qPrintable(QString("%1 %2").arg(x).arg(y)));
+        }
+    QVERIFY(inside > 300);
+}
+
+/// A rider goes along with its host, also where it reaches beyond it.
+void TestParts::ridersFollow() {
+    const LoadedProject loaded = project(
+        R"({"name": "square", "image": "square.png", "at": [20, 8], "ridesOn": "bar"},
+           {"name": "bar", "image": "bar.png", "at": [10, 14]},
+           {"name": "board", "image": "board.png", "hidden": true})",
+        R"(, "handles": [{"at": {"part": "bar", "points": [[12, 20], [56, 20]]},
+                          "motion": [{"kind": "translate", "by": [8, 20]}]}])");
+    const QImage image = run(loaded);
+    const Rgba blue{0, 0, 1, 128 / 255.0};
+    QVERIFY(isNear(pixelOf(image, 36, 30), blue));              // above the bar
+    QVERIFY(isNear(pixelOf(image, 36, 40), over(blue, kRed)));  // on it
+    QVERIFY(isNear(pixelOf(image, 60, 40), kRed));
+    QVERIFY(isNear(pixelOf(image, 28, 10), kNothing));  // where it was
+}
+
+/// At rest a cut is not seen, whatever its feather; moved away it leaves a hole.
+void TestParts::cutsBecomeParts() {
+    const std::string parts = R"({"name": "piece", "cut": {"from": "board", "feather": 3,
+                                  "polygons": [[[20, 20], [50, 20], [50, 40], [20, 40]]]}},
+                                 {"name": "board", "image": "board.png"})";
+    const QImage rest = run(project(parts));
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x)
+            QVERIFY2(isNear(pixelOf(rest, x, y), kGreen), qPrintable(QString("%1 %2").arg(x).arg(y)));
+    const QImage moved = run(project(parts, R"(, "handles": [
+        {"at": {"part": "board", "points": [[2, 2], [78, 58]]}},
+        {"at": {"part": "piece", "points": [[25, 30], [45, 30]]}, "motion": [{"kind": "translate", "by": [200, 0]}]}])"));
+    QVERIFY(isNear(pixelOf(moved, 35, 30), kNothing));
+    QVERIFY(isNear(pixelOf(moved, 10, 30), kGreen));
+}
+
+/// Each layer is a part where it has gone; all over one another are the flat picture.
+void TestParts::layersAreWritten() {
+    const LoadedProject loaded = project(
+        R"({"name": "square <1>", "image": "square.png", "at": [20, 8], "opacity": 0.5},
+           {"name": "bar", "image": "bar.png", "at": [10, 14], "hidden": true},
+           {"name": "board", "image": "board.png"})",
+        R"(, "handles": [{"at": {"part": "square <1>", "points": [[22, 10], [34, 22]]},
+                          "motion": [{"kind": "translate", "by": [30, 20]}]}])");
+    writeOpenRaster(
+        at("twins.ora").toStdString(),
+        {{"hand", plainPicture(4, 3, {9, 9, 9, 255})}, {"hand", plainPicture(5, 3, {9, 9, 9, 255})}},
+        plainPicture(5, 3, {9, 9, 9, 255}));
+    QCOMPARE(readLayer(at("twins.ora").toStdString(), "hand (2)").width, 5);  // equal names are told apart
+    run(loaded, {}, "out.ora");
+    const QImage flat = run(loaded);
+    QProcess python;
+    python.start("python3", {"-m", "zipfile", "-e", at("out.ora"), at("out")});
+    QVERIFY(python.waitForFinished() && python.exitCode() == 0);
+    QFile archive(at("out.ora")), stack(at("out/stack.xml")), kind(at("out/mimetype"));
+    QVERIFY(archive.open(QIODevice::ReadOnly) && stack.open(QIODevice::ReadOnly) &&
+            kind.open(QIODevice::ReadOnly));
+    QCOMPARE(kind.readAll(), QByteArray("image/openraster"));
+    QCOMPARE(archive.read(54).mid(30), QByteArray("mimetypeimage/openraster"));  // first, and not packed
+    QXmlStreamReader xml(&stack);
+    QStringList names;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement || xml.name() != u"layer") continue;
+        const auto attributes = xml.attributes();
+        names << attributes.value("name").toString();
+        const QImage layer(at("out/" + attributes.value("src").toString()));
+        QVERIFY(!layer.isNull());
+        const QPoint place(attributes.value("x").toInt(), attributes.value("y").toInt());
+        if (names.size() == 1) {
+            QCOMPARE(attributes.value("opacity").toDouble(), 0.5);
+            QVERIFY(isNear(pixelOf(layer, 58 - place.x(), 36 - place.y()), {0, 0, 1, 128 / 255.0}));
+            QVERIFY(layer.width() < 25 && layer.height() < 25);
+        }
+        QCOMPARE(attributes.value("visibility") == u"hidden", names.size() == 2);
+    }
+    QVERIFY(!xml.hasError());
+    QCOMPARE(names, (QStringList{"square <1>", "bar", "board"}));
+    const QImage merged(at("out/mergedimage.png"));
+    QCOMPARE(merged.convertToFormat(QImage::Format_RGBA8888), flat.convertToFormat(QImage::Format_RGBA8888));
+    QVERIFY(!QImage(at("out/Thumbnails/thumbnail.png")).isNull());
+}
+
+QTEST_GUILESS_MAIN(TestParts)
+#include "test_parts.moc"

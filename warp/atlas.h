@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/mesh/types.h"
+#include "warp/image.h"
+
+namespace wend {
+
+/// A picture that lies over others, its first pixel at `at`.
+struct Sheet {
+    std::shared_ptr<const Image> picture;
+    Vec<2> at = Vec<2>::Zero();
+    double opacity = 1;
+    bool hidden = false;
+
+    double shownOpacity() const { return hidden ? 0 : opacity; }
+    bool operator==(const Sheet&) const = default;
+};
+
+/// Several pictures side by side in one, each with its opacity, and surrounded by copies of its border for
+/// filters that reach beyond it.
+struct Atlas {
+    Image picture;
+    std::vector<Vec<2>> places;  // of the first pixel of each
+};
+
+/// The atlas has alpha, and the type and channels that hold every picture; the profile and the way in which
+/// colours are stored are those of the first. Throws InputError for more than kMaxMegapixels.
+Atlas makeAtlas(const std::vector<Sheet>& sheets);
+
+/// The sheets over one another, the first one on top, on a canvas of that size: c = c_top + (1 − α_top) c, in
+/// associated form. Sheets are placed to whole pixels.
+Image flattened(const std::vector<Sheet>& sheets, int width, int height);
+
+/// Multiplies the opacity of every pixel; `factor` gives as many factors as the row has pixels, in [0, 1].
+/// The picture gets alpha if it has none.
+Image faded(const Image& image, const std::function<void(int y, std::vector<float>& factors)>& factor);
+
+}  // namespace wend

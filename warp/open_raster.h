@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "warp/image.h"
+
+namespace wend {
+
+/// A layer on its way into a file: its first pixel is at (x, y) of the picture.
+struct LayerToWrite {
+    std::string name;
+    Image picture;
+    int x = 0, y = 0;
+    double opacity = 1;
+    bool visible = true;
+};
+
+/// Writes an OpenRaster file: the layers, the first one on top, as PNG files in a ZIP archive, their
+/// description, the picture of all of them, and a small one. `path` is a temporary name. Throws InputError.
+/// The format: https://www.openraster.org/baseline/file-layout-spec.html
+void writeOpenRaster(const std::string& path, const std::vector<LayerToWrite>& layers, const Image& merged);
+
+}  // namespace wend
