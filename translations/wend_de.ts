@@ -886,6 +886,13 @@
     </message>
 </context>
 <context>
+    <name>ExportFormats</name>
+    <message>
+        <source>Layers (OpenRaster)</source>
+        <translation>Ebenen (OpenRaster)</translation>
+    </message>
+</context>
+<context>
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
@@ -1617,6 +1624,10 @@
     <message>
         <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Auf eine Farbe klicken, die sich biegen soll; Strg nimmt sie weg, [ und ] nehmen weniger oder mehr Farben</translation>
+    </message>
+    <message>
+        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
+        <translation>Umrisse werden für ein Bild gezeichnet, das ein einziger Teil ist: öffnen Sie es reduziert.</translation>
     </message>
 </context>
 <context>
@@ -4539,6 +4550,13 @@
         <source>Let go to open “%1”</source>
         <translation>Loslassen, um „%1“ zu öffnen</translation>
     </message>
+    <message numerus="yes">
+        <source>Let go to open %n pictures as parts</source>
+        <translation>
+            <numerusform>Loslassen, um %n Bild als Teil zu öffnen</numerusform>
+            <numerusform>Loslassen, um %n Bilder als Teile zu öffnen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4979,6 +4997,166 @@
     <message>
         <source>The brush paints</source>
         <translation>Der Pinsel malt</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartList</name>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>rides on %1</source>
+        <translation>folgt %1</translation>
+    </message>
+    <message>
+        <source>joined to %1</source>
+        <translation>verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Opac&amp;ity</source>
+        <translation>Deck&amp;kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Joined to</source>
+        <translation>Ver&amp;bunden mit</translation>
+    </message>
+    <message>
+        <source>&amp;Rides on</source>
+        <translation>&amp;Folgt</translation>
+    </message>
+    <message>
+        <source>Parts of the picture</source>
+        <translation>Teile des Bildes</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
+        <translation>Der vorderste Teil steht oben. Ziehen Sie einen Teil, oder drücken Sie Alt mit den Pfeiltasten, um die Reihenfolge zu ändern; ohne Haken ist er verborgen; ein Doppelklick ändert den Namen.</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Nach vorn</translation>
+    </message>
+    <message>
+        <source>Brings the part in front of the next one (Alt+Up).</source>
+        <translation>Bringt den Teil vor den nächsten (Alt+Aufwärts).</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>Nach hinten</translation>
+    </message>
+    <message>
+        <source>Brings the part behind the next one (Alt+Down).</source>
+        <translation>Bringt den Teil hinter den nächsten (Alt+Abwärts).</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much is seen of the part.</source>
+        <translation>Wie stark der Teil zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Joined to</source>
+        <translation>Verbunden mit</translation>
+    </message>
+    <message>
+        <source>Welds the part to another one in the middle of where they overlap at rest: it turns there, and pulls nothing else.</source>
+        <translation>Verbindet den Teil mit einem anderen in der Mitte ihrer Überlappung in Ruhe: dort dreht er sich und zieht sonst nichts mit.</translation>
+    </message>
+    <message>
+        <source>Rides on</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>The part follows the motion of another one, as eyes do on a face.</source>
+        <translation>Der Teil folgt der Bewegung eines anderen, wie Augen in einem Gesicht.</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Deckkraft ändern</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not in front.</source>
+        <translation>Wählen Sie einen Teil, der nicht ganz vorn ist.</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not at the back.</source>
+        <translation>Wählen Sie einen Teil, der nicht ganz hinten ist.</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Teil verbergen</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Another part has this name.</source>
+        <translation>Ein anderer Teil hat diesen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename part</source>
+        <translation>Teil umbenennen</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>Reihenfolge ändern</translation>
+    </message>
+    <message>
+        <source>These parts do not overlap at rest: there is no place for a joint.</source>
+        <translation>Diese Teile überlappen in Ruhe nicht: für ein Gelenk ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>Remove joint</source>
+        <translation>Gelenk entfernen</translation>
+    </message>
+    <message>
+        <source>Join parts</source>
+        <translation>Teile verbinden</translation>
+    </message>
+    <message>
+        <source>Change what a part rides on</source>
+        <translation>Ändern, wem ein Teil folgt</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartsOffer</name>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n Bild wurde als Teil geöffnet: es biegt sich für sich.</numerusform>
+            <numerusform>%n Bilder wurden als Teile geöffnet: jeder biegt sich für sich. Verbinden Sie sie unter Teile, wo sie sich treffen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n Ebene wurde als Teil geöffnet: sie biegt sich für sich.</numerusform>
+            <numerusform>%n Ebenen wurden als Teile geöffnet: jeder biegt sich für sich. Verbinden Sie sie unter Teile, wo sie sich treffen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>Reduziert öffnen</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>Reduziert öffnen</translation>
     </message>
 </context>
 <context>
@@ -5553,6 +5731,10 @@
     <message>
         <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
         <translation>Größe, Fläche, Volumen und Kanten, die Güte der Zellen und Spalte, die ein Käfig schließt.</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>

@@ -886,6 +886,13 @@
     </message>
 </context>
 <context>
+    <name>ExportFormats</name>
+    <message>
+        <source>Layers (OpenRaster)</source>
+        <translation>Capas (OpenRaster)</translation>
+    </message>
+</context>
+<context>
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
@@ -1617,6 +1624,10 @@
     <message>
         <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Haga clic en un color que deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
+    </message>
+    <message>
+        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
+        <translation>Los contornos se dibujan en una imagen de una sola parte: ábrala acoplada.</translation>
     </message>
 </context>
 <context>
@@ -4539,6 +4550,13 @@
         <source>Let go to open “%1”</source>
         <translation>Suelte para abrir «%1»</translation>
     </message>
+    <message numerus="yes">
+        <source>Let go to open %n pictures as parts</source>
+        <translation>
+            <numerusform>Suelte para abrir %n imagen como parte</numerusform>
+            <numerusform>Suelte para abrir %n imágenes como partes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4979,6 +4997,166 @@
     <message>
         <source>The brush paints</source>
         <translation>El pincel pinta</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartList</name>
+    <message>
+        <source>hidden</source>
+        <translation>oculta</translation>
+    </message>
+    <message>
+        <source>rides on %1</source>
+        <translation>sigue a %1</translation>
+    </message>
+    <message>
+        <source>joined to %1</source>
+        <translation>unida a %1</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
+    </message>
+    <message>
+        <source>Opac&amp;ity</source>
+        <translation>Opac&amp;idad</translation>
+    </message>
+    <message>
+        <source>&amp;Joined to</source>
+        <translation>&amp;Unida a</translation>
+    </message>
+    <message>
+        <source>&amp;Rides on</source>
+        <translation>&amp;Sigue a</translation>
+    </message>
+    <message>
+        <source>Parts of the picture</source>
+        <translation>Partes de la imagen</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
+        <translation>La parte delantera es la primera. Arrastre una parte, o pulse Alt con las flechas, para cambiar el orden; desmárquela para ocultarla; un doble clic cambia su nombre.</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Adelante</translation>
+    </message>
+    <message>
+        <source>Brings the part in front of the next one (Alt+Up).</source>
+        <translation>Trae la parte delante de la siguiente (Alt+Arriba).</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Brings the part behind the next one (Alt+Down).</source>
+        <translation>Lleva la parte detrás de la siguiente (Alt+Abajo).</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>How much is seen of the part.</source>
+        <translation>Cuánto se ve de la parte.</translation>
+    </message>
+    <message>
+        <source>Joined to</source>
+        <translation>Unida a</translation>
+    </message>
+    <message>
+        <source>Welds the part to another one in the middle of where they overlap at rest: it turns there, and pulls nothing else.</source>
+        <translation>Une la parte a otra en el centro de su solapamiento en reposo: gira allí y no arrastra nada más.</translation>
+    </message>
+    <message>
+        <source>Rides on</source>
+        <translation>Sigue a</translation>
+    </message>
+    <message>
+        <source>The part follows the motion of another one, as eyes do on a face.</source>
+        <translation>La parte sigue el movimiento de otra, como los ojos en una cara.</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Cambiar la opacidad</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not in front.</source>
+        <translation>Elija una parte que no esté delante de todo.</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not at the back.</source>
+        <translation>Elija una parte que no esté al fondo.</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nada</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Ocultar la parte</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Mostrar la parte</translation>
+    </message>
+    <message>
+        <source>Another part has this name.</source>
+        <translation>Otra parte tiene este nombre.</translation>
+    </message>
+    <message>
+        <source>Rename part</source>
+        <translation>Cambiar el nombre de la parte</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>Cambiar el orden</translation>
+    </message>
+    <message>
+        <source>These parts do not overlap at rest: there is no place for a joint.</source>
+        <translation>Estas partes no se solapan en reposo: no hay lugar para una articulación.</translation>
+    </message>
+    <message>
+        <source>Remove joint</source>
+        <translation>Quitar la articulación</translation>
+    </message>
+    <message>
+        <source>Join parts</source>
+        <translation>Unir partes</translation>
+    </message>
+    <message>
+        <source>Change what a part rides on</source>
+        <translation>Cambiar a quién sigue una parte</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartsOffer</name>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n imagen se abrió como parte: se dobla por sí sola.</numerusform>
+            <numerusform>%n imágenes se abrieron como partes: cada una se dobla por sí sola. Únalas donde se encuentran, en Partes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n capa se abrió como parte: se dobla por sí sola.</numerusform>
+            <numerusform>%n capas se abrieron como partes: cada una se dobla por sí sola. Únalas donde se encuentran, en Partes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>Abrir acoplada</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>Abrir acoplada</translation>
     </message>
 </context>
 <context>
@@ -5553,6 +5731,10 @@
     <message>
         <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
         <translation>Tamaño, área, volumen y aristas, calidad de las celdas y huecos que cierra una jaula.</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
     </message>
 </context>
 <context>

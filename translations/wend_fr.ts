@@ -886,6 +886,13 @@
     </message>
 </context>
 <context>
+    <name>ExportFormats</name>
+    <message>
+        <source>Layers (OpenRaster)</source>
+        <translation>Calques (OpenRaster)</translation>
+    </message>
+</context>
+<context>
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
@@ -1617,6 +1624,10 @@
     <message>
         <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>Cliquez sur une couleur qui doit se déformer&#x202f;; Ctrl la retire, [ et ] prennent moins ou plus de couleurs</translation>
+    </message>
+    <message>
+        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
+        <translation>Les contours se dessinent pour une image d’une seule partie : ouvrez-la aplatie.</translation>
     </message>
 </context>
 <context>
@@ -4539,6 +4550,13 @@
         <source>Let go to open “%1”</source>
         <translation>Relâchez pour ouvrir «&#x202f;%1&#x202f;»</translation>
     </message>
+    <message numerus="yes">
+        <source>Let go to open %n pictures as parts</source>
+        <translation>
+            <numerusform>Relâchez pour ouvrir %n image comme partie</numerusform>
+            <numerusform>Relâchez pour ouvrir %n images comme parties</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4979,6 +4997,166 @@
     <message>
         <source>The brush paints</source>
         <translation>Le pinceau peint</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartList</name>
+    <message>
+        <source>hidden</source>
+        <translation>masquée</translation>
+    </message>
+    <message>
+        <source>rides on %1</source>
+        <translation>suit %1</translation>
+    </message>
+    <message>
+        <source>joined to %1</source>
+        <translation>jointe à %1</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Parties</translation>
+    </message>
+    <message>
+        <source>Opac&amp;ity</source>
+        <translation>Opac&amp;ité</translation>
+    </message>
+    <message>
+        <source>&amp;Joined to</source>
+        <translation>&amp;Jointe à</translation>
+    </message>
+    <message>
+        <source>&amp;Rides on</source>
+        <translation>&amp;Suit</translation>
+    </message>
+    <message>
+        <source>Parts of the picture</source>
+        <translation>Parties de l’image</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
+        <translation>La partie la plus en avant est la première. Faites glisser une partie, ou appuyez sur Alt et les flèches, pour changer l’ordre ; décochez-la pour la masquer ; un double-clic change son nom.</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>En avant</translation>
+    </message>
+    <message>
+        <source>Brings the part in front of the next one (Alt+Up).</source>
+        <translation>Place la partie devant la suivante (Alt+Haut).</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>En arrière</translation>
+    </message>
+    <message>
+        <source>Brings the part behind the next one (Alt+Down).</source>
+        <translation>Place la partie derrière la suivante (Alt+Bas).</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacité</translation>
+    </message>
+    <message>
+        <source>How much is seen of the part.</source>
+        <translation>Ce que l’on voit de la partie.</translation>
+    </message>
+    <message>
+        <source>Joined to</source>
+        <translation>Jointe à</translation>
+    </message>
+    <message>
+        <source>Welds the part to another one in the middle of where they overlap at rest: it turns there, and pulls nothing else.</source>
+        <translation>Joint la partie à une autre au milieu de leur recouvrement au repos : elle y tourne et n’entraîne rien d’autre.</translation>
+    </message>
+    <message>
+        <source>Rides on</source>
+        <translation>Suit</translation>
+    </message>
+    <message>
+        <source>The part follows the motion of another one, as eyes do on a face.</source>
+        <translation>La partie suit le mouvement d’une autre, comme les yeux sur un visage.</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Changer l’opacité</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not in front.</source>
+        <translation>Choisissez une partie qui n’est pas tout devant.</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not at the back.</source>
+        <translation>Choisissez une partie qui n’est pas tout au fond.</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Masquer la partie</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Afficher la partie</translation>
+    </message>
+    <message>
+        <source>Another part has this name.</source>
+        <translation>Une autre partie porte ce nom.</translation>
+    </message>
+    <message>
+        <source>Rename part</source>
+        <translation>Renommer la partie</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>Changer l’ordre</translation>
+    </message>
+    <message>
+        <source>These parts do not overlap at rest: there is no place for a joint.</source>
+        <translation>Ces parties ne se recouvrent pas au repos : il n’y a pas de place pour une articulation.</translation>
+    </message>
+    <message>
+        <source>Remove joint</source>
+        <translation>Retirer l’articulation</translation>
+    </message>
+    <message>
+        <source>Join parts</source>
+        <translation>Joindre des parties</translation>
+    </message>
+    <message>
+        <source>Change what a part rides on</source>
+        <translation>Changer ce que suit une partie</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartsOffer</name>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n image a été ouverte comme partie : elle se plie seule.</numerusform>
+            <numerusform>%n images ont été ouvertes comme parties : chacune se plie seule. Joignez-les là où elles se touchent, sous Parties.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n calque a été ouvert comme partie : il se plie seul.</numerusform>
+            <numerusform>%n calques ont été ouverts comme parties : chacune se plie seule. Joignez-les là où elles se touchent, sous Parties.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>Ouvrir aplatie</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>Ouvrir aplatie</translation>
     </message>
 </context>
 <context>
@@ -5553,6 +5731,10 @@
     <message>
         <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
         <translation>Taille, aire, volume et arêtes, qualité des cellules et fentes qu&apos;une cage ferme.</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Parties</translation>
     </message>
 </context>
 <context>

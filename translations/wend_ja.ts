@@ -886,6 +886,13 @@
     </message>
 </context>
 <context>
+    <name>ExportFormats</name>
+    <message>
+        <source>Layers (OpenRaster)</source>
+        <translation>レイヤー (OpenRaster)</translation>
+    </message>
+</context>
+<context>
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
@@ -1616,6 +1623,10 @@
     <message>
         <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>変形させる色をクリックします。Ctrl で除外、[ と ] で色の範囲を狭く、または広く</translation>
+    </message>
+    <message>
+        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
+        <translation>輪郭は 1 つのパーツからなる画像に描きます。統合して開いてください。</translation>
     </message>
 </context>
 <context>
@@ -4532,6 +4543,12 @@
         <source>Let go to open “%1”</source>
         <translation>離すと「%1」を開きます</translation>
     </message>
+    <message numerus="yes">
+        <source>Let go to open %n pictures as parts</source>
+        <translation>
+            <numerusform>離すと %n 枚の画像をパーツとして開きます</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4971,6 +4988,164 @@
     <message>
         <source>The brush paints</source>
         <translation>ブラシで塗る</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartList</name>
+    <message>
+        <source>hidden</source>
+        <translation>非表示</translation>
+    </message>
+    <message>
+        <source>rides on %1</source>
+        <translation>%1 に追従</translation>
+    </message>
+    <message>
+        <source>joined to %1</source>
+        <translation>%1 に接合</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>パーツ</translation>
+    </message>
+    <message>
+        <source>Opac&amp;ity</source>
+        <translation>不透明度(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Joined to</source>
+        <translation>接合先(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Rides on</source>
+        <translation>追従先(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Parts of the picture</source>
+        <translation>画像のパーツ</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
+        <translation>いちばん手前のパーツが先頭です。ドラッグするか Alt と矢印キーで順序を変えます。チェックを外すと隠れ、ダブルクリックで名前を変えます。</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前面へ</translation>
+    </message>
+    <message>
+        <source>Brings the part in front of the next one (Alt+Up).</source>
+        <translation>パーツを次のパーツの前に出します (Alt+↑)。</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>背面へ</translation>
+    </message>
+    <message>
+        <source>Brings the part behind the next one (Alt+Down).</source>
+        <translation>パーツを次のパーツの後ろに下げます (Alt+↓)。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How much is seen of the part.</source>
+        <translation>パーツの見える度合い。</translation>
+    </message>
+    <message>
+        <source>Joined to</source>
+        <translation>接合先</translation>
+    </message>
+    <message>
+        <source>Welds the part to another one in the middle of where they overlap at rest: it turns there, and pulls nothing else.</source>
+        <translation>静止時に重なる部分の中央で別のパーツに接合します。そこで回転し、ほかは引っ張りません。</translation>
+    </message>
+    <message>
+        <source>Rides on</source>
+        <translation>追従先</translation>
+    </message>
+    <message>
+        <source>The part follows the motion of another one, as eyes do on a face.</source>
+        <translation>顔の目のように、別のパーツの動きに追従します。</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>不透明度を変更</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not in front.</source>
+        <translation>最前面でないパーツを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not at the back.</source>
+        <translation>最背面でないパーツを選んでください。</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>パーツを隠す</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>パーツを表示</translation>
+    </message>
+    <message>
+        <source>Another part has this name.</source>
+        <translation>別のパーツがこの名前です。</translation>
+    </message>
+    <message>
+        <source>Rename part</source>
+        <translation>パーツの名前を変更</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>順序を変更</translation>
+    </message>
+    <message>
+        <source>These parts do not overlap at rest: there is no place for a joint.</source>
+        <translation>これらのパーツは静止時に重ならず、関節を置く場所がありません。</translation>
+    </message>
+    <message>
+        <source>Remove joint</source>
+        <translation>関節を取り除く</translation>
+    </message>
+    <message>
+        <source>Join parts</source>
+        <translation>パーツを接合</translation>
+    </message>
+    <message>
+        <source>Change what a part rides on</source>
+        <translation>パーツの追従先を変更</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartsOffer</name>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 枚の画像をパーツとして開きました。それぞれ単独で曲がります。接するところで「パーツ」から接合してください。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 枚のレイヤーをパーツとして開きました。それぞれ単独で曲がります。接するところで「パーツ」から接合してください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>統合して開く</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>統合して開く</translation>
     </message>
 </context>
 <context>
@@ -5545,6 +5720,10 @@
     <message>
         <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
         <translation>大きさ、面積、体積、辺、セルの品質、ケージが閉じる隙間。</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>パーツ</translation>
     </message>
 </context>
 <context>

@@ -886,6 +886,13 @@
     </message>
 </context>
 <context>
+    <name>ExportFormats</name>
+    <message>
+        <source>Layers (OpenRaster)</source>
+        <translation>图层 (OpenRaster)</translation>
+    </message>
+</context>
+<context>
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
@@ -1616,6 +1623,10 @@
     <message>
         <source>Click a colour that should bend; Ctrl takes it away, [ and ] take fewer or more colours</source>
         <translation>单击要变形的颜色；按住 Ctrl 减去，[ 和 ] 缩小或扩大颜色范围</translation>
+    </message>
+    <message>
+        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
+        <translation>只有单一部件的图片才能绘制轮廓:请将其合并打开。</translation>
     </message>
 </context>
 <context>
@@ -4532,6 +4543,12 @@
         <source>Let go to open “%1”</source>
         <translation>松开以打开“%1”</translation>
     </message>
+    <message numerus="yes">
+        <source>Let go to open %n pictures as parts</source>
+        <translation>
+            <numerusform>松开以将 %n 张图片作为部件打开</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wend::ManualWindow</name>
@@ -4971,6 +4988,164 @@
     <message>
         <source>The brush paints</source>
         <translation>画笔绘制</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartList</name>
+    <message>
+        <source>hidden</source>
+        <translation>已隐藏</translation>
+    </message>
+    <message>
+        <source>rides on %1</source>
+        <translation>跟随 %1</translation>
+    </message>
+    <message>
+        <source>joined to %1</source>
+        <translation>连接到 %1</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>Opac&amp;ity</source>
+        <translation>不透明度(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Joined to</source>
+        <translation>连接到(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Rides on</source>
+        <translation>跟随(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Parts of the picture</source>
+        <translation>图片的部件</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
+        <translation>最前面的部件排在第一。拖动部件或按 Alt 加方向键可改变前后顺序;取消勾选可隐藏;双击可更改名称。</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前移</translation>
+    </message>
+    <message>
+        <source>Brings the part in front of the next one (Alt+Up).</source>
+        <translation>将部件移到下一个部件之前(Alt+上)。</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>后移</translation>
+    </message>
+    <message>
+        <source>Brings the part behind the next one (Alt+Down).</source>
+        <translation>将部件移到下一个部件之后(Alt+下)。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How much is seen of the part.</source>
+        <translation>部件的可见程度。</translation>
+    </message>
+    <message>
+        <source>Joined to</source>
+        <translation>连接到</translation>
+    </message>
+    <message>
+        <source>Welds the part to another one in the middle of where they overlap at rest: it turns there, and pulls nothing else.</source>
+        <translation>在静止时重叠处的中央与另一部件连接:它在那里转动,不牵动其他部分。</translation>
+    </message>
+    <message>
+        <source>Rides on</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>The part follows the motion of another one, as eyes do on a face.</source>
+        <translation>部件跟随另一部件的运动,如脸上的眼睛。</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>更改不透明度</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not in front.</source>
+        <translation>请选择一个不在最前面的部件。</translation>
+    </message>
+    <message>
+        <source>Choose a part that is not at the back.</source>
+        <translation>请选择一个不在最后面的部件。</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>隐藏部件</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>显示部件</translation>
+    </message>
+    <message>
+        <source>Another part has this name.</source>
+        <translation>另一个部件已使用此名称。</translation>
+    </message>
+    <message>
+        <source>Rename part</source>
+        <translation>重命名部件</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>更改顺序</translation>
+    </message>
+    <message>
+        <source>These parts do not overlap at rest: there is no place for a joint.</source>
+        <translation>这些部件在静止时没有重叠:没有放置关节的位置。</translation>
+    </message>
+    <message>
+        <source>Remove joint</source>
+        <translation>移除关节</translation>
+    </message>
+    <message>
+        <source>Join parts</source>
+        <translation>连接部件</translation>
+    </message>
+    <message>
+        <source>Change what a part rides on</source>
+        <translation>更改部件的跟随对象</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartsOffer</name>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 张图片已作为部件打开:各自弯曲。请在“部件”中将它们在相接处连接。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 个图层已作为部件打开:各自弯曲。请在“部件”中将它们在相接处连接。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>合并打开</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>合并打开</translation>
     </message>
 </context>
 <context>
@@ -5545,6 +5720,10 @@
     <message>
         <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
         <translation>尺寸、面积、体积和边，单元质量，以及笼子封闭的缝隙。</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部件</translation>
     </message>
 </context>
 <context>
