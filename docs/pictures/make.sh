@@ -126,7 +126,7 @@ parts() {
     cp character.wend "$work"
     run "$work/character.wend" "$work/rest.png" --at 0
     run "$work/character.wend" "$work/posed.png"
-    convert "$work/rest.png" "$work/posed.png" -background "$paper" +append -flatten +repage "$work/all.png"
+    convert "$work/rest.png" "$work/posed.png" -background "$paper" +append +repage -flatten "$work/all.png"
     finish "$work/all.png" 960 parts.png
     convert "$here/parts.png" +dither -colors 64 "$here/parts.png"
     optipng -quiet -o2 "$here/parts.png"
