@@ -132,6 +132,16 @@ parts() {
     optipng -quiet -o2 "$here/parts.png"
 }
 
+# The grid at a wing's root, at rest and moved.
+wing() {
+    python3 wing.py "$work"
+    "$wend" run "$work/wing.wend" --mesh "$work/moved.inp" --quiet
+    python3 wing_section.py "$work/wing.inp" "$work/moved.inp" "$work/wing.svg"
+    rsvg-convert "$work/wing.svg" -o "$work/wing.png"
+    convert "$work/wing.png" -strip -depth 8 +dither -colors 48 "$here/wing.png"
+    optipng -quiet -o2 "$here/wing.png"
+}
+
 four_energies strip 960x1300+40+120 450x
 four_energies giraffe 2060x1600+220+760 450x
 giraffe_steps
@@ -140,3 +150,4 @@ material
 mesh
 bent
 parts
+wing

@@ -170,7 +170,7 @@ void slidersAgreeWithDenseReference() {
     solver.setConstraints(scene.rows, sliders);
     const Eigen::MatrixXd rows = denseRows<Dim>(scene.rows, count);
     Eigen::MatrixXd W = rows;
-    for (const auto& [vertex, held, normal] : sliders)
+    for (const auto& [vertex, held, normal, isGuided] : sliders)
         for (int k = 0; k < Dim; ++k)
             if (held >> k & 1U) {
                 W.conservativeResize(W.rows() + 1, Eigen::NoChange);
@@ -190,7 +190,7 @@ void slidersAgreeWithDenseReference() {
             QVERIFY2(
                 off < std::max(1e-9, 2 * tolerance),
                 qPrintable(QString("%1D, tolerance %2, by %3: %4").arg(Dim).arg(tolerance).arg(by).arg(off)));
-            for (const auto& [vertex, held, normal] : sliders)
+            for (const auto& [vertex, held, normal, isGuided] : sliders)
                 for (int k = 0; k < Dim; ++k)
                     if (held >> k & 1U) QCOMPARE(v(k, vertex), 0.0);
         }
