@@ -173,7 +173,7 @@ class TestShape : public QObject {
     }
 
     void canvas() {
-        const Image picture = discPicture(200, 50);
+        const std::array<int, 2> picture{200, 200};
         Points<2> pose(2, 3);
         pose << -10.5, 220.25, 5, 3, 4, 90;
         const auto extent = extentOf<2>(pose, {{0, 1, 2}});
