@@ -179,7 +179,8 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
         m_failure.cancelled = true;
         return false;
     }
-    prescribe(t, side, *m_solver->stages().shape());
+    // The shape of a stage may have to be copied from a device.
+    prescribe(t, side, m_constraints->hasGuides() ? *m_solver->stages().shape() : state.normalized);
     m_solver->setMemoryRate(memoryRate(t, side));
     m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
     m_solver->setProgress(m_watch ? m_watch->factorizing : nullptr);
