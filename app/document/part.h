@@ -49,8 +49,8 @@ struct PicturePart {
     std::optional<Vec<2>> at;            // of its first pixel; without: where its layer is, or the origin
     double opacity = 1;                  // of a layer: in its file's place if not 1
     bool hidden = false;
-    /// By time. A part is at its place in the list, counted from 0, until an entry moves it: smaller is
-    /// nearer. Of equal places, the one that was given is nearer.
+    /// Changes of the place from front to back, in order of time. Until the first one, the place is that in
+    /// the list, counted from 0. Of two parts at the same place, the one that was moved there is in front.
     std::vector<PartOrder> order;
     std::vector<Joint> joints;
     std::string ridesOn;  // the part whose map it follows

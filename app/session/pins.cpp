@@ -50,7 +50,7 @@ class Placer {
             if (v >= 0 && first + v < m_rest.vertexCount()) place.points.push_back(m_vertices[first + v]);
         return place;
     }
-    /// Of parts over one another the locator finds the frontmost.
+    /// The locator finds the frontmost part at a place.
     PinPlace<Dim> operator()(const std::vector<Vec<Dim>>& points) const {
         PinPlace<Dim> place;
         if (m_isNamed) return inPart(points, m_parts.front());

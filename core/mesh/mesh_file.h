@@ -49,7 +49,7 @@ struct MeshFile {
     bool made = false;
 };
 
-/// What a file has to hold at least: triangles or tetrahedra, or only points.
+/// The least content of a file that a reader accepts: triangles or tetrahedra, or points alone.
 enum class MeshNeeds { Cells, Points };
 
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes

@@ -131,9 +131,9 @@ class Constraints {
     bool hasGuides() const { return !m_restNormals.empty(); }
     /// The direction at rest in which a point that slides on a surface is held.
     const Vec<Dim>& restNormal(int id) const { return m_restNormals[static_cast<size_t>(id)]; }
-    /// Of the points among `ids` that slide on surfaces: replaces the positions by the nearest places of the
-    /// surfaces as they are at time t, and the velocities by the held parts of the surfaces' there. `normals`
-    /// gets the directions in which they are held, one column per id; those of other points are 0.
+    /// Replaces the positions of points that slide on surfaces by the nearest places of the surfaces at time
+    /// t, and their velocities by the held parts of the surfaces' velocities there. `normals` gets the
+    /// directions in which they are held, one column per id; those of other points are 0.
     void guide(const std::vector<int>& ids, const Points<Dim>& shape, double t, Side side,
                Points<Dim>& positions, Points<Dim>& velocities, Points<Dim>& normals) const;
     /// Moves the vertices of such points to the nearest places of their surfaces. Returns the greatest

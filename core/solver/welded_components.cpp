@@ -8,7 +8,7 @@
 namespace wend {
 namespace {
 
-// Of an eigenvector's length, and of the sum of all eigenvalues: above rounding.
+// Thresholds above rounding: relative to an eigenvector's length, and to the sum of all eigenvalues.
 constexpr double kPartOfVector = 1e-6, kRounding = 1e-14;
 
 /// The form S of some components, in their order.

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of what is cut out, unless the file says otherwise.
+/// The outline of a cut for which the file gives none.
 const PartOutline kCutOutline{OutlineKind::Alpha, {}, {}};
 
 Json pointJson(const Vec<2>& p) {

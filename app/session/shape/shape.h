@@ -36,7 +36,7 @@ struct Rider {
 struct Texture {
     std::shared_ptr<const SimplicialMesh<2>> rest;  // what is drawn, in pixels of the picture
     PictureMap toPixels;                            // takes poses to the plane that is rendered
-    // Of parts only.
+    // The following members are empty for a picture that is one part.
     std::shared_ptr<const SimplicialMesh<2>> drawn = {};  // `rest` in domain coordinates
     std::vector<Sheet> sheets = {};                       // of its parts, in their order
     std::vector<Rider> riders = {};                       // whose vertices come behind those of the shape
