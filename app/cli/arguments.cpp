@@ -1,6 +1,7 @@
 #include "app/cli/arguments.h"
 
 #include <cmath>
+#include <limits>
 
 #include "app/document/file/rgb_text.h"
 #include "app/document/options/settings.h"
@@ -37,6 +38,8 @@ std::string spaced(std::string_view choices) {
 void checkNumber(const Option& option, const std::string& value) {
     const std::string flag(option.flag);
     const auto number = finiteNumber(value);
+    if (!number && option.kind == OptionKind::Unbounded)
+        throw UsageError(flag + ": \"" + value + "\" is neither a number nor " + std::string(option.choices));
     if (!number) throw UsageError(flag + ": \"" + value + "\" is not a number");
     if (option.kind == OptionKind::Integer && *number != std::floor(*number))
         throw UsageError(flag + ": " + value + " is not a whole number");
@@ -57,7 +60,9 @@ void check(const Option& option, const std::string& value) {
     if (option.kind == OptionKind::Phi && !isChoice(option, value) && !finiteNumber(value))
         throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
                          spaced(option.choices));
-    if (option.kind == OptionKind::Number || option.kind == OptionKind::Integer) checkNumber(option, value);
+    const bool isNumber = option.kind == OptionKind::Number || option.kind == OptionKind::Integer ||
+                          (option.kind == OptionKind::Unbounded && !isChoice(option, value));
+    if (isNumber) checkNumber(option, value);
     const bool isFile = option.kind == OptionKind::File || option.kind == OptionKind::Output;
     if (isFile && value.empty()) throw UsageError(flag + ": names no file");
 }
@@ -66,7 +71,7 @@ std::string valueName(const Option& option) {
     if (option.kind == OptionKind::Flag) return "";
     if (option.kind == OptionKind::Choice) return " " + std::string(option.choices);
     if (const std::string form = formBesideChoices(option); !form.empty())
-        return " " + std::string(option.choices) + "|" + form;
+        return " " + std::string(option.choices) + "|" + (option.kind == OptionKind::Unbounded ? "X" : form);
     if (option.kind == OptionKind::Integer) return " N";
     return option.kind == OptionKind::File || option.kind == OptionKind::Output ? " FILE" : " X";
 }
@@ -127,6 +132,8 @@ double Arguments::value(const Option& option, int dim) const {
     const std::string flag(option.flag);
     if (option.kind == OptionKind::Flag) return has(flag);
     if (option.kind == OptionKind::Phi) return phi(flag, dim);
+    if (option.kind == OptionKind::Unbounded && isChoice(option, text(flag)))
+        return std::numeric_limits<double>::infinity();
     return option.kind == OptionKind::Choice ? placeOf(option, text(flag)) : number(flag);
 }
 

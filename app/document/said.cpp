@@ -18,6 +18,8 @@ constexpr const char* kContext = "Core";
 constexpr const char* kSentences[] = {
     // Reasons for a stop.
     QT_TRANSLATE_NOOP("Core", "at time %1 %2 cannot go on: %3"),
+    QT_TRANSLATE_NOOP("Core", "at time %1 the shape snaps to another equilibrium near %2, and %3 times more"),
+    QT_TRANSLATE_NOOP("Core", "at time %1 the shape snaps to another equilibrium near %2"),
     QT_TRANSLATE_NOOP("Core",
                       "at time %1 the shape is too stiff to settle further near %2: the steps would be "
                       "too short; allow a larger tolerance"),

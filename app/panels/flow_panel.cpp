@@ -1,6 +1,7 @@
 #include "app/panels/flow_panel.h"
 
 #include <QPushButton>
+#include <cmath>
 
 #include "app/document/edits/setting_edits.h"
 #include "app/document/options/settings.h"
@@ -39,8 +40,11 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
 void FlowPanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;
-    allow(m_settle, canSettle(m_session.document()), tr("Nothing has moved yet."));
-    m_memory->setMemory(settingOf(*m_session.document().project(), "material.memory"));
+    const double memory = settingOf(*m_session.document().project(), "material.memory");
+    const bool isElastic = std::isinf(memory);
+    allow(m_settle, canSettle(m_session.document()),
+          isElastic ? tr("A shape that springs back fully is always relaxed.") : tr("Nothing has moved yet."));
+    m_memory->setMemory(memory);
 }
 
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <algorithm>
+#include <limits>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
@@ -86,6 +87,11 @@ std::string shownFile(const Domain& domain) {
     return part == domain.parts.end() ? domain.path : part->path;
 }
 
+/// What a new picture begins with where it differs from the project file's defaults: it springs back fully.
+void beginElastic(Project& project) {
+    designOf<2>(project).material.memory = std::numeric_limits<double>::infinity();
+}
+
 OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     OpenedFile file;
     std::vector<std::string> notices;
@@ -104,6 +110,7 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
         domain.parts = std::move(parts);
         domain.outline = OutlineKind::Alpha;
     }
+    beginElastic(*project);
     file.picture = std::move(picture);
     file.project = std::move(project);
     return file;
@@ -189,6 +196,7 @@ OpenedFile openTogether(const QStringList& paths) {
         const std::vector<std::string> taken = namesOf(domain.parts);
         part.name = std::ranges::find(taken, name) == taken.end() ? name : freeName(taken, name, 2);
     }
+    beginElastic(*project);
     file.picture = loadPicture(domain, {});
     file.project = std::move(project);
     file.source = QFileInfo(paths.first()).absoluteFilePath();

@@ -1,12 +1,16 @@
 #include "app/session/settle_step.h"
 
+#include <cmath>
+
 #include "app/document/edits/handle_edits.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/document/project.h"
 
 namespace wend {
 
 bool canSettle(const Document& document) {
-    return !document.isEmpty() && motionEnd(*document.project()) > 0;
+    return !document.isEmpty() && motionEnd(*document.project()) > 0 &&
+           std::isfinite(settingOf(document, "material.memory"));
 }
 
 void settleAtEnd(ShapeSession& session) {

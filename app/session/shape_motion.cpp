@@ -107,12 +107,14 @@ void ShapeMotion::takeLive(const FramePtr& frame) {
     }
 }
 
-void ShapeMotion::takeFinished(double time, const QString& problem) {
+void ShapeMotion::takeFinished(double time, const QString& problem, const QString& remark) {
     if (!m_trackIsCurrent) return;
     m_complete = m_document.project();
     m_completeAt = m_document.undoStack()->index();
     if (!problem.isEmpty())
         emit notice(ShapeSession::tr("The motion stops at %1: %2").arg(time, 0, 'f', 2).arg(problem));
+    else if (!remark.isEmpty())
+        emit notice(remark.left(1).toUpper() + remark.mid(1) + QLatin1Char('.'));
     m_preview.reset();
     m_previewBefore.reset();
     setBusy(false);

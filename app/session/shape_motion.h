@@ -82,7 +82,7 @@ class ShapeMotion : public QObject {
     void takeShape(int revision, const std::shared_ptr<const void>& shape, const KeptFrames& kept);
     void takeFrame(const FramePtr& frame);
     void takeLive(const FramePtr& frame);
-    void takeFinished(double time, const QString& problem);
+    void takeFinished(double time, const QString& problem, const QString& remark);
     void takeFailure(int revision, const QString& reason, ComputeFailure failure);
     void takeField(int number, const VelocityPtr& field);
     void takeTime(double time);

@@ -51,6 +51,7 @@
 #include "app/view/notices/problem_remedies.h"
 #include "app/view/notices/shape_notices.h"
 #include "app/view/notices/soft_edge_offer.h"
+#include "app/view/notices/spring_offer.h"
 #include "app/view/notices/work_note.h"
 #include "app/view/properties.h"
 #include "app/view/properties_rail.h"
@@ -239,6 +240,7 @@ void MainWindow::connectFiles() {
     new SoftEdgeOffer(m_session.document(), *m_banner, this);
     new LineArtOffer(m_session.document(), *m_banner, this);
     new PartsOffer(m_session.document(), *m_banner, this);
+    new SpringOffer(m_session, *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);
     const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
     connect(m_files, &FileWorkflow::recentChanged, this, showRecent);

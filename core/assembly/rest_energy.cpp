@@ -1,10 +1,48 @@
 #include "core/assembly/rest_energy.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 
 #include "core/energy/rest_density.h"
 
 namespace wend {
+namespace {
+
+/// The Bernstein coefficients of a polynomial of degree Dim on [0, 1], Dim + 1 of them.
+template <int Dim>
+using Bernstein = std::array<double, Dim + 1>;
+
+/// Of det(E + s D). The mixed coefficients are means over the columns that are taken from E + D.
+Bernstein<2> determinants(const Mat<2>& E, const Mat<2>& end) {
+    const double mixed = E(0, 0) * end(1, 1) + end(0, 0) * E(1, 1) - E(0, 1) * end(1, 0) - end(0, 1) * E(1, 0);
+    return {E.determinant(), 0.5 * mixed, end.determinant()};
+}
+Bernstein<3> determinants(const Mat<3>& E, const Mat<3>& end) {
+    const auto mixed = [](const Mat<3>& twice, const Mat<3>& once) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += once.col(k).dot(twice.col((k + 1) % 3).cross(twice.col((k + 2) % 3)));
+        return sum / 3;
+    };
+    return {E.determinant(), mixed(E, end), mixed(end, E), end.determinant()};
+}
+
+/// A lower bound of the first root in [0, 1], 1 if there is none, by halving.
+template <int Dim>
+double beforeFirstRoot(const Bernstein<Dim>& b, int halvings) {
+    if (std::ranges::all_of(b, [](double value) { return value > 0; })) return 1;
+    if (halvings == 0 || !(b[0] > 0)) return 0;
+    Bernstein<Dim> left, right = b;
+    for (int k = 0; k <= Dim; ++k) {  // de Casteljau
+        left[k] = right[0];
+        for (int i = 0; i < Dim - k; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+    }
+    const double first = beforeFirstRoot<Dim>(left, halvings - 1);
+    return first < 1 ? 0.5 * first : 0.5 + 0.5 * beforeFirstRoot<Dim>(right, halvings - 1);
+}
+
+}  // namespace
+
 template <int Dim>
 RestEnergy<Dim>::RestEnergy(std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
                             const Material<Dim>& material)
@@ -29,15 +67,10 @@ double RestEnergy<Dim>::energy(const Points<Dim>& shape) const {
     return sum;
 }
 
-/// ∂W/∂x_k = V₀ ∂w/∂F g_k with the hat gradients g_k at rest, the columns of E₀⁻ᵀ; all corners' sum is zero.
+/// Adds up what the corners of the cells have in m_force: all corners' sum is zero.
 template <int Dim>
-void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers) {
-    workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
-        for (int c = begin; c < end; ++c)
-            m_force[c] = m_measure[c] * restStress<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c)) *
-                         m_restInverse[c].transpose();
-    });
-    gradient.resize(Dim, m_plan->vertexCount);
+void RestEnergy<Dim>::gather(Points<Dim>& sum, WorkerPool& workers) const {
+    sum.resize(Dim, m_plan->vertexCount);
     workers.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
             Vec<Dim> total = Vec<Dim>::Zero();
@@ -48,9 +81,88 @@ void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, 
                 else
                     total -= m_force[cell].rowwise().sum();
             }
-            gradient.col(p) = total;
+            sum.col(p) = total;
         }
     });
+}
+
+/// ∂W/∂x_k = V₀ ∂w/∂F g_k with the hat gradients g_k at rest, the columns of E₀⁻ᵀ.
+template <int Dim>
+void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers) {
+    workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c)
+            m_force[c] = m_measure[c] * restStress<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c)) *
+                         m_restInverse[c].transpose();
+    });
+    gather(gradient, workers);
+}
+
+/// ∂²W/∂x_k ∂x_l = V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the modes M_m.
+template <int Dim>
+void RestEnergy<Dim>::linearize(const Points<Dim>& shape, Curvature curvature, WorkerPool& workers) {
+    m_hessian.resize(m_plan->cells.size());
+    workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) {
+            auto [values, modes] = restModes<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c));
+            if (curvature == Curvature::Positive) values = values.cwiseMax(0);
+            CellHessian onCorners;  // its rows are the modes on the corners 1 …
+            for (int m = 0; m < Dim * Dim; ++m) {
+                const Mat<Dim> mode = Eigen::Map<const Mat<Dim>>(modes.col(m).data());
+                const Mat<Dim> moved = mode * m_restInverse[c].transpose();
+                onCorners.row(m) = Eigen::Map<const Eigen::Matrix<double, 1, Dim * Dim>>(moved.data());
+            }
+            m_hessian[c].noalias() =
+                onCorners.transpose() * (m_measure[c] * values).asDiagonal() * onCorners;
+        }
+    });
+}
+
+/// Of two corners of one cell.
+template <int Dim>
+Mat<Dim> RestEnergy<Dim>::hessianBlock(int left, int right) const {
+    const CellHessian& H = m_hessian[left / (Dim + 1)];
+    const int k = left % (Dim + 1), l = right % (Dim + 1);
+    Mat<Dim> sum = Mat<Dim>::Zero();
+    for (int i = k > 0 ? k - 1 : 0; i < (k > 0 ? k : Dim); ++i)
+        for (int j = l > 0 ? l - 1 : 0; j < (l > 0 ? l : Dim); ++j)
+            sum += H.template block<Dim, Dim>(Dim * i, Dim * j);
+    return (k > 0) == (l > 0) ? sum : Mat<Dim>(-sum);
+}
+
+template <int Dim>
+void RestEnergy<Dim>::addHessian(std::span<double> blocks, WorkerPool& workers) const {
+    workers.forPieces(m_plan->blockCount(), kPlanGrain, [&](int begin, int end) {
+        for (int b = begin; b < end; ++b) {
+            Eigen::Map<Mat<Dim>> block(blocks.data() + static_cast<std::ptrdiff_t>(b) * Dim * Dim);
+            for (int i = m_plan->ownStart[b]; i < m_plan->ownStart[b + 1]; ++i)
+                block += hessianBlock(m_plan->own[i].left, m_plan->own[i].right);
+        }
+    });
+}
+
+template <int Dim>
+void RestEnergy<Dim>::applyHessian(const Points<Dim>& v, Points<Dim>& Hv, WorkerPool& workers) {
+    workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) {
+            const Mat<Dim> edges = edgeMatrix<Dim>(v, m_plan->cells[c]);
+            Eigen::Map<Eigen::Matrix<double, Dim * Dim, 1>> force(m_force[c].data());
+            force.noalias() =
+                m_hessian[c] * Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(edges.data());
+        }
+    });
+    gather(Hv, workers);
+}
+
+template <int Dim>
+double RestEnergy<Dim>::unfoldedPart(const Points<Dim>& shape, const Points<Dim>& step) const {
+    constexpr int kHalvings = 7;
+    double part = 1;
+    for (int c = 0; c < m_plan->cellCount(); ++c) {
+        const Mat<Dim> E = mapOf(shape, c),
+                       D = edgeMatrix<Dim>(step, m_plan->cells[c]) * m_restInverse[c];
+        part = std::min(part, part * beforeFirstRoot<Dim>(determinants(E, E + part * D), kHalvings));
+    }
+    return part;
 }
 
 template class RestEnergy<2>;

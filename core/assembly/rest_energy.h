@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
@@ -19,13 +20,32 @@ class RestEnergy {
     RestEnergy(std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
                const Material<Dim>& material);
 
+    /// Returns V₀ of a cell.
+    double measure(int cell) const { return m_measure[cell]; }
     /// Infinite if a cell is inverted.
     double energy(const Points<Dim>& shape) const;
     /// One column per vertex. No cell may be inverted.
     void gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers);
 
+    /// The Hessian of W as it is, or with the negative eigenvalues of every cell's ∂²w/∂F² set to 0, so that
+    /// it is positive semidefinite.
+    enum class Curvature { Exact, Positive };
+    /// Computes the Hessian at a shape, in which no cell may be inverted, for the next two functions.
+    void linearize(const Points<Dim>& shape, Curvature curvature, WorkerPool& workers);
+    /// Adds the Hessian to Dim × Dim blocks in the order of the plan's pattern (AssemblyPlan), which has to
+    /// list its contributions.
+    void addHessian(std::span<double> blocks, WorkerPool& workers) const;
+    /// H v without the matrix.
+    void applyHessian(const Points<Dim>& v, Points<Dim>& Hv, WorkerPool& workers);
+    /// Returns a t in [0, 1] such that no cell is flat or inverted at shape + s · step for 0 ≤ s < t, near
+    /// the greatest one: the determinants are polynomials in s, bounded by their Bernstein coefficients.
+    double unfoldedPart(const Points<Dim>& shape, const Points<Dim>& step) const;
+
   private:
+    using CellHessian = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
     Mat<Dim> mapOf(const Points<Dim>& shape, int cell) const;
+    void gather(Points<Dim>& sum, WorkerPool& workers) const;
+    Mat<Dim> hessianBlock(int left, int right) const;
     Mat<Dim> anisotropy(int c) const {
         return m_anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : m_anisotropy[c];
     }
@@ -37,6 +57,7 @@ class RestEnergy {
     std::vector<Mat<Dim>> m_restInverse;
     std::vector<double> m_measure;  // V₀
     std::vector<Mat<Dim>> m_force;  // V₀ ∂w/∂F E₀⁻ᵀ: columns are the forces on the corners 1 …, of gradient()
+    std::vector<CellHessian> m_hessian;  // of the corners 1 … of the cell; corner 0 has minus their sum
 };
 
 }  // namespace wend

@@ -76,7 +76,7 @@ void requireValid(const Material<Dim>& material, int cellCount) {
     for (std::size_t c = 0; c < material.anisotropy.size(); ++c)
         requirePositiveDefinite<Dim>(material.anisotropy[c], c);
     requireSmoothing(material.smoothing);
-    if (!(std::isfinite(material.memory) && material.memory >= 0))
+    if (!(material.memory >= 0))  // infinite: elastic
         throw InputError("the memory " + number(material.memory) + " is not a number ≥ 0");
 }
 

@@ -37,7 +37,8 @@ struct Material {
     std::vector<double> phi;           // one per cell, in ]0, φ_CONF(Dim)]
     std::vector<Mat<Dim>> anisotropy;  // one symmetric positive definite B₀ per cell, or empty: all identity
     Smoothing smoothing;
-    double memory = 0;  // ρ ≥ 0: rate at which the shape returns to rest (docs/method.md, (22))
+    // ρ ≥ 0: rate at which the shape returns to rest; infinite: it is elastic (docs/method.md, section 8).
+    double memory = 0;
 
     static Material uniform(int cellCount, double phi, Smoothing smoothing = {});
 };

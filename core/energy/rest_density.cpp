@@ -1,7 +1,10 @@
 #include "core/energy/rest_density.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <cmath>
+#include <numbers>
 #include <limits>
 
 namespace wend {
@@ -21,6 +24,95 @@ Mat<Dim> twiceGreenStrain(const Mat<Dim>& F) {
     Mat<Dim> E = F.transpose().lazyProduct(F);
     E.diagonal().array() -= 1;
     return E;
+}
+
+/// F = U diag(σ) Vᵀ with rotations U and V, for det F > 0.
+template <int Dim>
+struct Stretch {
+    Mat<Dim> U, V;
+    Vec<Dim> sigma;
+};
+
+/// By half the sum and half the difference of the angles of the conformal and the anticonformal part of F.
+Stretch<2> stretchOf(const Mat<2>& F) {
+    const double even = 0.5 * (F(0, 0) + F(1, 1)), turn = 0.5 * (F(1, 0) - F(0, 1)),
+                 odd = 0.5 * (F(0, 0) - F(1, 1)), shear = 0.5 * (F(1, 0) + F(0, 1));
+    const double kept = std::hypot(even, turn), lost = std::hypot(odd, shear);
+    const double a = std::atan2(turn, even), b = lost > 0 ? std::atan2(shear, odd) : a;
+    const auto rotation = [](double angle) {
+        return Mat<2>{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
+    };
+    return {rotation(0.5 * (b + a)), rotation(0.5 * (b - a)), {kept + lost, kept - lost}};
+}
+
+Stretch<3> stretchOf(const Mat<3>& F) {
+    const Eigen::JacobiSVD<Mat<3>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return {svd.matrixU(), svd.matrixV(), svd.singularValues()};
+}
+
+template <int Dim>
+using Modes = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
+
+template <int Dim>
+auto flat(const Mat<Dim>& M) {
+    return Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(M.data());
+}
+
+/// With a = 4 w_q J^(−2/d), k = 4 w_q/d + w_r, s = Σσ² and b = k (J − 1/J) − a s/d: ∂ψ/∂σ_i = a σ_i + b/σ_i.
+template <int Dim>
+RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
+    const auto [U, V, sigma] = stretchOf(F);
+    const double J = sigma.prod(), squares = sigma.squaredNorm(), k = 4 * w.q / Dim + w.r,
+                 a = 4 * w.q * std::pow(J, -2.0 / Dim), b = k * (J - 1 / J) - a * squares / Dim,
+                 c = k * (J + 1 / J) + 2 * a * squares / (Dim * Dim);
+    Mat<Dim> bySigma;  // ∂²ψ/∂σ²
+    for (int i = 0; i < Dim; ++i)
+        for (int j = 0; j < Dim; ++j)
+            bySigma(i, j) = (i == j ? a - b / (sigma[i] * sigma[i]) : 0) + c / (sigma[i] * sigma[j]) -
+                            2 * a / Dim * (sigma[i] / sigma[j] + sigma[j] / sigma[i]);
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> stretches(bySigma);
+    RestModes<Dim> result;
+    int m = 0;
+    const auto add = [&](double value, const Mat<Dim>& inner) {
+        const Mat<Dim> mode = U * inner * V.transpose();
+        result.values[m] = value;
+        result.modes.col(m++) = flat<Dim>(mode);
+    };
+    for (int i = 0; i < Dim; ++i)
+        add(stretches.eigenvalues()[i], stretches.eigenvectors().col(i).asDiagonal());
+    for (int i = 0; i < Dim; ++i)
+        for (int j = i + 1; j < Dim; ++j)
+            for (const double sign : {-1.0, 1.0}) {  // a twist, a flip
+                Mat<Dim> inner = Mat<Dim>::Zero();
+                inner(i, j) = 1 / std::numbers::sqrt2;
+                inner(j, i) = sign / std::numbers::sqrt2;
+                add(a - sign * b / (sigma[i] * sigma[j]), inner);
+            }
+    return result;
+}
+
+/// The derivative of restStress() in every direction e_a e_bᵀ, for B₀ ≠ I.
+template <int Dim>
+Modes<Dim> anisotropicHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
+    const Mat<Dim> E = twiceGreenStrain<Dim>(F), BE = B0 * E, inverse = F.inverse();
+    const double J = F.determinant(), trace = B0.trace(), r = 0.5 * w.r * (Dim / trace),
+                 q = w.q * (trace / Dim), cube = std::pow(J - 1, 3);
+    const Mat<Dim> byC = w.q * (BE + Mat<Dim>(BE.transpose())) + r * BE.trace() * B0;
+    const double byJ = q * cube * (3 * J + 1) / J,
+                 slope = q * (3 * (J - 1) * (J - 1) * (3 * J + 1) - cube / J);  // J ∂byJ/∂J
+    Modes<Dim> H;
+    for (int column = 0; column < Dim * Dim; ++column) {
+        Mat<Dim> D = Mat<Dim>::Zero();
+        D(column % Dim, column / Dim) = 1;
+        const Mat<Dim> half = D.transpose() * F, dE = half + half.transpose(), BdE = B0 * dE;
+        const Mat<Dim> change = w.q * (BdE + Mat<Dim>(BdE.transpose())) + r * BdE.trace() * B0;
+        const Mat<Dim> turned = inverse * D * inverse;
+        const Mat<Dim> dP = 2 * D * byC + 2 * F * change +
+                            slope * (inverse * D).trace() * Mat<Dim>(inverse.transpose()) -
+                            byJ * Mat<Dim>(turned.transpose());
+        H.col(column) = flat<Dim>(dP);
+    }
+    return H;
 }
 
 }  // namespace
@@ -56,9 +148,17 @@ Mat<Dim> restStress(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     return 2 * F * byC + byJ * inverse;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                          \
-    template double restDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&); \
-    template Mat<Dim> restStress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);
+template <int Dim>
+RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
+    if (isIdentity<Dim>(B0)) return isotropicModes<Dim>(w, F);
+    const Eigen::SelfAdjointEigenSolver<Modes<Dim>> solver(anisotropicHessian<Dim>(w, B0, F));
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+#define WEND_INSTANTIATE(Dim)                                                            \
+    template double restDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);   \
+    template Mat<Dim> restStress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);  \
+    template RestModes<Dim> restModes<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

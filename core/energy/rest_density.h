@@ -16,4 +16,19 @@ double restDensity(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
 template <int Dim>
 Mat<Dim> restStress(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
 
+/// The eigenvalues and eigenvectors of the Hessian ∂²w/∂F², a symmetric matrix on the entries of F column by
+/// column: ∂²w/∂F² = Σ_m values_m modes_m modes_mᵀ with orthonormal columns modes_m, for J > 0.
+template <int Dim>
+struct RestModes {
+    static constexpr int kCount = Dim * Dim;
+    Eigen::Matrix<double, kCount, 1> values;
+    Eigen::Matrix<double, kCount, kCount> modes;
+};
+/// For B₀ = I from the singular values F = U diag(σ) Vᵀ: with ψ(σ) = w, a twist U (e_i e_jᵀ − e_j e_iᵀ) Vᵀ/√2
+/// and a flip U (e_i e_jᵀ + e_j e_iᵀ) Vᵀ/√2 for every pair, of the eigenvalues (ψ_i ± ψ_j)/(σ_i ± σ_j), and
+/// the eigenvectors of ∂²ψ/∂σ² as stretches (Smith, De Goes, Kim, "Analytic Eigensystems for Isotropic
+/// Distortion Energies", 2019). Else by a numerical decomposition.
+template <int Dim>
+RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
+
 }  // namespace wend

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/assembly/back_end.h"
 #include "core/energy/material.h"
@@ -26,6 +28,18 @@ struct AdvanceResult {
     std::string message;  // one line with what happened, when and where; empty when done
 };
 
+/// An elastic shape went on from another minimum, because the one before had ended.
+struct Snap {
+    double time = 0;
+    std::array<double, 3> place{};  // that moved the farthest, in the domain's coordinates
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        auto& [at, where] = *this;
+        archive(at, where[0], where[1], where[2]);
+    }
+};
+
 struct Statistics {
     int steps = 0, rejected = 0, evaluations = 0, factorizations = 0, solverIterations = 0;
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds
@@ -35,15 +49,16 @@ struct Statistics {
     /// Sum of the method's error estimates of accepted steps, relative to the size; 0 with prescribed steps.
     /// Later steps may amplify or damp errors, so this is an order of magnitude.
     double errorEstimate = 0;
-    double needed = 0;   // bytes of the largest factor
+    double needed = 0;        // bytes of the largest factor
+    std::vector<Snap> snaps;  // of an elastic shape, in the order of time
     CopiedBytes copied;  // to and from a device, since the deformer was made
 
     template <class Archive>
     void archive(Archive& archive) {
         auto& [taken, refused, solves, factors, rounds, analyzing, assembling, factoring, solving, inAll, off,
-               value, sum, bytes, moved] = *this;
+               value, sum, bytes, snapped, moved] = *this;
         archive(taken, refused, solves, factors, rounds, analyzing, assembling, factoring, solving, inAll,
-                off, value, sum, bytes);
+                off, value, sum, bytes, snapped);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "core/integration/drag_flow.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/integration/contradictions.h"
 #include "core/integration/step_method.h"
@@ -28,6 +29,10 @@ constexpr int kMostAttempts = 8;
 // Largest exponent of the memory's decay in one step, and the largest number of parts of a displacement.
 constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
+// Elastic shapes: of the last Newton step, in sizes; and the iterations that a frame has the time for. What is
+// left is done with the next one.
+constexpr double kElasticTolerance = 1e-4;
+constexpr int kMostIterations = 6;
 
 template <int Dim>
 std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const Normalization<Dim>& units) {
@@ -90,6 +95,12 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
 /// Factorizes at rest, near which most drags start.
 template <int Dim>
 void DragFlow<Dim>::prepare() {
+    if (isElastic()) {
+        Points<Dim> move;
+        guide(m_shape);
+        m_solver.predict(m_shape, Targets::Zero(Dim, m_targets.cols()), move);
+        return;
+    }
     const Targets all = Targets::Constant(Dim, m_targets.cols(), 1e-3);
     Points<Dim> field;
     solve(m_shape, all, field);
@@ -160,6 +171,7 @@ typename DragFlow<Dim>::Targets DragFlow<Dim>::moved(const Targets& start, const
 /// overshoots.
 template <int Dim>
 double DragFlow<Dim>::firstPart(const Targets& displacement) const {
+    if (isElastic()) return 1;
     return 1 /
            std::clamp(std::ceil(m_memory * largestColumn<Dim>(displacement) / kMostDrawn), 1.0, kMostParts);
 }
@@ -207,7 +219,42 @@ bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& displacement)
 }
 
 template <int Dim>
+bool DragFlow<Dim>::isElastic() const {
+    return std::isinf(m_memory);
+}
+
+/// Moves an elastic shape to the minimum for these targets, or near it.
+template <int Dim>
+bool DragFlow<Dim>::track(const Targets& targets) {
+    Points<Dim> next;
+    guide(m_shape);
+    m_failure = m_solver.predict(m_shape, targets - m_targets, next);
+    ++m_evaluations;
+    if (!m_failure.done()) return false;
+    next += m_shape;
+    project(next, targets);
+    const int inverted = m_orientation.firstInverted(next);
+    m_failure = {inverted < 0 ? SolveOutcome::Kind::Done : SolveOutcome::Kind::CellInverted, inverted};
+    if (inverted >= 0) return false;
+    Descent<Dim> descent;
+    descent.tolerance = kElasticTolerance;
+    descent.mostIterations = kMostIterations;
+    descent.reusesFactor = true;
+    if (m_constraints.hasGuides())
+        descent.keep = [&](Points<Dim>& shape) {
+            project(shape, targets);
+            guide(shape);
+        };
+    m_failure = m_solver.descend(next, descent).outcome;
+    if (!m_failure.done()) return false;
+    m_shape = next;
+    m_targets = targets;
+    return true;
+}
+
+template <int Dim>
 bool DragFlow<Dim>::step(const Targets& targets) {
+    if (isElastic()) return track(targets);
     const Targets displacement = targets - m_targets;
     if (displacement.isZero(0)) return true;
     std::optional<Points<Dim>> guess = m_history.fitting(displacement);

@@ -14,8 +14,8 @@ namespace wend {
 /// The flow of a drag: a preview at the rate of a display. As a rule it solves one velocity field per target,
 /// by the midpoint rule with the midpoint predicted from earlier fields: v̂ is linear in the handles'
 /// velocities, so the combination of earlier fields that moves the handles as wanted is off by no more than
-/// the field's change in a step, and the step is of second order. Factors are reused. Coordinates are the
-/// domain's.
+/// the field's change in a step, and the step is of second order. Factors are reused. An elastic shape follows
+/// its minimum by Newton's method, to 1e-4 of its size. Coordinates are the domain's.
 template <int Dim>
 class DragFlow {
   public:
@@ -52,7 +52,9 @@ class DragFlow {
     using Targets = Points<Dim>;  // one column per constrained point
     Targets moved(const Targets& start, const std::vector<int>& handles, const AffineMap<Dim>& map) const;
     double firstPart(const Targets& displacement) const;
+    bool isElastic() const;
     bool step(const Targets& targets);
+    bool track(const Targets& targets);
     bool solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field);
     bool moves(const Points<Dim>& field, const Targets& displacement) const;
     void prepare();
@@ -68,7 +70,7 @@ class DragFlow {
     Constraints<Dim> m_constraints;
     VelocitySolver<Dim> m_solver;
     VelocityHistory<Dim> m_history;
-    double m_memory;  // ρ
+    double m_memory;  // ρ; infinite: elastic
     Points<Dim> m_shape, m_pose;
     Targets m_targets, m_directions;
     Eigen::Index m_sliders = 0;

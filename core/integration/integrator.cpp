@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/integration/contradictions.h"
+#include "core/integration/implicit_method.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -39,6 +41,11 @@ Deformer<Dim>::Integrator::Integrator(std::shared_ptr<const SimplicialMesh<Dim>>
       m_method(StepMethod<Dim>::of(options.method, options.steps > 0 ? 0 : options.tolerance)) {
     if (options.method == Method::Adams && options.steps == 0)
         m_settlingMethod = StepMethod<Dim>::of(Method::DormandPrince, options.tolerance);
+    m_implicit = std::make_unique<ImplicitMethod<Dim>>(
+        [this](double t, double to, const Nodal<Dim>& x, Points<Dim>& result, double& error) {
+            return relax(t, to, *x, result, error);
+        },
+        [this](double t) { return m_settling.rate(t, Side::After); });
     if (const std::string problem = options.problem(); !problem.empty()) throw InputError(problem);
     requireValid<Dim>(*material, m_rest->cellCount());
     state.points = m_domainRest->points;
@@ -46,6 +53,9 @@ Deformer<Dim>::Integrator::Integrator(std::shared_ptr<const SimplicialMesh<Dim>>
     setHandles(handles);
     m_solver = std::make_unique<VelocitySolver<Dim>>(m_makeSolver(m_rest, m_options.solver));
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
+    if (std::isinf(m_memory) && m_solver->solver() == SolverKind::Multigrid)
+        throw InputError("an elastic shape needs the direct solver, for which this one is too large: use fewer "
+                         "vertices, or a memory that is a number");
     collectStatistics();
 }
 
@@ -155,10 +165,11 @@ double Deformer<Dim>::Integrator::lastBreakpoint(double t) const {
     return std::max(m_constraints->lastBreakpoint(t), m_settling.lastBreakpoint(t));
 }
 
-/// Returns the method of the step from the current time. Relaxation is stiff, and Adams methods have too
-/// small stability regions.
+/// Returns the method of the step from the current time. Relaxation is stiff; with multigrid, which has no
+/// factor for Newton's method, it is explicit, and Adams methods have too small stability regions.
 template <int Dim>
 StepMethod<Dim>& Deformer<Dim>::Integrator::method() const {
+    if (relaxation(state.time, Side::After) != Relaxation::Explicit) return *m_implicit;
     return m_settlingMethod && m_settling.rate(state.time, Side::After) > 0 ? *m_settlingMethod : *m_method;
 }
 
@@ -269,6 +280,7 @@ void Deformer<Dim>::Integrator::emitFrames(double from, double to, const Nodal<D
         Points<Dim> shape = method().at(time, endField ? *endField : none);
         project(time, shape);
         unfold(time, shape, 2 * time < from + to ? state.normalized : m_next);
+        relaxFrame(time, shape);
         State<Dim> frame;
         frame.time = time;
         frame.points = inDomain(shape);
@@ -289,7 +301,8 @@ bool Deformer<Dim>::Integrator::goesOn(double time) {
         takeKnownStep();
         return true;
     }
-    if (flows(state.time, Side::After)) {
+    m_springing = springs();
+    if (m_springing || flows(state.time, Side::After)) {
         recall();
         return step(nextStop(time));
     }
@@ -331,6 +344,8 @@ Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
     watch.stop = stop;
     m_watch = &watch;
     const auto evaluateExactly = [&] {
+        if (relaxation(state.time, side) == Relaxation::Elastic)
+            return elasticVelocity(state.time, side, v);
         m_solver->setVelocityTolerance(0);
         m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
         return evaluate(state.time, side, v);

@@ -59,6 +59,24 @@ struct Deformer<Dim>::Integrator {
     void prescribe(double t, Side side, const Points<Dim>& shape);
     void project(double t, Points<Dim>& shape);
 
+    // Relaxation
+    enum class Relaxation { Explicit, Settling, Memory, Elastic };
+    Relaxation relaxation(double t, Side side) const;
+    double leastElasticStep() const;
+    bool springs();
+    Points<Dim> displacements(double t, const Points<Dim>& shape);
+    bool failWith(const SolveOutcome& outcome, double t);
+    bool predict(double to, Points<Dim>& shape);
+    Descended descend(double t, Points<Dim>& shape, double tolerance, int mostIterations);
+    bool proximalStep(const Points<Dim>& origin, double to, double pull, Points<Dim>& shape);
+    bool settle(double from, double to, const Points<Dim>& start, Points<Dim>& result, double& error);
+    bool relaxWithMemory(double from, double to, const Points<Dim>& start, Points<Dim>& result,
+                         double& error);
+    bool track(double from, double to, const Points<Dim>& start, Points<Dim>& result, double& error);
+    bool relax(double from, double to, const Points<Dim>& start, Points<Dim>& result, double& error);
+    void relaxFrame(double t, Points<Dim>& shape);
+    bool elasticVelocity(double t, Side side, Points<Dim>& velocity);
+
     // Steps
     bool flows(double t, Side side) const;
     double nextBreakpoint(double t) const;
@@ -67,8 +85,11 @@ struct Deformer<Dim>::Integrator {
     double nextStop(double time) const;
     double startStep(double to) const;
     double proposedStep(double to) const;
+    double stretch() const;
     double smallestStep() const;
     void failForSmallStep(double to);
+    bool isTooStiff() const;
+    Snap snapAt(int vertex) const;
     bool step(double stop);
     std::optional<double> attempt(const Nodal<Dim>& start, double to);
     void accept(double to, bool shortened, bool cut);
@@ -99,8 +120,12 @@ struct Deformer<Dim>::Integrator {
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;
     Settling m_settling;
-    double m_memory;  // ρ
-    std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;
+    double m_memory;  // ρ; infinite: elastic
+    std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;  // the latter with multigrid
+    std::unique_ptr<StepMethod<Dim>> m_implicit;
+    // In the pace: memory makes explicit steps too short up to the next breakpoint.
+    static constexpr int kImplicitOrder = -1;
+    static constexpr double kStrongMemory = 40;
     VelocityHistory<Dim> m_history;
 
     Side m_activeSide = Side::Before;
@@ -112,6 +137,8 @@ struct Deformer<Dim>::Integrator {
     Points<Dim> m_next;   // the result of an attempt, projected
     Statistics m_before;  // of the run that known steps are from, and of the solver before this one
     Failure m_failure;
+    std::optional<int> m_snapped;  // the vertex that moved the farthest where a minimum ended in this step
+    bool m_springing = false;
     const Watch* m_watch = nullptr;
     size_t m_frame = 0;
 };

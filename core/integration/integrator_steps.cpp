@@ -23,6 +23,7 @@ double Deformer<Dim>::Integrator::nextStop(double time) const {
 template <int Dim>
 double Deformer<Dim>::Integrator::startStep(double to) const {
     constexpr int kSamples = 16;
+    constexpr double kFirstDecay = 0.3;  // of an implicit step
     double fastest = 0;
     Points<Dim> positions, velocities;
     for (int i = 0; i <= kSamples; ++i) {
@@ -33,8 +34,11 @@ double Deformer<Dim>::Integrator::startStep(double to) const {
         if (!std::isfinite(speed)) return 0;  // no step is small enough
         fastest = std::max(fastest, speed);
     }
+    if (m_springing) return std::min(leastElasticStep(), to - state.time);
+    const Relaxation kind = relaxation(state.time, Side::After);
+    if (kind == Relaxation::Settling) return kFirstDecay / m_settling.rate(state.time, Side::After);
     const double settling = m_settling.rate(state.time, Side::After),
-                 rate = settling > 0 ? settling : m_memory * fastest;
+                 rate = kind == Relaxation::Elastic ? 0 : settling > 0 ? settling : m_memory * fastest;
     const double step = fastest > 0 ? method().firstStep(fastest) : to - state.time;
     return rate > 0 ? std::min(step, 1 / rate) : step;
 }
@@ -49,10 +53,16 @@ double Deformer<Dim>::Integrator::proposedStep(double stop) const {
     return step > 0.5 * rest ? state.time + 0.5 * rest : state.time + step;
 }
 
+/// Returns the length of the stretch between two breakpoints that the current time is in; 1 after the last.
+template <int Dim>
+double Deformer<Dim>::Integrator::stretch() const {
+    const double from = std::max(0.0, lastBreakpoint(state.time)), to = nextBreakpoint(state.time);
+    return std::isfinite(to) ? to - from : 1;
+}
+
 template <int Dim>
 double Deformer<Dim>::Integrator::smallestStep() const {
-    const double from = std::max(0.0, lastBreakpoint(state.time));
-    return m_options.smallestStep * (nextBreakpoint(state.time) - from);
+    return m_options.smallestStep * stretch();
 }
 
 /// Tries to step from the current state to a time. The error over the tolerance (0 for fixed steps), or
@@ -62,7 +72,7 @@ std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start
     const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
         return evaluate(t, side, v);
     };
-    if (m_solver->reuses())
+    if (m_solver->reuses() && relaxation(state.time, Side::After) == Relaxation::Explicit)
         m_history.begin(state.time, to, start, [this](const auto& from, const auto& shape, auto& fields) {
             m_solver->turn(from, shape, fields);
         });
@@ -93,6 +103,15 @@ void Deformer<Dim>::Integrator::failForSmallStep(double to) {
         m_failure.outcome = {SolveOutcome::Kind::CellInverted, cell};
     else
         m_failure.stepTooSmall = true;
+}
+
+/// Returns whether memory has made explicit steps so short that implicit ones are to go on.
+template <int Dim>
+bool Deformer<Dim>::Integrator::isTooStiff() const {
+    constexpr double kShort = 100;  // smallest steps
+    return m_memory > 0 && m_options.steps == 0 && state.pace.step < kShort * smallestStep() &&
+           m_solver->solver() == SolverKind::Direct &&
+           relaxation(state.time, Side::After) == Relaxation::Explicit;
 }
 
 /// Makes one accepted step towards a stop, after as many attempts as needed. Returns false with m_failure if
@@ -128,6 +147,11 @@ bool Deformer<Dim>::Integrator::step(double stop) {
             method().retry(state.pace);
         else
             state.pace.step = 0.5 * (to - state.time);
+        if (isTooStiff()) {  // implicitly from here to the next breakpoint
+            state.pace = {};
+            state.pace.order = kImplicitOrder;
+            state.pace.step = startStep(nextBreakpoint(state.time));
+        }
         const double h = state.pace.step;
         if (h < smallestStep() || state.time + h == state.time) {
             if (error) failForSmallStep(to);
@@ -141,7 +165,9 @@ bool Deformer<Dim>::Integrator::step(double stop) {
 template <int Dim>
 void Deformer<Dim>::Integrator::accept(double to, bool shortened, bool cut) {
     ++statistics.steps;
-    if (m_options.steps == 0) statistics.errorEstimate += method().error() * m_options.tolerance;
+    const bool isExplicit = relaxation(state.time, Side::After) == Relaxation::Explicit;
+    if (m_options.steps == 0 && isExplicit)
+        statistics.errorEstimate += method().error() * m_options.tolerance;
     remember();  // frames may need a field of their own
     StepRecord<Dim> made{state.time, to, nullptr, endField(state.time, to), {}};
     if (m_watch && m_watch->onStep) made.dense = method().dense();
@@ -149,7 +175,15 @@ void Deformer<Dim>::Integrator::accept(double to, bool shortened, bool cut) {
     state.normalized = m_next;
     method().accept(state.pace, shortened, cut);
     arrive(to);
+    if (m_snapped) statistics.snaps.push_back(snapAt(*m_snapped));
     record(std::move(made));
+}
+
+template <int Dim>
+Snap Deformer<Dim>::Integrator::snapAt(int vertex) const {
+    Snap snap{state.time, {}};
+    for (int k = 0; k < Dim; ++k) snap.place[static_cast<std::size_t>(k)] = state.points(k, vertex);
+    return snap;
 }
 
 /// With the shape that it leads to, unless nothing moved.
@@ -234,6 +268,8 @@ void Deformer<Dim>::Integrator::measureError(double t) {
 }
 
 template double Deformer<2>::Integrator::nextStop(double) const;
+template double Deformer<2>::Integrator::stretch() const;
+template double Deformer<3>::Integrator::stretch() const;
 template bool Deformer<2>::Integrator::step(double);
 template void Deformer<2>::Integrator::standStill(double);
 template void Deformer<2>::Integrator::takeKnownStep();

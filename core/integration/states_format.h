@@ -29,7 +29,7 @@ namespace wend::states {
 
 static_assert(std::endian::native == std::endian::little, "states files are little-endian");
 
-inline constexpr std::string_view kMagic("wend states v002", 16);
+inline constexpr std::string_view kMagic("wend states v003", 16);
 inline constexpr std::size_t kVersionAt = 13;  // in the magic
 enum class BlockKind : std::uint32_t { Header = 1, Array, Step, Checkpoint };
 inline constexpr std::uint64_t kBeforeBlock = 12, kAfterBlock = 4;

@@ -1,5 +1,7 @@
 #include "core/integration/stop_message.h"
 
+#include "core/mesh/number_text.h"
+
 namespace wend {
 
 StopReason reasonOf(const SolveOutcome& outcome) {
@@ -36,6 +38,15 @@ std::string stopMessage(StopReason reason, const std::string& place, int cell) {
                    "; solve directly (--solver direct), or make the material or the mesh more even";
     }
     return {};
+}
+
+std::string snapMessage(const std::vector<Snap>& snaps, int dimension) {
+    if (snaps.empty()) return {};
+    const Snap& first = snaps.front();
+    const Vec<3> place(first.place[0], first.place[1], first.place[2]);
+    const std::string where = dimension == 2 ? placeName<2>(place.head<2>()) : placeName<3>(place);
+    const std::string text = "at time " + numberText(first.time) + " the shape snaps to another equilibrium near " + where;
+    return snaps.size() == 1 ? text : text + ", and " + std::to_string(snaps.size() - 1) + " times more";
 }
 
 }  // namespace wend

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/integration/deformer.h"
 #include "core/solver/velocity_solver.h"
 
 namespace wend {
@@ -13,5 +15,9 @@ StopReason reasonOf(const SolveOutcome& outcome);
 /// Why a handle, "it", cannot go on, in the words of a user: what is wrong, where, and what helps. `place` is
 /// a point of the domain as it is printed; the cell counts for CellInverted alone, −1: none to name.
 std::string stopMessage(StopReason reason, const std::string& place, int cell);
+
+/// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if it
+/// did not. The place has `dimension` coordinates.
+std::string snapMessage(const std::vector<Snap>& snaps, int dimension);
 
 }  // namespace wend

@@ -43,7 +43,9 @@ void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows, Slider
 
 template <int Dim>
 void VelocitySolver<Dim>::setDirections(const Points<Dim>& directions) {
-    m_impl->system.setDirections(std::make_shared<const Points<Dim>>(directions));
+    const auto shared = std::make_shared<const Points<Dim>>(directions);
+    m_impl->system.setDirections(shared);
+    if (m_impl->tracking) m_impl->tracking->system.setDirections(shared);
 }
 
 template <int Dim>
@@ -95,6 +97,24 @@ double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
     const std::size_t given = m_impl->rows.size() - m_impl->rest->welds.size();
     project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(given)));
     return gradient.norm();
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
+                                          Points<Dim>& step) {
+    const auto* proximal = m_impl->proximal ? &*m_impl->proximal : nullptr;
+    return m_impl->minimizer().predict(shape, m_impl->withWelds(prescribed), proximal, m_impl->stop, step);
+}
+
+template <int Dim>
+Descended VelocitySolver<Dim>::descend(Points<Dim>& shape, const Descent<Dim>& descent) {
+    const auto* proximal = m_impl->proximal ? &*m_impl->proximal : nullptr;
+    return m_impl->minimizer().minimize(shape, descent, proximal, m_impl->stop);
+}
+
+template <int Dim>
+int VelocitySolver<Dim>::setProximal(double weight, const Points<Dim>& origin) {
+    return m_impl->setProximal(weight, origin);
 }
 
 template <int Dim>

@@ -57,6 +57,26 @@ struct FactorMemory {
     }
 };
 
+/// How VelocitySolver::descend() descends.
+template <int Dim>
+struct Descent {
+    double tolerance = 1e-8;  // for the largest displacement of the last Newton step, in sizes
+    int mostIterations = 300;
+    /// Iterates with the factor at hand, of predict() or the last descent, as long as steps fall quickly: for
+    /// a live drag. The result then depends on what was computed before, within the tolerance.
+    bool reusesFactor = false;
+    /// Puts points that slide on surfaces back on them, and calls setDirections(); empty: none do.
+    std::function<void(Points<Dim>& shape)> keep;
+};
+
+/// How a descent ended.
+struct Descended {
+    SolveOutcome outcome;
+    int iterations = 0;  // of Newton's method
+    bool isConverged = false;
+    bool isStable = true;  // false: a saddle was met on the way
+};
+
 /// The velocity tolerance that keeps the solver's part of the error of an integration well below the
 /// integration's own tolerance (both relative: to the largest velocity, to the size).
 double velocityToleranceFor(double integrationTolerance);
@@ -119,6 +139,17 @@ class VelocitySolver {
     double restEnergy(const Points<Dim>& shape) const;
     /// ‖∇W‖ of a shape, without what the constraints hold: 0 where it has settled.
     double restForce(const Points<Dim>& shape) const;
+
+    /// Newton's method for the minimum of W under the constraints, for direct solvers only. `predict` computes
+    /// the first Newton step from a shape that displaces the constrained points by `prescribed` (as for
+    /// solve()): near a minimum the derivative of the minimizer with respect to the constraints. `descend`
+    /// moves a shape that satisfies the constraints to a minimum; after an outcome that is not done the shape
+    /// is the best one so far.
+    SolveOutcome predict(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& step);
+    Descended descend(Points<Dim>& shape, const Descent<Dim>& descent = {});
+    /// Adds weight · (x − x₀)ᵀ A (x − x₀) to W for both, A at the shape x₀ = `origin`; with weight 0 nothing,
+    /// as at first. Returns the cell that is inverted there, or −1.
+    int setProximal(double weight, const Points<Dim>& origin);
 
     /// The error of v̂ that is allowed, relative to its largest nodal velocity. 0 (the default): every solve
     /// factorizes, by CHOLMOD. So does every one, by a factor of our own in double precision, with less than

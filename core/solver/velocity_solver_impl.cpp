@@ -110,14 +110,16 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     const std::vector<ConstraintRow> given(rows.begin(),
                                            rows.end() - static_cast<std::ptrdiff_t>(rest->welds.size()));
     const auto held = wellConstrained(*rest, components, given, system.sliders());
-    std::vector<double> massRegularization;
+    tracking.reset();
+    descending.reset();
+    massRegularization.clear();
     if (std::find(held.begin(), held.end(), false) != held.end())
         for (int component : components)
             massRegularization.push_back(held[component] ? 0.0 : kMassRegularization);
     if (isMultigrid())
-        multigrid->analyze(std::move(massRegularization));
+        multigrid->analyze(massRegularization);
     else
-        backEnd->setMassRegularization(std::move(massRegularization));
+        backEnd->setMassRegularization(massRegularization);
 
     cache->reset(*plan);
     constrained = true;
@@ -158,6 +160,46 @@ template <int Dim>
 RestEnergy<Dim>& VelocitySolver<Dim>::Impl::rested() {
     if (!restEnergy) restEnergy.emplace(plan, *rest, material);
     return *restEnergy;
+}
+
+/// Of W, with or without the proximal term.
+template <int Dim>
+RestMinimizer<Dim>& VelocitySolver<Dim>::Impl::minimizer() {
+    if (!constrained) setConstraints({});
+    if (proximal) {
+        if (!descending)
+            descending.emplace(*plan, rested(), system, massRegularization, backEnd->workers(), statistics);
+        return *descending;
+    }
+    if (!tracking) {
+        const Stopwatch watch(statistics.analyze);
+        const auto own = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*rest, false));
+        tracking.reset(new Tracking{own,
+                                    RestEnergy<Dim>(own, *rest, material),
+                                    ReducedSystem<Dim>(*own, elimination, givenSliders),
+                                    {}});
+        tracking->system.setDirections(system.directions());
+        tracking->minimizer.emplace(*own, tracking->energy, tracking->system, massRegularization,
+                                    backEnd->workers(), statistics);
+    }
+    return *tracking->minimizer;
+}
+
+template <int Dim>
+int VelocitySolver<Dim>::Impl::setProximal(double weight, const Points<Dim>& origin) {
+    if (weight == 0) {
+        proximal.reset();
+        return -1;
+    }
+    const Stopwatch watch(statistics.assemble);
+    if (!proximal) proximal.emplace();
+    proximal->weight = weight;
+    proximal->origin = origin;
+    proximal->apply = [this](const Points<Dim>& v, Points<Dim>& Av) { backEnd->apply(v, Av); };
+    if (const int cell = backEnd->setShape(origin); cell >= 0) return cell;
+    proximal->blocks.resize(static_cast<std::size_t>(plan->blockCount()) * Dim * Dim);
+    backEnd->assemble(proximal->blocks);
+    return -1;
 }
 
 /// E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the constraints allow.

@@ -5,6 +5,7 @@
 #include "core/solver/factor_cache.h"
 #include "core/solver/projection.h"
 #include "core/solver/reduced_system.h"
+#include "core/solver/rest_minimizer.h"
 #include "core/solver/velocity_solver.h"
 #include "core/solver/vertex_rotations.h"
 
@@ -33,6 +34,18 @@ struct VelocitySolver<Dim>::Impl {
     double memoryRate = 0;
     Points<Dim> load;  // ½ memoryRate ∇W of the solve that goes on; no columns: none
 
+    /// W alone has a smaller pattern: of a vertex and those that share a cell with it.
+    struct Tracking {
+        std::shared_ptr<const AssemblyPlan<Dim>> plan;
+        RestEnergy<Dim> energy;
+        ReducedSystem<Dim> system;
+        std::optional<RestMinimizer<Dim>> minimizer;
+    };
+    std::unique_ptr<Tracking> tracking;             // these three for the constraints that are set
+    std::optional<RestMinimizer<Dim>> descending;   // with the proximal term
+    std::optional<ProximalTerm<Dim>> proximal;
+    std::vector<double> massRegularization;  // per cell, or empty
+
     SolverStatistics statistics;
 
     bool reusable = false, turns = false;                           // by the material
@@ -52,6 +65,8 @@ struct VelocitySolver<Dim>::Impl {
     Points<Dim> withWelds(const Points<Dim>& given) const;
     bool analyze();
     RestEnergy<Dim>& rested();
+    RestMinimizer<Dim>& minimizer();
+    int setProximal(double weight, const Points<Dim>& origin);
     void computeLoad();
     const Points<Dim>* loadOrNull() const { return load.cols() > 0 ? &load : nullptr; }
     SolveOutcome solve(const Points<Dim>& given, Points<Dim>& v, const std::optional<Points<Dim>>& guess);

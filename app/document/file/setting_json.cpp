@@ -1,6 +1,7 @@
 #include "app/document/file/setting_json.h"
 
 #include <cmath>
+#include <limits>
 
 #include "app/document/options/settings.h"
 #include "app/document/project_fwd.h"
@@ -24,6 +25,10 @@ double valueFrom(const JsonValue& value, const Option& option, int dim) {
     if (option.kind == OptionKind::Flag) return value.boolean();
     if (option.kind == OptionKind::Integer) return value.integer(option.key);
     if (option.kind == OptionKind::Choice) return value.choice<int>(option.key);
+    if (option.kind == OptionKind::Unbounded && value.json().is_string()) {
+        if (isChoice(option, value.text())) return std::numeric_limits<double>::infinity();
+        value.fail("is neither a number nor \"" + std::string(option.choices) + "\"");
+    }
     return option.kind == OptionKind::Phi ? readPhi(value, dim) : value.number(option.key);
 }
 
@@ -31,6 +36,7 @@ Json jsonOf(double value, const Option& option, int dim) {
     if (option.kind == OptionKind::Flag) return value != 0;
     if (option.kind == OptionKind::Integer) return static_cast<int>(value);
     if (option.kind == OptionKind::Choice) return wordOf(option.key, value);
+    if (option.kind == OptionKind::Unbounded && std::isinf(value)) return textOf(option, value);
     return option.kind == OptionKind::Phi ? phiJson(value, dim) : numberJson(value);
 }
 

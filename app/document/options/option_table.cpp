@@ -180,8 +180,9 @@ constexpr std::array kOptions{
                .step = 0.005}},
     Option{"material.smoothing.lambda", "", Number, "", kNotNegative, "", "", "", "λ of the paper's kind",
            Field{IN_MATERIAL(smoothing.lambda), &kPaper, Makes::Material, Always}},
-    Option{"material.memory", "--memory", Number, "", kNotNegative, "", "", "run",
-           "how strongly the shape is drawn back to its rest while handles move; 0: not at all, 10: much",
+    Option{"material.memory", "--memory", Unbounded, "", kNotNegative, "", "elastic", "run",
+           "how strongly the shape is drawn back to its rest while handles move; 0: not at all, 10: much, "
+           "elastic: fully, so that it depends on where the handles are, not on their way",
            Field{IN_MATERIAL(memory), nullptr, Makes::Material},
            Row{.label = Options::tr("Springs back"),
                .help = Options::tr("Lead a pin around and back: how far does the shape come back, too? Not "

@@ -39,6 +39,7 @@ std::string allowed(const Option& option) {
 }  // namespace
 
 std::string formBesideChoices(const Option& option) {
+    if (option.kind == Unbounded) return "a number in " + option.range.text();
     if (option.kind == Canvas) return "X,Y,WIDTH,HEIGHT";
     return option.kind == Colour ? "#RRGGBB" : "";
 }
@@ -77,6 +78,7 @@ std::string defaultText(const Option& option) {
 
 std::string textOf(const Option& option, double value) {
     if (option.kind == Choice) return choicesOf(option).at(static_cast<std::size_t>(value));
+    if (option.kind == Unbounded && std::isinf(value)) return std::string(option.choices);
     if (option.kind == Phi)
         if (const std::string name = nameOfPhi(value, 2); !name.empty()) return name;
     const std::string text = shortNumber(value), parts = shortNumber(1 / value);

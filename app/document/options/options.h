@@ -23,9 +23,21 @@ struct Range {
     std::string text() const;
 };
 
-/// For Canvas: one of the choices, or a rectangle of pixels; for Colour: one of them, or "#d9822b". An Output
+/// For Unbounded: a number, or the word for infinity, which is the only choice. For Canvas: one of the choices, or a rectangle of pixels; for Colour: one of them, or "#d9822b". An Output
 /// is a file that is written, and may be given several times.
-enum class OptionKind { Flag, Number, Integer, Phi, Choice, Canvas, Colour, Text, File, Output };
+enum class OptionKind {
+    Flag,
+    Number,
+    Integer,
+    Unbounded,
+    Phi,
+    Choice,
+    Canvas,
+    Colour,
+    Text,
+    File,
+    Output
+};
 
 /// A value in a project. Every value is a number: a flag is 0 or 1, a choice its place in the list.
 struct Accessor {

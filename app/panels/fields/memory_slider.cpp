@@ -4,7 +4,9 @@
 #include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/document/options/options.h"
 #include "app/panels/fields/jump_slider.h"
@@ -16,17 +18,20 @@ namespace wend {
 namespace {
 
 constexpr int kMemorySteps = 100;
-constexpr double kFully = 40;  // ρ at the slider's end: a strip returns to within 1/500 of its size
+constexpr double kStrongest = 40;  // ρ near the slider's end: a strip returns to within 1/500 of its size
 constexpr int kPicture = 44, kSliderHeight = 22, kGap = 2;
 
-/// Evenly in effect: the residue of a closed path falls about evenly with the root of ρ.
+/// Evenly in effect: the residue of a closed path falls about evenly with the root of ρ. The end is elastic.
 double memoryAt(int value) {
+    if (value == kMemorySteps) return std::numeric_limits<double>::infinity();
     const double part = static_cast<double>(value) / kMemorySteps;
-    return kFully * part * part;
+    return kStrongest * part * part;
 }
 
 int stepOfMemory(double memory) {
-    return static_cast<int>(std::lround(kMemorySteps * std::sqrt(std::clamp(memory / kFully, 0.0, 1.0))));
+    if (std::isinf(memory)) return kMemorySteps;
+    const double part = std::sqrt(std::clamp(memory / kStrongest, 0.0, 1.0));
+    return std::min(static_cast<int>(std::lround(kMemorySteps * part)), kMemorySteps - 1);
 }
 
 /// Returns the measured residual bend after a closed path, relative to that without memory.

@@ -14,7 +14,7 @@ class MemorySlider : public QWidget {
   public:
     explicit MemorySlider(QWidget* parent = nullptr);
 
-    /// ρ; a value beyond the slider's end shows as its end and is kept.
+    /// ρ, infinite at the slider's end; one beyond all other places shows as the last of them and is kept.
     double memory() const { return m_memory; }
     void setMemory(double memory);
     QSlider* slider() const { return m_slider; }

@@ -77,8 +77,8 @@ ShapeEngine::Sink ComputeThread::sink() {
     sink.progress = [this](double time, double end) {
         m_out.call([this, time, end] { emit progress(time, end); });
     };
-    sink.finished = [this](double time, const std::string& problem) {
-        m_out.call([this, time, text = said(problem)] { emit finished(time, text); });
+    sink.finished = [this](double time, const std::string& problem, const std::string& remark) {
+        m_out.call([this, time, why = said(problem), note = said(remark)] { emit finished(time, why, note); });
     };
     return sink;
 }

@@ -31,7 +31,7 @@ class ComputeThread : public QObject {
     void fieldReady(int number, wend::VelocityPtr field);
     void progress(double time, double end);
     /// Emitted at the end of the motion; `problem` says what could not be completed, or is empty.
-    void finished(double time, QString problem);
+    void finished(double time, QString problem, QString remark);
     /// Emitted if the project cannot be computed. The last shape stays, unless the failure is Shapeless.
     void failed(int revision, QString reason, wend::ComputeFailure failure);
 

@@ -7,6 +7,7 @@
 #include "app/session/motion/pose_cache.h"
 #include "app/session/motion/velocity_probe.h"
 #include "app/session/shape/shape.h"
+#include "core/integration/stop_message.h"
 
 namespace wend {
 
@@ -31,6 +32,8 @@ class MotionPass {
     bool isFinished() const { return m_result.has_value(); }
     /// How the motion ended; valid once it is finished.
     const AdvanceResult& result() const { return *m_result; }
+    /// Says whether an elastic shape has snapped; empty if it has not.
+    std::string snaps() const { return snapMessage(m_deformer->statistics().snaps, Dim); }
     const State<Dim>& state() const { return *m_cache.last(); }
     double end() const { return m_end; }
 

@@ -36,7 +36,9 @@ void Playback::setPlaying(bool playing) {
 }
 
 void Playback::setLoops(bool loops) {
+    if (m_loops == loops) return;
     m_loops = loops;
+    emit loopsChanged(loops);
 }
 
 void Playback::setSpeed(double speed) {

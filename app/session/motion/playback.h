@@ -38,6 +38,7 @@ class Playback : public QObject {
     void timeChanged(double time);
     void endChanged(double end);
     void playingChanged(bool playing);
+    void loopsChanged(bool loops);
 
   private:
     void tick();

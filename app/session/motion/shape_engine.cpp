@@ -259,7 +259,7 @@ void ShapeEngineOf<Dim>::giveUp() {
 
 template <int Dim>
 void ShapeEngineOf<Dim>::tellFinished() {
-    m_sink.finished(m_pass.state().time, m_pass.result().message);
+    m_sink.finished(m_pass.state().time, m_pass.result().message, m_pass.snaps());
 }
 
 template <int Dim>

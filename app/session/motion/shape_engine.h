@@ -21,7 +21,7 @@ class ShapeEngine {
         std::function<void(FramePtr)> frameReady;
         std::function<void(int number, VelocityPtr)> fieldReady;
         std::function<void(double time, double end)> progress;
-        std::function<void(double time, std::string problem)> finished;
+        std::function<void(double time, std::string problem, std::string remark)> finished;
     };
     static std::unique_ptr<ShapeEngine> make(int dimension, Sink sink);
     virtual ~ShapeEngine() = default;

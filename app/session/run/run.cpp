@@ -25,6 +25,7 @@
 #include "app/session/shape/shape_builder.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
+#include "core/integration/stop_message.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/input_file.h"
@@ -82,6 +83,8 @@ class Run {
             result = m_deformer.failure();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
+        if (const std::string snaps = snapMessage(m_deformer.statistics().snaps, Dim); !snaps.empty())
+            m_watch.notice(snaps);
         if (result.outcome == Outcome::Done || m_options.partial) {
             endIfStrict(false);
             warnOfFaults();

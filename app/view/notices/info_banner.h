@@ -31,7 +31,8 @@ class InfoBanner : public QWidget {
         Border,
         SoftEdges,
         LineArt,
-        Parts
+        Parts,
+        Spring
     };
     /// A button that puts it right.
     struct Remedy {

@@ -1,0 +1,227 @@
+// Steps that minimize the energy of the map from rest: settling, elastic motion, strong memory.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/integration/integrator.h"
+
+namespace wend {
+namespace {
+
+// Elastic: how far the minimum may be from where it was predicted, in sizes and as a part of the predicted
+// way, and how little of that a step of the least length has to allow.
+constexpr double kTracked = 0.03, kTrackedPart = 0.5;
+// More iterations are a sign that the branch has ended.
+constexpr int kMostTracked = 15;
+constexpr int kMostToMinimum = 300;
+// Where a minimum ended the next one may be this far away without being called a snap.
+constexpr double kNoSnap = 0.02;
+// Of the last Newton step, in sizes: quadratic convergence leaves its square.
+constexpr double kMinimumTolerance = 1e-7, kProximalTolerance = 1e-5;
+// The error of a step with memory that is allowed, in tolerances: it shrinks as the memory draws the shape.
+constexpr double kMemoryError = 30;
+// A shape whose force is less has settled.
+constexpr double kSettledForce = 1e-9;
+
+}  // namespace
+
+/// Returns how the step from a time on relaxes.
+template <int Dim>
+typename Deformer<Dim>::Integrator::Relaxation Deformer<Dim>::Integrator::relaxation(double t,
+                                                                                     Side side) const {
+    if (std::isinf(m_memory)) return Relaxation::Elastic;
+    if (m_solver && m_solver->solver() == SolverKind::Multigrid) return Relaxation::Explicit;
+    if (m_settling.rate(t, side) > 0) return Relaxation::Settling;
+    const bool isStrong = m_memory > kStrongMemory || (m_memory > 0 && state.pace.order == kImplicitOrder);
+    return isStrong ? Relaxation::Memory : Relaxation::Explicit;
+}
+
+/// Returns the least length of an elastic step: where a minimum ends, the shape goes on from the next one.
+template <int Dim>
+double Deformer<Dim>::Integrator::leastElasticStep() const {
+    constexpr double kPart = 1e-3;  // of the stretch between two breakpoints
+    return kPart * stretch();
+}
+
+/// Returns whether constraints have changed so that an elastic shape is at rest elsewhere, as after a handle
+/// lets go.
+template <int Dim>
+bool Deformer<Dim>::Integrator::springs() {
+    if (!std::isinf(m_memory) || state.time == 0 || lastBreakpoint(state.time) != state.time) return false;
+    prescribe(state.time, Side::After, state.normalized);
+    return m_solver->restForce(state.normalized) > kSettledForce;
+}
+
+/// Displacements of the constrained points from a shape to their places at a time.
+template <int Dim>
+Points<Dim> Deformer<Dim>::Integrator::displacements(double t, const Points<Dim>& shape) {
+    prescribe(t, Side::Before, shape);
+    Points<Dim> result = m_targets;
+    for (std::size_t i = 0; i < m_ids.size(); ++i)
+        result.col(static_cast<Eigen::Index>(i)) -= m_constraints->points()[m_ids[i]].template in<Dim>(shape);
+    return result;
+}
+
+template <int Dim>
+bool Deformer<Dim>::Integrator::failWith(const SolveOutcome& outcome, double t) {
+    m_failure.outcome = outcome;
+    m_failure.time = t;
+    m_failure.cancelled = outcome.kind == SolveOutcome::Kind::Stopped;
+    return false;
+}
+
+/// Moves a shape by a Newton step that takes the constrained points to their places at a time.
+template <int Dim>
+bool Deformer<Dim>::Integrator::predict(double to, Points<Dim>& shape) {
+    Points<Dim> step;
+    const SolveOutcome outcome = m_solver->predict(shape, displacements(to, shape), step);
+    if (!outcome.done()) return failWith(outcome, to);
+    shape += step;
+    project(to, shape);
+    const int inverted = firstInverted(shape);
+    return inverted < 0 || failWith({SolveOutcome::Kind::CellInverted, inverted}, to);
+}
+
+/// Moves a shape that satisfies the constraints at a time to a minimum.
+template <int Dim>
+Descended Deformer<Dim>::Integrator::descend(double t, Points<Dim>& shape, double tolerance,
+                                             int mostIterations) {
+    Descent<Dim> descent;
+    descent.tolerance = tolerance;
+    descent.mostIterations = mostIterations;
+    if (m_constraints->hasGuides())
+        descent.keep = [this, t](Points<Dim>& moved) {
+            project(t, moved);
+            prescribe(t, Side::Before, moved);
+        };
+    const Descended result = m_solver->descend(shape, descent);
+    if (!result.outcome.done()) failWith(result.outcome, t);
+    return result;
+}
+
+/// shape = argmin W(x) + (1/pull) (x − x₀)ᵀ A (x − x₀) under the constraints at `to`, x₀ and A at the origin.
+template <int Dim>
+bool Deformer<Dim>::Integrator::proximalStep(const Points<Dim>& origin, double to, double pull,
+                                             Points<Dim>& shape) {
+    shape = origin;
+    if (const int cell = m_solver->setProximal(1 / pull, origin); cell >= 0)
+        return failWith({SolveOutcome::Kind::CellInverted, cell}, to);
+    bool good = predict(to, shape);
+    if (good) {
+        const Descended result = descend(to, shape, kProximalTolerance, kMostToMinimum);
+        good = result.outcome.done();
+    }
+    m_solver->setProximal(0, origin);
+    return good;
+}
+
+/// The last step of a window ends at the minimum of W itself.
+template <int Dim>
+bool Deformer<Dim>::Integrator::settle(double from, double to, const Points<Dim>& start, Points<Dim>& result,
+                                       double& error) {
+    constexpr double kGrowth = 0.3;  // an error by which the next step is longer by a half
+    error = kGrowth;
+    if (!proximalStep(start, to, m_settling.rate(from, Side::After) * (to - from), result)) return false;
+    if (m_settling.nextBreakpoint(from) > to) return true;
+    return descend(to, result, kMinimumTolerance, kMostToMinimum).outcome.done();
+}
+
+/// Two steps of half the length, and one of the whole for an estimate of the error.
+template <int Dim>
+bool Deformer<Dim>::Integrator::relaxWithMemory(double from, double to, const Points<Dim>& start,
+                                                Points<Dim>& result, double& error) {
+    const auto pull = [&](double t, double until) {
+        prescribe(0.5 * (t + until), Side::Before, start);
+        return m_memory * largestColumn<Dim>(m_prescribed) * (until - t);
+    };
+    const double middle = 0.5 * (from + to), whole = pull(from, to), first = pull(from, middle),
+                 second = pull(middle, to);
+    error = 0;
+    result = start;
+    if (whole == 0 || first == 0 || second == 0) {  // a motion stands still for a moment
+        project(to, result);
+        return true;
+    }
+    Points<Dim> half, rough;
+    if (!proximalStep(start, to, whole, rough) || !proximalStep(start, middle, first, half) ||
+        !proximalStep(half, to, second, result))
+        return false;
+    if (m_options.steps == 0)
+        error = largestColumn<Dim>(result - rough) / (kMemoryError * m_options.tolerance);
+    return true;
+}
+
+/// The minimum of W at the end of the step, tracked from the one at its start.
+template <int Dim>
+bool Deformer<Dim>::Integrator::track(double from, double to, const Points<Dim>& start, Points<Dim>& result,
+                                      double& error) {
+    const bool isLeast = to - from <= leastElasticStep() * (1 + 1e-9);
+    result = start;
+    if (!predict(to, result)) return false;
+    const Points<Dim> predicted = result;
+    const Descended descended = descend(to, result, kMinimumTolerance, isLeast ? kMostToMinimum : kMostTracked);
+    if (!descended.outcome.done()) return false;
+    const double moved = largestColumn<Dim>(result - predicted), way = largestColumn<Dim>(predicted - start);
+    error = moved / std::max(kTracked, kTrackedPart * way);
+    if (!descended.isConverged || !descended.isStable) error = std::numeric_limits<double>::infinity();
+    if (!isLeast) return true;
+    m_snapped.reset();
+    if (moved > std::max(kNoSnap, 2 * way) && !m_springing) {
+        Eigen::Index vertex = 0;
+        (result - predicted).colwise().norm().maxCoeff(&vertex);
+        m_snapped = static_cast<int>(vertex);
+    }
+    error = std::min(error, 1.0);
+    return true;
+}
+
+template <int Dim>
+bool Deformer<Dim>::Integrator::relax(double from, double to, const Points<Dim>& start, Points<Dim>& result,
+                                      double& error) {
+    m_snapped.reset();
+    m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
+    ++statistics.evaluations;
+    switch (relaxation(from, Side::After)) {
+        case Relaxation::Settling:
+            return settle(from, to, start, result, error);
+        case Relaxation::Memory:
+            return relaxWithMemory(from, to, start, result, error);
+        default:
+            return track(from, to, start, result, error);
+    }
+}
+
+/// Moves an elastic shape between two steps to the minimum at that time; a frame of another motion stays.
+template <int Dim>
+void Deformer<Dim>::Integrator::relaxFrame(double t, Points<Dim>& shape) {
+    if (!std::isinf(m_memory)) return;
+    const Points<Dim> before = shape;
+    m_solver->setStop({});
+    if (!descend(t, shape, kMinimumTolerance, kMostTracked).outcome.done() || firstInverted(shape) >= 0) shape = before;
+    m_failure = {};
+}
+
+/// Elastic shapes move with the derivative of the minimizer.
+template <int Dim>
+bool Deformer<Dim>::Integrator::elasticVelocity(double t, Side side, Points<Dim>& velocity) {
+    m_failure = {};
+    prescribe(t, side, state.normalized);
+    m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
+    const SolveOutcome outcome = m_solver->predict(state.normalized, m_prescribed, velocity);
+    return outcome.done() || failWith(outcome, t);
+}
+
+template bool Deformer<2>::Integrator::springs();
+template bool Deformer<2>::Integrator::relax(double, double, const Points<2>&, Points<2>&, double&);
+template void Deformer<2>::Integrator::relaxFrame(double, Points<2>&);
+template bool Deformer<2>::Integrator::elasticVelocity(double, Side, Points<2>&);
+template double Deformer<2>::Integrator::leastElasticStep() const;
+template Deformer<2>::Integrator::Relaxation Deformer<2>::Integrator::relaxation(double, Side) const;
+template bool Deformer<3>::Integrator::springs();
+template bool Deformer<3>::Integrator::relax(double, double, const Points<3>&, Points<3>&, double&);
+template void Deformer<3>::Integrator::relaxFrame(double, Points<3>&);
+template bool Deformer<3>::Integrator::elasticVelocity(double, Side, Points<3>&);
+template double Deformer<3>::Integrator::leastElasticStep() const;
+template Deformer<3>::Integrator::Relaxation Deformer<3>::Integrator::relaxation(double, Side) const;
+
+}  // namespace wend

@@ -1,0 +1,246 @@
+#include "core/solver/rest_minimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/solver/flat_points.h"
+#include "core/solver/stopwatch.h"
+
+namespace wend {
+namespace {
+
+constexpr double kArmijo = 1e-4;
+constexpr int kMostHalvings = 30;
+// Of the way to the first flat cell that a step may take.
+constexpr double kBeforeFlat = 0.8;
+// The exact Hessian was indefinite: so many steps later it is tried again.
+constexpr int kSteps = 2;
+// W is a sum of many terms: differences below this part of it are rounding.
+constexpr double kRounding = 1e-13;
+// A gradient of this norm is rounding: forces are of the order of 1.
+constexpr double kNoForce = 1e-14;
+// Off a saddle, in sizes.
+constexpr double kNudge = 1e-3;
+constexpr int kMostNudges = 3;
+// A factor serves again while each step is shorter than this part of the one before.
+constexpr double kQuickly = 0.4;
+constexpr int kNestedDissectionVertices = 8000;
+
+}  // namespace
+
+template <int Dim>
+RestMinimizer<Dim>::RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>& energy,
+                                  ReducedSystem<Dim>& system, const std::vector<double>& massRegularization,
+                                  WorkerPool& workers, SolverStatistics& statistics)
+    : m_plan(plan), m_energy(energy), m_system(system), m_workers(workers), m_statistics(statistics) {
+    if (massRegularization.empty()) return;
+    m_mass.assign(static_cast<std::size_t>(plan.vertexCount), 0);
+    for (int c = 0; c < plan.cellCount(); ++c)
+        for (const int vertex : plan.cells[c])
+            m_mass[vertex] += massRegularization[c] * energy.measure(c) / (Dim + 1);
+}
+
+template <int Dim>
+SolveOutcome RestMinimizer<Dim>::factorizeAs(typename RestEnergy<Dim>::Curvature curvature,
+                                             const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+                                             const std::stop_token& stop) {
+    {
+        const Stopwatch watch(m_statistics.assemble);
+        m_energy.linearize(shape, curvature, m_workers);
+        if (proximal) {
+            m_blocks.resize(proximal->blocks.size());
+            std::ranges::transform(proximal->blocks, m_blocks.begin(),
+                                   [&](double value) { return 2 * proximal->weight * value; });
+        } else {
+            m_blocks.assign(static_cast<std::size_t>(m_plan.blockCount()) * Dim * Dim, 0);
+        }
+        m_energy.addHessian(m_blocks, m_workers);
+        for (std::size_t v = 0; v < m_mass.size(); ++v)  // the diagonal block is the first of its column
+            for (int k = 0; k < Dim; ++k)
+                m_blocks[static_cast<std::size_t>(m_plan.columnStart[v]) * Dim * Dim + k * (Dim + 1)] +=
+                    m_mass[v];
+        m_system.gather(m_blocks, m_factor.values());
+    }
+    const Stopwatch watch(m_statistics.factor);
+    ++m_statistics.factorizations;
+    m_isMade = false;
+    const auto status = m_factor.factorize(m_factor.quickest(FactorKind::Double), m_workers, stop);
+    m_statistics.needed = std::max(m_statistics.needed, m_factor.needed());
+    switch (status) {
+        case Factor::Status::Stopped:
+            return {SolveOutcome::Kind::Stopped, -1};
+        case Factor::Status::NotFinite:
+            return {SolveOutcome::Kind::NotFinite, -1};
+        case Factor::Status::NotPositiveDefinite:
+            return {SolveOutcome::Kind::NotPositiveDefinite, -1};
+        case Factor::Status::Done:
+            break;
+    }
+    m_isMade = true;
+    return {};
+}
+
+/// With the exact Hessian if that is positive definite, else with the positive one.
+template <int Dim>
+SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+                                           const std::stop_token& stop) {
+    using Curvature = typename RestEnergy<Dim>::Curvature;
+    if (!m_factor.isAnalyzed()) {
+        const Stopwatch watch(m_statistics.analyze);
+        const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
+        if (!m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
+                              small ? Ordering::MinimumDegree : Ordering::NestedDissection, stop))
+            return {SolveOutcome::Kind::Stopped, -1};
+    }
+    m_isExact = m_untilExact == 0;
+    if (m_isExact) {
+        const SolveOutcome outcome = factorizeAs(Curvature::Exact, shape, proximal, stop);
+        if (outcome.kind != SolveOutcome::Kind::NotPositiveDefinite) return outcome;
+        m_isExact = false;
+        m_untilExact = kSteps;
+    } else {
+        --m_untilExact;
+    }
+    return factorizeAs(Curvature::Positive, shape, proximal, stop);
+}
+
+template <int Dim>
+double RestMinimizer<Dim>::value(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal) const {
+    double sum = m_energy.energy(shape);
+    if (!proximal || !std::isfinite(sum)) return sum;
+    Points<Dim> Av;
+    const Points<Dim> v = shape - proximal->origin;
+    proximal->apply(v, Av);
+    return sum + proximal->weight * v.cwiseProduct(Av).sum();
+}
+
+/// Computes the gradient and its reduction to the unknowns, whose norm it returns.
+template <int Dim>
+double RestMinimizer<Dim>::slope(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal) {
+    m_energy.gradient(shape, m_gradient, m_workers);
+    if (proximal) {
+        Points<Dim> Av;
+        proximal->apply(shape - proximal->origin, Av);
+        m_gradient += 2 * proximal->weight * Av;
+    }
+    m_system.restrict(m_gradient, m_reduced);
+    return m_reduced.norm();
+}
+
+template <int Dim>
+SolveOutcome RestMinimizer<Dim>::predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
+                                         const ProximalTerm<Dim>* proximal, const std::stop_token& stop,
+                                         Points<Dim>& step) {
+    m_system.particular(prescribed, step);
+    if (m_system.unknowns().empty()) return {};
+    m_untilExact = 0;
+    if (const SolveOutcome outcome = factorize(shape, proximal, stop); !outcome.done()) return outcome;
+    slope(shape, proximal);
+    Points<Dim> Hv;
+    m_energy.applyHessian(step, Hv, m_workers);
+    if (proximal) {
+        Points<Dim> Av;
+        proximal->apply(step, Av);
+        Hv += 2 * proximal->weight * Av;
+    }
+    Points<Dim> right, y;
+    m_system.restrict(Hv, right);
+    right = -(right + m_reduced);
+    y.resize(Dim, right.cols());
+    ++m_statistics.iterations;
+    const Stopwatch watch(m_statistics.solve);
+    if (!m_factor.solve(flat<Dim>(right), flat<Dim>(y), m_workers)) return {SolveOutcome::Kind::NotFinite, -1};
+    m_system.release(y);
+    m_system.expand(y, step);
+    return step.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
+}
+
+/// Moves the shape along a step as far as W falls, and returns which part of it that was; 0 for none.
+template <int Dim>
+double RestMinimizer<Dim>::lineSearch(Points<Dim>& shape, const Points<Dim>& step, double descent,
+                                      const ProximalTerm<Dim>* proximal, const Descent<Dim>& how) const {
+    const double before = value(shape, proximal), unfolded = m_energy.unfoldedPart(shape, step),
+                 rounding = kRounding * std::abs(before);
+    double part = unfolded < 1 ? kBeforeFlat * unfolded : 1;
+    for (int k = 0; k < kMostHalvings; ++k, part /= 2) {
+        Points<Dim> next = shape + part * step;
+        if (how.keep) how.keep(next);
+        if (!(value(next, proximal) <= before + kArmijo * part * descent + rounding)) continue;
+        shape = std::move(next);
+        return part;
+    }
+    return 0;
+}
+
+/// Leaves a saddle along what the positive Hessian resists least in a fixed arbitrary load.
+template <int Dim>
+bool RestMinimizer<Dim>::nudge(Points<Dim>& shape) {
+    Points<Dim> load(Dim, m_reduced.cols()), y(Dim, m_reduced.cols());
+    for (Eigen::Index i = 0; i < load.size(); ++i) load(i) = std::sin(1.0 + 7.3 * static_cast<double>(i % 101));
+    m_system.release(load);
+    if (!m_factor.solve(flat<Dim>(load), flat<Dim>(y), m_workers)) return false;
+    m_system.release(y);
+    Points<Dim> step = Points<Dim>::Zero(Dim, shape.cols());
+    m_system.expand(y, step);
+    const double most = step.colwise().norm().maxCoeff();
+    if (!(most > 0) || !std::isfinite(most)) return false;
+    step *= kNudge / most;
+    shape += std::min(1.0, kBeforeFlat * m_energy.unfoldedPart(shape, step)) * step;
+    return true;
+}
+
+template <int Dim>
+Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& descent,
+                                       const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
+    Descended result;
+    if (m_system.unknowns().empty()) return result;
+    m_untilExact = 0;
+    int nudges = 0;
+    bool small = false, serves = descent.reusesFactor && m_isMade && m_isExact;
+    double last = std::numeric_limits<double>::infinity();  // displacement
+    for (;; ++result.iterations) {
+        const double force = slope(shape, proximal);
+        result.isConverged = force <= kNoForce || (small && m_isExact);
+        if (result.isConverged || result.iterations >= descent.mostIterations) return result;
+        if (stop.stop_requested()) result.outcome = {SolveOutcome::Kind::Stopped, -1};
+        if (result.outcome.done() && !serves) result.outcome = factorize(shape, proximal, stop);
+        if (!result.outcome.done()) return result;
+        Points<Dim> right = -m_reduced, y(Dim, right.cols()), step = Points<Dim>::Zero(Dim, shape.cols());
+        ++m_statistics.iterations;
+        if (!m_factor.solve(flat<Dim>(right), flat<Dim>(y), m_workers)) {
+            result.outcome = {SolveOutcome::Kind::NotFinite, -1};
+            return result;
+        }
+        m_system.release(y);
+        m_system.expand(y, step);
+        const double most = step.colwise().norm().maxCoeff();
+        if (!m_isExact && most <= descent.tolerance && nudges < kMostNudges) {
+            result.isStable = false;
+            m_untilExact = 0;
+            if (factorize(shape, proximal, stop).done() && m_isExact) continue;  // a minimum after all
+            ++nudges;
+            if (!nudge(shape)) return result;
+            if (descent.keep) descent.keep(shape);
+            continue;
+        }
+        const double part = lineSearch(shape, step, m_reduced.cwiseProduct(y).sum(), proximal, descent);
+        small = part * most <= descent.tolerance;
+        serves = descent.reusesFactor && m_isExact && part == 1 && most < kQuickly * std::exchange(last, most);
+        if (part == 0) {
+            if (m_isExact && most > descent.tolerance) {  // far from the minimum
+                m_untilExact = 1;
+                m_isExact = false;
+                continue;
+            }
+            result.isConverged = most <= descent.tolerance;
+            return result;
+        }
+    }
+}
+
+template class RestMinimizer<2>;
+template class RestMinimizer<3>;
+
+}  // namespace wend

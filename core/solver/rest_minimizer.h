@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/assembly/rest_energy.h"
+#include "core/factor/factor.h"
+#include "core/solver/reduced_system.h"
+#include "core/solver/velocity_solver.h"
+
+namespace wend {
+
+/// (x − x₀)ᵀ A (x − x₀) times a weight.
+template <int Dim>
+struct ProximalTerm {
+    double weight = 0;
+    Points<Dim> origin;          // x₀
+    std::vector<double> blocks;  // of A, in the order of the plan's pattern
+    std::function<void(const Points<Dim>& v, Points<Dim>& Av)> apply;
+};
+
+/// Newton's method for the minimum of W, with or without a proximal term, among the shapes that the
+/// constraints allow (docs/method.md, section 8). A step d solves Zᵀ H Z y = −Zᵀ g with the exact Hessian
+/// where that is positive definite, else with the one that is made so cell by cell; it ends before any cell
+/// is flat, and is halved until W falls by Armijo's condition.
+template <int Dim>
+class RestMinimizer {
+  public:
+    /// All outlive it. `massRegularization` has an ε for every cell, or is empty.
+    RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>& energy, ReducedSystem<Dim>& system,
+                  const std::vector<double>& massRegularization, WorkerPool& workers,
+                  SolverStatistics& statistics);
+
+    /// Moves the shape, which satisfies the constraints and has no inverted cell, to a minimum.
+    Descended minimize(Points<Dim>& shape, const Descent<Dim>& descent, const ProximalTerm<Dim>* proximal,
+                       const std::stop_token& stop);
+    /// The first Newton step from a shape, in which the constrained points are displaced by `prescribed`, one
+    /// column per row and maybe after them one per slider.
+    SolveOutcome predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
+                         const ProximalTerm<Dim>* proximal, const std::stop_token& stop, Points<Dim>& step);
+
+  private:
+    SolveOutcome factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+                           const std::stop_token& stop);
+    SolveOutcome factorizeAs(typename RestEnergy<Dim>::Curvature curvature, const Points<Dim>& shape,
+                             const ProximalTerm<Dim>* proximal, const std::stop_token& stop);
+    double value(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal) const;
+    double slope(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal);
+    bool nudge(Points<Dim>& shape);
+    double lineSearch(Points<Dim>& shape, const Points<Dim>& step, double descent,
+                      const ProximalTerm<Dim>* proximal, const Descent<Dim>& how) const;
+
+    const AssemblyPlan<Dim>& m_plan;
+    RestEnergy<Dim>& m_energy;
+    ReducedSystem<Dim>& m_system;
+    WorkerPool& m_workers;
+    SolverStatistics& m_statistics;
+    std::vector<double> m_mass;  // per vertex, that keeps free parts in place
+    Factor m_factor;
+    bool m_isExact = false;  // the Hessian of the factor
+    bool m_isMade = false;   // the factor
+    int m_untilExact = 0;    // steps before the exact one is tried again
+    std::vector<double> m_blocks;
+    Points<Dim> m_gradient, m_reduced;
+};
+
+extern template class RestMinimizer<2>;
+extern template class RestMinimizer<3>;
+
+}  // namespace wend
