@@ -21,7 +21,7 @@ constexpr int kSteps = 2;
 constexpr double kRounding = 1e-13;
 // A gradient of this norm is rounding: forces are of the order of 1.
 constexpr double kNoForce = 1e-14;
-// Off a saddle, in sizes.
+// Off a saddle, in sizes; where steps are no longer than this and the exact Hessian is indefinite, it is near.
 constexpr double kNudge = 1e-3;
 constexpr int kMostNudges = 3;
 // A factor serves again while each step is shorter than this part of the one before.
@@ -216,15 +216,14 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         m_system.release(y);
         m_system.expand(y, step);
         const double most = step.colwise().norm().maxCoeff();
-        if (!m_isExact && most <= descent.tolerance && nudges < kMostNudges) {
+        if (!m_isExact && most <= kNudge && nudges < kMostNudges) {
             result.isStable = false;
-            m_untilExact = 0;
-            if (factorize(shape, proximal, stop).done() && m_isExact) continue;  // a minimum after all
             ++nudges;
             if (!nudge(shape)) return result;
             if (descent.keep) descent.keep(shape);
             continue;
         }
+        if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
         const double part = lineSearch(shape, step, m_reduced.cwiseProduct(y).sum(), proximal, descent);
         small = part * most <= descent.tolerance;
         serves = descent.reusesFactor && m_isExact && part == 1 && most < kQuickly * std::exchange(last, most);

@@ -157,8 +157,8 @@ class TestStops : public QObject {
         }
     }
 
-    /// Near EQUIA settling is stiff: where steps must not be as short as that takes, it stops at a good shape
-    /// and says so.
+    /// With multigrid settling takes explicit steps, which are stiff near EQUIA: where they must not be as short
+    /// as that takes, it stops at a good shape and says so. With factors it arrives all the same.
     template <int Dim>
     void settlingSaysThatItIsTooStiff() {
         Press<Dim> press(along<Dim>(-1.2));
@@ -168,6 +168,10 @@ class TestStops : public QObject {
         press.options.smallestStep = 0.033;  // the first one is 1/30 of the window
         press.options.settle = {{1, 2}};
         press.options.end = 2;
+        Deformer<Dim> direct = press.deformer();
+        QCOMPARE(direct.advance(2).outcome, Outcome::Done);
+        QVERIFY(direct.restForce() < 1e-12);
+        press.options.solver = SolverKind::Multigrid;
         Deformer<Dim> deformer = press.deformer();
         const AdvanceResult moved = deformer.advance(1);
         QVERIFY2(moved.outcome == Outcome::Done, moved.message.c_str());

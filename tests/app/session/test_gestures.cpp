@@ -321,6 +321,9 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     open();
     QVERIFY(!canSettle(m_session->document()));
     drag(1, {-20, 50});
+    QVERIFY(!canSettle(m_session->document()));  // it springs back fully
+    changeSetting(m_session->document(), "material.memory", 0);
+    QVERIFY(settled());
     QVERIFY(canSettle(m_session->document()));
     const double end = endOf(project()), before = m_session->frame()->distortion->totalMetric;
     const int steps = m_session->document().undoStack()->index();

@@ -5,6 +5,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/edits/handle_edits.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/document/file/project_reader.h"
 #include "app/session/opening.h"
 #include "app/session/run/frame_export.h"
@@ -157,6 +158,7 @@ void TestHeldBorder::borderIsHeld() {
     QFETCH(Border, border);
     open(border);
     QCOMPARE(dragMiddle(), 0);
+    changeSetting(m_session->document(), "material.memory", 0);
     settleAtEnd(*m_session);
     QVERIFY(settle(*m_session));
     for (const FramePtr& frame : m_session->track().frames()) {

@@ -9,6 +9,7 @@
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/edits/handle_edits.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/panels/legend.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
@@ -584,6 +585,7 @@ void TestCanvas::everyMeasureIsComplete() {
 /// The right end goes up, so that all but the left one lies elsewhere than at rest.
 void TestCanvas::bendFar() {
     setVertices(m_session->document(), 400);
+    changeSetting(m_session->document(), "material.memory", 0);
     QVERIFY(settle(*m_session));
     m_session->addPin({40, 80});
     const int pin = m_session->addPin({200, 80});
