@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/document/edits/document.h"
+#include "app/document/edits/handle_edits.h"
 #include "app/document/edits/setting_edits.h"
 #include "app/document/project.h"
 #include "app/session/motion/playback.h"
