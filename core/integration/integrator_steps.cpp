@@ -36,7 +36,8 @@ double Deformer<Dim>::Integrator::startStep(double to) const {
     }
     if (m_springing) return std::min(leastElasticStep(), to - state.time);
     const Relaxation kind = relaxation(state.time, Side::After);
-    if (kind == Relaxation::Settling) return kFirstDecay / m_settling.rate(state.time, Side::After);
+    if (kind == Relaxation::Settling)
+        return std::max(kFirstDecay / m_settling.rate(state.time, Side::After), smallestStep());
     const double settling = m_settling.rate(state.time, Side::After),
                  rate = kind == Relaxation::Elastic ? 0 : settling > 0 ? settling : m_memory * fastest;
     const double step = fastest > 0 ? method().firstStep(fastest) : to - state.time;
