@@ -168,7 +168,7 @@ void TestLiveDrag::readyBeforeTheMotionIsKnown() {
     ShapeEngine::Sink sink;
     sink.shapeReady = [](int, const std::shared_ptr<const void>&, const KeptFrames&) {};
     sink.progress = [](double, double) {};
-    sink.finished = [](double, const std::string&) {};
+    sink.finished = [](double, const std::string&, const std::string&) {};
     sink.frameReady = [&](const FramePtr& frame) {
         if (frame->time > 0) stop.request_stop();
     };
