@@ -509,7 +509,7 @@ void TestCompute::velocitiesWaitForRequests() {
     ShapeEngine::Sink sink;
     sink.shapeReady = [](int, const std::shared_ptr<const void>&, KeptFrames) {};
     sink.progress = [](double, double) {};
-    sink.finished = [](double, const std::string&) {};
+    sink.finished = [](double, const std::string&, const std::string&) {};
     sink.frameReady = [&](const FramePtr& frame) { last = frame; };
     sink.fieldReady = [&](int number, const VelocityPtr& field) {
         QVERIFY(number == 7 && field->cols() == last->vertices && !field->isZero(0));
