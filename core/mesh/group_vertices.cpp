@@ -56,7 +56,7 @@ std::string groupList(const MeshFile& file) {
     return list;
 }
 
-std::vector<int> groupVertices(const MeshFile& file, const std::string& name, std::optional<int> dimension) {
+GroupParts groupParts(const MeshFile& file, const std::string& name, std::optional<int> dimension) {
     const auto groups = groupsNamed(file, name, dimension);
     if (groups.empty()) {
         const std::string list = groupList(file);
@@ -67,15 +67,23 @@ std::vector<int> groupVertices(const MeshFile& file, const std::string& name, st
         if (group->dimension != groups[0]->dimension)
             throw InputError("the group '" + name + "' is there as " + groupInWords(*groups[0]) + " and as " +
                              groupInWords(*group) + ": `dimension` (0 to 3) says which");
+    GroupParts parts;
+    for (const MeshGroup* group : groups) {
+        parts.cells.insert(parts.cells.end(), group->cells.begin(), group->cells.end());
+        parts.vertices.insert(parts.vertices.end(), group->vertices.begin(), group->vertices.end());
+    }
+    return parts;
+}
+
+std::vector<int> groupVertices(const MeshFile& file, const std::string& name, std::optional<int> dimension) {
+    const GroupParts parts = groupParts(file, name, dimension);
     const std::vector<char> own = ownVertices(file);
     std::set<int> vertices;
-    for (const MeshGroup* group : groups) {
-        for (const int c : group->cells)
-            for (const int v : file.cells[c])
-                if (own[static_cast<std::size_t>(v)]) vertices.insert(v);
-        for (const int v : group->vertices)
+    for (const int c : parts.cells)
+        for (const int v : file.cells[c])
             if (own[static_cast<std::size_t>(v)]) vertices.insert(v);
-    }
+    for (const int v : parts.vertices)
+        if (own[static_cast<std::size_t>(v)]) vertices.insert(v);
     if (vertices.empty()) throw InputError("the group '" + name + "' has no vertex that cells have");
     return {vertices.begin(), vertices.end()};
 }

@@ -8,6 +8,13 @@ namespace wend {
 
 struct MeshFile;
 
+/// The cells and vertices of all groups that a file calls by a name, or by a number where nothing has that
+/// name; see groupVertices. Throws InputError that lists the groups of the file.
+struct GroupParts {
+    std::vector<int> cells, vertices;
+};
+GroupParts groupParts(const MeshFile& file, const std::string& name, std::optional<int> dimension);
+
 /// The vertices of what a file calls by a name, or by a number where nothing has that name: of its cells'
 /// triangles and tetrahedra, or of a list. `dimension` is that of the cells, 0 for vertices; without it the
 /// name must be one dimension's only. Throws InputError that lists the groups of the file.

@@ -9,6 +9,7 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/plane_frame.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
@@ -84,6 +85,10 @@ void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWrit
 
 std::string lostInFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options) {
     return formats::lostIn(formats::formatOf(path), mesh, options);
+}
+
+bool holdsPointsAlone(const std::string& path) {
+    return formats::formatOf(path).holdsPointsAlone();
 }
 
 std::vector<MeshFormatFacts> meshFormatFacts() {
@@ -198,14 +203,9 @@ void makeValid(const MeshFile& file, SimplicialMesh<Dim>& mesh) {
 template <>
 SimplicialMesh<2> meshFrom<2>(const MeshFile& file) {
     if (isVolume(file)) throw InputError("holds tetrahedra where a flat triangle mesh is needed");
-    const auto z = file.points.row(2);
-    // constant up to rounding: the file may come from a program that rotated the plane
-    const double slack = 1e-12 * boundingBoxDiagonal<3>(file.points);
-    for (Eigen::Index v = 0; v < z.size(); ++v)
-        if (std::abs(z[v] - z[0]) > slack)
-            throw InputError("the triangles do not lie in a plane z = constant: vertex " + std::to_string(v) +
-                             " is at another height than vertex 0");
-    SimplicialMesh<2> mesh{file.points.topRows<2>(), file.triangles};
+    const auto plane = planeOf(file.points, file.triangles);
+    if (!plane) throw InputError("the triangles do not lie in a plane");
+    SimplicialMesh<2> mesh{plane->toPlane(file.points).topRows<2>(), file.triangles};
     makeValid<2>(file, mesh);
     return mesh;
 }

@@ -7,6 +7,7 @@
 
 #include "core/mesh/cell_list.h"
 #include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_needs.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/mesh_write_options.h"
 
@@ -48,9 +49,6 @@ struct MeshFile {
     /// is written has no vertex without a cell.
     bool made = false;
 };
-
-/// The least content of a file that a reader accepts: triangles or tetrahedra, or points alone.
-enum class MeshNeeds { Cells, Points };
 
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes
 /// back, but the mesh may still be no partition (see requireValid). Throws InputError(path, place and

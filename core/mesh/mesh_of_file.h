@@ -28,6 +28,10 @@ int dimensionOfMesh(const std::string& path);
 /// The extensions that are read and written, lower case, with the dot.
 std::vector<std::string> meshFileExtensions();
 
+/// Returns whether a file of that name may hold vertices without triangles or tetrahedra. Throws InputError
+/// for an unknown format.
+bool holdsPointsAlone(const std::string& path);
+
 /// Returns the result of readMeshFile, shared.
 std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path);
 /// A file of cells that were made here, with their boundary.
@@ -45,8 +49,9 @@ const std::vector<MeshField>& fieldsOf(const MeshFile& file);
 /// Returns whether the file contains tetrahedra.
 bool isVolume(const MeshFile& file);
 
-/// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Where cells are numbered
-/// in both orientations, all become positive. Validated with requireValid, and no two neighbours overlap.
+/// The partition in a file: triangles in a plane, in its coordinates (see planeOf), or tetrahedra (3D). Where
+/// cells are numbered in both orientations, all become positive. Validated with requireValid, and no two
+/// neighbours overlap.
 template <int Dim>
 SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 

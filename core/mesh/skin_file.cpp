@@ -39,7 +39,7 @@ MeshFile madeFile(const Skin& skin) {
 /// The file that the skin comes from with polygons, lines, groups and fields, or what can be said without
 /// one.
 MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
-    MeshFile file = skin.path.empty() ? madeFile(skin) : readMeshFile(skin.path);
+    MeshFile file = skin.path.empty() ? madeFile(skin) : readMeshFile(skin.path, MeshNeeds::Points);
     const Points<3> before = skin.path.empty() ? points : Points<3>(file.points);
     if (before.cols() != points.cols())
         throw InputError(skin.path, "has changed: it has " + std::to_string(before.cols()) +
@@ -59,8 +59,8 @@ MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector
 
 }  // namespace
 
-Skin readSkin(const std::string& path) {
-    const MeshFile file = readMeshFile(path);
+Skin readSkin(const std::string& path, MeshNeeds needs) {
+    const MeshFile file = readMeshFile(path, needs);
     Skin skin;
     skin.path = path;
     skin.points = file.points;
@@ -91,6 +91,7 @@ std::vector<std::string> lookFilesOf(const std::string& path) {
 
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
                const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
+    requireSkinHeldBy(path, skin);
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));
     if (!hasExtension(path, ".obj") || !hasExtension(skin.path, ".obj"))
         return writeMeshFile(path, toMeshFile(skin, points, fields), options);
@@ -100,11 +101,17 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
                                            fs::path(skin.path).parent_path().string(), folder.string()));
 }
 
+void requireSkinHeldBy(const std::string& path, const Skin& skin) {
+    if (!skin.triangles.empty()) return;
+    if (hasExtension(path, ".glb") || !holdsPointsAlone(path))
+        throw InputError(path, "the format cannot hold points and lines without triangles");
+}
+
 /// An OBJ file stays what it is, and .glb is for looking at.
 std::string lostInSkin(const std::string& path, const Skin& skin, const MeshWriteOptions& options) {
     const bool kept = hasExtension(path, ".obj") && hasExtension(skin.path, ".obj");
     if (skin.path.empty() || kept || hasExtension(path, ".glb")) return {};
-    return lostInFile(path, readMeshFile(skin.path), options);
+    return lostInFile(path, readMeshFile(skin.path, MeshNeeds::Points), options);
 }
 
 std::vector<std::string> skinFileExtensions() {

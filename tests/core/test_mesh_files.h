@@ -36,6 +36,8 @@ inline std::vector<Encoding> encodings() {
         {"vtk text", "a.vtk", {}, true, true, true, true, true},
         {"vtk binary", "a.vtk", {Binary, false, false, 4}, true, true, true, true, true},
         {"ucd", "a.avs", {}, true, true, false, true, true},
+        {"vtp text", "a.vtp", {}, false, true, true, true, true},
+        {"vtp compressed appended", "a.vtp", {Compressed, false, true, 4}, false, true, true, true, true},
         {"vtu text", "a.vtu", {}, true, true, true, true, true},
         {"vtu base64", "a.vtu", {Binary, false, false, 4}, true, true, true, true, true},
         {"vtu appended", "a.vtu", {Binary, false, true, 4}, true, true, true, true, true},

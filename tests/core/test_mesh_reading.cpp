@@ -175,6 +175,27 @@ class TestMeshReading : public QObject {
             "1 1 line 10 5\n2 1 tri 10 5 7\n9 1 TRI 10 7 1000000\n");
         add("ucd, quadrilateral", "a.inp",
             "4 1 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n1 0 quad 1 2 3 4\n");
+        const std::string polyData =
+            "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"4\" "
+            "NumberOfVerts=\"1\" NumberOfLines=\"1\" NumberOfStrips=\"%1\" "
+            "NumberOfPolys=\"%2\"><Points><DataArray "
+            "type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 "
+            "0</DataArray></Points>"
+            "<Verts><DataArray type=\"Int32\" Name=\"connectivity\">3</DataArray><DataArray type=\"Int32\" "
+            "Name=\"offsets\">1</DataArray></Verts><Lines><DataArray type=\"Int32\" Name=\"connectivity\">0 "
+            "2 3"
+            "</DataArray><DataArray type=\"Int32\" Name=\"offsets\">3</DataArray></Lines><%3><DataArray "
+            "type=\"Int64\" Name=\"connectivity\">%4</DataArray><DataArray type=\"Int64\" Name=\"offsets\">%5"
+            "</DataArray></%3></Piece></PolyData></VTKFile>";
+        const auto poly = [&](const char* strips, const char* polygons, const char* section,
+                              const char* nodes, const char* offsets) {
+            return QString::fromStdString(polyData)
+                .arg(strips, polygons, section, nodes, offsets)
+                .toStdString();
+        };
+        add("vtp", "a.vtp", poly("0", "2", "Polys", "0 1 2 0 2 3", "3 6"));
+        add("vtp, quadrilateral", "a.vtp", poly("0", "1", "Polys", "0 1 2 3", "4"));
+        add("vtp, strips", "a.vtp", poly("2", "0", "Strips", "0 1 2 0 2 3", "3 6"));
         add("vtu, text", "a.vtu",
             vtu("",
                 "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n0 0 0 1 0 0 1 1 "

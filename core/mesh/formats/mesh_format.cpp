@@ -113,6 +113,9 @@ bool holdsTriangles(CellKind kind) {
 bool holdsAll(CellKind) {
     return true;
 }
+bool holdsPolyData(CellKind kind) {
+    return factsOf(kind).dimension <= 2 && linearKind(kind) == kind;
+}
 bool holdsTetgen(CellKind kind) {
     return kind == CellKind::Triangle || kind == CellKind::Tetrahedron || kind == CellKind::Line;
 }
@@ -148,6 +151,10 @@ const MeshFormat& formatOfContent(const MeshFormat& format, const MeshSource& so
 
 }  // namespace
 
+bool MeshFormat::holdsPointsAlone() const {
+    return holds(CellKind::Vertex) || holds(CellKind::PolyVertex) || print == printPly;
+}
+
 const std::vector<MeshFormat>& meshFormats() {
     using enum GroupsHeld;
     static const std::vector<MeshFormat> formats = {
@@ -172,6 +179,15 @@ const std::vector<MeshFormat>& meshFormats() {
          true},
         {{"OFF", {".off"}, 1, false, false, false, false}, "an ", readOff, printOff, holdsOff},
         {{"STL", {".stl"}, 1, false, false, false, true}, "an ", readStl, printStl, holdsTriangles, Names},
+        {{"VTP (ParaView)", {".vtp"}, 1, false, false, true, true},
+         "a ",
+         readVtp,
+         printVtp,
+         holdsPolyData,
+         Numbers,
+         true,
+         true,
+         true},
         {{"VTU (ParaView)", {".vtu"}, 1, true, false, true, true},
          "a ",
          readVtu,
@@ -244,7 +260,7 @@ MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files
 
 std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options) {
-    requireSound(mesh);
+    requireSound(mesh, format.holdsPointsAlone() ? MeshNeeds::Points : MeshNeeds::Cells);
     requireCarriable(format, mesh);
     return format.print(asHeld(format, bagFor(format, mesh, options)), options);
 }

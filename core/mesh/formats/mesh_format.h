@@ -47,6 +47,8 @@ struct MeshFormat : MeshFormatFacts {
     }
     bool holdsNames(const MeshGroup& group) const { return groups >= GroupsHeld::Names || isList(group); }
     bool holdsNodeGroups(const MeshGroup& group) const { return groups == GroupsHeld::Sets || isList(group); }
+    /// Returns whether a file may have vertices only.
+    bool holdsPointsAlone() const;
 
   private:
     bool isList(const MeshGroup& group) const {
@@ -76,6 +78,7 @@ MeshFile readGmsh(std::span<const MeshSource> files);
 MeshFile readTetgen(std::span<const MeshSource> files);
 MeshFile readVtk(std::span<const MeshSource> files);
 MeshFile readVtu(std::span<const MeshSource> files);
+MeshFile readVtp(std::span<const MeshSource> files);
 MeshFile readUcd(std::span<const MeshSource> files);
 MeshFile readAbaqus(std::span<const MeshSource> files);
 MeshFile readNastran(std::span<const MeshSource> files);
@@ -92,6 +95,7 @@ std::vector<std::string> printGmsh(const MeshFile& mesh, const MeshWriteOptions&
 std::vector<std::string> printTetgen(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printVtk(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printVtu(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printVtp(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printNastran(const MeshFile& mesh, const MeshWriteOptions& options);

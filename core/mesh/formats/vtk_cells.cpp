@@ -69,6 +69,12 @@ void collect(const VtkCells& cells, long vertexCount, int firstVertex, CellList&
     }
 }
 
+int polySectionOf(CellKind kind) {
+    constexpr int kStrips = 2, kPolygons = 3;
+    const int dimension = factsOf(kind).dimension;
+    return dimension < 2 ? dimension : kind == CellKind::TriangleStrip ? kStrips : kPolygons;
+}
+
 VtkCells vtkCellsOf(const CellList& list) {
     VtkCells cells;
     cells.offsets.assign(list.begins.begin(), list.begins.end());

@@ -20,4 +20,19 @@ void collect(const VtkCells& cells, long vertexCount, int firstVertex, CellList&
 
 VtkCells vtkCellsOf(const CellList& list);
 
+/// A section of a .vtp file.
+struct PolySection {
+    const char *name, *count;   // of the element, and of the attribute with the number of its cells
+    int few, one, other, many;  // VTK's types of cells with up to `few` nodes, with `few` + 1, and with more
+
+    int typeOf(std::int64_t nodes) const { return nodes <= few ? one : nodes == few + 1 ? other : many; }
+};
+/// In the order in which their values stand.
+constexpr PolySection kPolySections[] = {{"Verts", "NumberOfVerts", 1, 1, 2, 2},
+                                         {"Lines", "NumberOfLines", 2, 3, 4, 4},
+                                         {"Strips", "NumberOfStrips", 3, 6, 6, 6},
+                                         {"Polys", "NumberOfPolys", 3, 5, 9, 7}};
+/// Returns the number of the section with such cells.
+int polySectionOf(CellKind kind);
+
 }  // namespace wend::formats

@@ -1,5 +1,6 @@
-// VTK's XML unstructured grid: data arrays as text, base64 in place, or appended (base64 or raw), plain or
-// compressed by zlib, LZ4 or LZMA, in one piece or several, which are put one behind the other.
+// VTK's XML unstructured grid and poly data: data arrays as text, base64 in place, or appended (base64 or
+// raw), plain or compressed by zlib, LZ4 or LZMA, in one piece or several, which are put one behind the
+// other.
 
 #include <algorithm>
 #include <optional>
@@ -45,15 +46,17 @@ constexpr std::size_t kExpansion = 400;
 
 class VtuReader {
   public:
-    explicit VtuReader(std::string_view bytes)
-        : m_parts(split(bytes)), m_room(kSmall + kExpansion * bytes.size()) {}
+    VtuReader(std::string_view bytes, bool isPolyData)
+        : m_isPolyData(isPolyData), m_parts(split(bytes)), m_room(kSmall + kExpansion * bytes.size()) {}
 
     MeshFile read() {
         parse();
         const auto root = m_document.child("VTKFile");
-        if (!root) throw InputError("there is no element VTKFile: no .vtu file");
+        if (!root)
+            throw InputError(std::string("there is no element VTKFile: no ") +
+                             (m_isPolyData ? ".vtp" : ".vtu") + " file");
         readEncoding(root);
-        const auto grid = child(root, "UnstructuredGrid");
+        const auto grid = child(root, m_isPolyData ? "PolyData" : "UnstructuredGrid");
         child(grid, "Piece");
         for (const auto piece : grid.children("Piece")) readPiece(piece);
         readFileFields(grid.child("FieldData"));
@@ -98,8 +101,8 @@ class VtuReader {
 
     void readEncoding(pugi::xml_node root) {
         const std::string_view kind = root.attribute("type").value();
-        if (kind != "UnstructuredGrid")
-            fail(root, "it holds " + inQuotes(kind) + " instead of an UnstructuredGrid");
+        const char* const wanted = m_isPolyData ? "PolyData" : "UnstructuredGrid";
+        if (kind != wanted) fail(root, "it holds " + inQuotes(kind) + " instead of " + inQuotes(wanted));
         const std::string_view order = root.attribute("byte_order").as_string("LittleEndian");
         m_encoding.order = order == "BigEndian" ? std::endian::big : std::endian::little;
         const std::string_view header = root.attribute("header_type").as_string("UInt32");
@@ -119,12 +122,13 @@ class VtuReader {
     }
     /// Behind the pieces before it.
     void readPiece(pugi::xml_node piece) {
-        const auto pointCount = attribute(piece, "NumberOfPoints"),
-                   cellCount = attribute(piece, "NumberOfCells");
+        const auto pointCount = attribute(piece, "NumberOfPoints");
         const auto firstPoint = m_file.points.cols();
         readPoints(piece, pointCount);
-        collect(readCells(piece, cellCount), static_cast<long>(pointCount), static_cast<int>(firstPoint),
-                m_file.cells);
+        const VtkCells cells =
+            m_isPolyData ? readPolyCells(piece) : readCells(piece, attribute(piece, "NumberOfCells"));
+        const auto cellCount = static_cast<std::int64_t>(cells.types.size());
+        collect(cells, static_cast<long>(pointCount), static_cast<int>(firstPoint), m_file.cells);
         const bool first = firstPoint == 0 && m_file.fields.empty();
         std::vector<MeshField> fields;
         readFields(piece.child("PointData"), false, pointCount, fields);
@@ -233,6 +237,7 @@ class VtuReader {
     }
 
     void readPoints(pugi::xml_node piece, std::int64_t count) {
+        if (count == 0 && m_isPolyData && !piece.child("Points").child("DataArray")) return;
         const auto array = child(child(piece, "Points"), "DataArray");
         const auto coordinates = reals(array, Count{count, 3});
         const auto first = m_file.points.cols();
@@ -248,6 +253,33 @@ class VtuReader {
         cells.connectivity = integers(namedArray(node, "connectivity"), std::nullopt);
         cells.offsets.insert(cells.offsets.begin(), 0);
         return cells;
+    }
+    /// Vertices, lines, strips and polygons, in the order in which their values stand.
+    VtkCells readPolyCells(pugi::xml_node piece) {
+        VtkCells all;
+        all.offsets.push_back(0);
+        for (const PolySection& section : kPolySections) {
+            if (!piece.attribute(section.count)) continue;
+            const auto count = attribute(piece, section.count);
+            if (count > 0) addPolyCells(child(piece, section.name), count, section, all);
+        }
+        return all;
+    }
+    void addPolyCells(pugi::xml_node node, std::int64_t count, const PolySection& section, VtkCells& all) {
+        const auto offsets = integers(namedArray(node, "offsets"), Count{count, 1});
+        const auto connectivity = integers(namedArray(node, "connectivity"), std::nullopt);
+        const auto first = static_cast<std::int64_t>(all.connectivity.size());
+        std::int64_t before = 0;
+        for (const std::int64_t end : offsets) {
+            if (end < before || end > static_cast<std::int64_t>(connectivity.size()))
+                fail(node, "an offset is outside the connectivity");
+            all.types.push_back(section.typeOf(end - before));
+            all.offsets.push_back(first + end);
+            before = end;
+        }
+        if (before != static_cast<std::int64_t>(connectivity.size()))
+            fail(node, "the offsets end before the connectivity does");
+        all.connectivity.insert(all.connectivity.end(), connectivity.begin(), connectivity.end());
     }
     void readFields(pugi::xml_node data, bool perCell, std::int64_t tuples, std::vector<MeshField>& fields) {
         const std::string_view texture = data.attribute("TCoords").value();
@@ -280,6 +312,7 @@ class VtuReader {
         return static_cast<int>(components);
     }
 
+    const bool m_isPolyData;  // a .vtp file
     Split m_parts;
     std::size_t m_room;  // bytes that binary arrays may still take as numbers
     pugi::xml_document m_document;
@@ -291,7 +324,11 @@ class VtuReader {
 }  // namespace
 
 MeshFile readVtu(std::span<const MeshSource> files) {
-    return VtuReader(files[0].bytes).read();
+    return VtuReader(files[0].bytes, false).read();
+}
+
+MeshFile readVtp(std::span<const MeshSource> files) {
+    return VtuReader(files[0].bytes, true).read();
 }
 
 }  // namespace wend::formats

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <numeric>
+
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_writer.h"
 #include "core/mesh/formats/vtk_cells.h"
@@ -18,6 +21,35 @@ std::string asXml(const std::string& text) {
     return result;
 }
 
+/// The bag with its cells in another order: the new cell i is the old order[i].
+MeshFile inOrder(const MeshFile& mesh, const std::vector<int>& order) {
+    MeshFile bag = mesh;
+    bag.cells = {};
+    std::vector<int> newNumber(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        newNumber[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+        bag.cells.add(mesh.cells.kinds[static_cast<std::size_t>(order[i])], mesh.cells[order[i]]);
+    }
+    for (std::size_t f = 0; f < bag.fields.size(); ++f) {
+        const MeshField& field = mesh.fields[f];
+        if (!field.perCell) continue;
+        const auto width = static_cast<std::ptrdiff_t>(field.components);
+        bag.fields[f].ofCells.clear();
+        for (const int c : order) {
+            const auto first = field.ofCells.begin() + c * width;
+            bag.fields[f].ofCells.insert(bag.fields[f].ofCells.end(), first, first + width);
+        }
+    }
+    for (MeshGroup& group : bag.groups) {
+        for (int& c : group.cells) c = newNumber[static_cast<std::size_t>(c)];
+        std::ranges::sort(group.cells);
+    }
+    for (std::vector<int>* cellOf : {&bag.cellOfTriangle, &bag.cellOfTetrahedron})
+        for (int& c : *cellOf)
+            if (c >= 0) c = newNumber[static_cast<std::size_t>(c)];
+    return bag;
+}
+
 class VtuPrinter {
   public:
     VtuPrinter(const MeshFile& mesh, const MeshWriteOptions& options)
@@ -34,35 +66,70 @@ class VtuPrinter {
 
     std::string print() {
         const auto cells = vtkCellsOf(m_mesh.cells);
-        open(cells.types.size());
-        m_out << "<Points>\n";
-        array("Points", 3, std::span(m_mesh.points.data(), static_cast<std::size_t>(m_mesh.points.size())));
-        m_out << "</Points>\n<Cells>\n";
+        open("UnstructuredGrid", " NumberOfCells=\"" + std::to_string(cells.types.size()) + "\"");
+        printPoints();
+        m_out << "<Cells>\n";
         array<std::int64_t>("connectivity", 1, cells.connectivity);
         array<std::int64_t>("offsets", 1, std::span<const std::int64_t>(cells.offsets).subspan(1));
         array<std::int64_t>("types", 1, cells.types);
         m_out << "</Cells>\n";
         data(false);
         data(true);
-        close();
+        close("UnstructuredGrid");
+        return std::move(m_out.text());
+    }
+    /// Of cells in the order of their sections.
+    std::string printPolyData() {
+        std::string counts;
+        for (std::size_t k = 0; k < std::size(kPolySections); ++k)
+            counts += std::string(" ") + kPolySections[k].count + "=\"" +
+                      std::to_string(polyCells(k).offsets.size()) + "\"";
+        open("PolyData", counts);
+        printPoints();
+        for (std::size_t k = 0; k < std::size(kPolySections); ++k) {
+            const VtkCells cells = polyCells(k);
+            m_out << "<" << kPolySections[k].name << ">\n";
+            array<std::int64_t>("connectivity", 1, cells.connectivity);
+            array<std::int64_t>("offsets", 1, cells.offsets);
+            m_out << "</" << kPolySections[k].name << ">\n";
+        }
+        data(false);
+        data(true);
+        close("PolyData");
         return std::move(m_out.text());
     }
 
   private:
-    void open(std::size_t cellCount) {
+    /// Those of one section; the offsets are the ends of the cells.
+    VtkCells polyCells(std::size_t section) const {
+        VtkCells cells;
+        for (int c = 0; c < m_mesh.cells.size(); ++c) {
+            const CellKind kind = m_mesh.cells.kinds[static_cast<std::size_t>(c)];
+            if (polySectionOf(kind) != static_cast<int>(section)) continue;
+            const auto nodes = m_mesh.cells[c];
+            cells.connectivity.insert(cells.connectivity.end(), nodes.begin(), nodes.end());
+            cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+        }
+        return cells;
+    }
+    void printPoints() {
+        m_out << "<Points>\n";
+        array("Points", 3, std::span(m_mesh.points.data(), static_cast<std::size_t>(m_mesh.points.size())));
+        m_out << "</Points>\n";
+    }
+    void open(const std::string& grid, const std::string& counts) {
         const bool little = m_encoding.order == std::endian::little;
-        m_out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
+        m_out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << grid << "\" version=\"1.0\" byte_order=\""
               << (little ? "LittleEndian" : "BigEndian") << "\" header_type=\"UInt64\""
               << (m_encoding.compressor == VtuEncoding::Compressor::Zlib
                       ? " compressor=\"vtkZLibDataCompressor\""
                       : "")
-              << ">\n<UnstructuredGrid>\n";
+              << ">\n<" << grid << ">\n";
         printFileFields();
-        m_out << "<Piece NumberOfPoints=\"" << m_mesh.points.cols() << "\" NumberOfCells=\"" << cellCount
-              << "\">\n";
+        m_out << "<Piece NumberOfPoints=\"" << m_mesh.points.cols() << '"' << counts << ">\n";
     }
-    void close() {
-        m_out << "</Piece>\n</UnstructuredGrid>\n";
+    void close(const std::string& grid) {
+        m_out << "</Piece>\n</" << grid << ">\n";
         if (m_appended) m_out << "<AppendedData encoding=\"raw\">\n_" << m_data << "\n</AppendedData>\n";
         m_out << "</VTKFile>\n";
     }
@@ -142,6 +209,17 @@ class VtuPrinter {
 
 std::vector<std::string> printVtu(const MeshFile& mesh, const MeshWriteOptions& options) {
     return {VtuPrinter(mesh, options).print()};
+}
+
+std::vector<std::string> printVtp(const MeshFile& mesh, const MeshWriteOptions& options) {
+    std::vector<int> order(static_cast<std::size_t>(mesh.cells.size()));
+    std::iota(order.begin(), order.end(), 0);
+    const auto section = [&mesh](int c) {
+        return polySectionOf(mesh.cells.kinds[static_cast<std::size_t>(c)]);
+    };
+    if (std::ranges::is_sorted(order, {}, section)) return {VtuPrinter(mesh, options).printPolyData()};
+    std::ranges::stable_sort(order, {}, section);
+    return {VtuPrinter(inOrder(mesh, order), options).printPolyData()};
 }
 
 }  // namespace wend::formats

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+struct MeshFile;
+
+/// Returns the mean unit normal of a group: Σ A_f n_f, normalized, over its facets f of measure A_f and
+/// normal n_f. The facets are the group's triangles (in the plane its lines), or for a list of vertices those
+/// of the boundary between them. Normals point out of the mesh where it is on one side of the facet only, and
+/// otherwise as the file orders the vertices; those of a closed surface always point out of it. Throws
+/// InputError if the group has no facet, or if its normals cancel out.
+template <int Dim>
+Vec<Dim> groupNormal(const MeshFile& file, const std::string& name);
+
+}  // namespace wend

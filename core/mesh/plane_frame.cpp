@@ -1,0 +1,77 @@
+#include "core/mesh/plane_frame.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/mesh/decompositions.h"
+
+namespace wend {
+namespace {
+
+constexpr double kFlat = 1e-6;  // of the diagonal
+
+/// The vertices that triangles have.
+Points<3> usedPoints(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles) {
+    std::vector<char> isUsed(static_cast<std::size_t>(points.cols()), 0);
+    for (const auto& t : triangles)
+        for (const int v : t) isUsed[static_cast<std::size_t>(v)] = 1;
+    std::vector<int> used;
+    for (int v = 0; v < points.cols(); ++v)
+        if (isUsed[static_cast<std::size_t>(v)]) used.push_back(v);
+    return points(Eigen::all, used);
+}
+
+/// Across the coordinate axis k: the other two, in their order.
+PlaneFrame frameAcross(int k) {
+    PlaneFrame frame;
+    frame.axes.setZero();
+    int column = 0;
+    for (int axis = 0; axis < 3; ++axis) frame.axes(axis, axis == k ? 2 : column++) = 1;
+    return frame;
+}
+
+/// Across a unit vector.
+PlaneFrame frameAcross(const Vec<3>& normal) {
+    int largest = 0;
+    normal.cwiseAbs().maxCoeff(&largest);
+    const Vec<3> n = normal[largest] < 0 ? Vec<3>(-normal) : normal;
+    const Vec<3> along = std::abs(n.x()) < 0.9 ? Vec<3>::UnitX() : Vec<3>::UnitY();
+    PlaneFrame frame;
+    frame.axes.col(0) = (along - n.dot(along) * n).normalized();
+    frame.axes.col(1) = n.cross(frame.axes.col(0));
+    frame.axes.col(2) = n;
+    return frame;
+}
+
+}  // namespace
+
+Points<3> PlaneFrame::moved(const Points<3>& points, const Points<2>& moved) const {
+    Points<3> result = points;
+    for (int k = 0; k < 2; ++k) {
+        int axis = 0;
+        if (axes.col(k).cwiseAbs().maxCoeff(&axis) == 1)
+            result.row(axis) = moved.row(k);
+        else
+            result += axes.col(k) * (moved.row(k) - axes.col(k).transpose() * points);
+    }
+    return result;
+}
+
+std::optional<PlaneFrame> planeOf(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles) {
+    if (triangles.empty()) return std::nullopt;
+    const Points<3> used = usedPoints(points, triangles);
+    const Vec<3> spread = used.rowwise().maxCoeff() - used.rowwise().minCoeff();
+    const double tolerance = kFlat * spread.stableNorm();
+    for (const int k : {2, 1, 0})
+        if (spread[k] <= tolerance) return frameAcross(k);
+    const Points<3> centred = used.colwise() - Vec<3>(used.rowwise().mean());
+    const double scale = spread.maxCoeff();
+    if (!std::isfinite(scale)) return std::nullopt;
+    const Points<3> unit = centred / scale;
+    const PlaneFrame frame = frameAcross(Vec<3>(principalAxes<3>(unit * unit.transpose()).axes.col(0)));
+    const auto heights = (frame.axes.col(2).transpose() * centred).eval();
+    if (heights.maxCoeff() - heights.minCoeff() > tolerance) return std::nullopt;
+    return frame;
+}
+
+}  // namespace wend
