@@ -245,7 +245,7 @@ void readHold(const JsonValue& value, Handle<Dim>& handle) {
     } else {
         JsonObject object(value);
         if (object.oneOf({"normal", "slide"}) == "normal") {
-            handle.normal = readDirection<Dim>(object.require("normal"));
+            handle.normal = readNamedDirection<Dim>(object.require("normal"));
         } else {
             const JsonValue slide = object.require("slide");
             handle.slide = Slide<Dim>{slide.text() == kRestSurface ? "" : slide.text(), nullptr};
@@ -291,7 +291,7 @@ template <int Dim>
 Rotate<Dim> readRotate(JsonObject& object) {
     Rotate<Dim> rotate;
     rotate.centre = object.require("centre").template point<Dim>();
-    if (Dim == 3) rotate.axis = readDirection<Dim>(object.require("axis"));
+    if (Dim == 3) rotate.axis = readNamedDirection<Dim>(object.require("axis"));
     if (Dim == 2 && object.has("axis"))
         object.require("axis").fail("is for rotations in 3D; in 2D they are about the centre");
     rotate.angle = object.require("angle").number();

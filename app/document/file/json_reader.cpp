@@ -75,6 +75,10 @@ void JsonValue::keepUnknown(const std::string& key, const std::string& near) con
     m_warnings->push_back(member(key).path() + ": is not known to this version; it is ignored and kept");
 }
 
+void JsonValue::keepName(const Json& name) const {
+    m_extras->emplace_back(m_pointer, name.dump());
+}
+
 std::string JsonValue::text() const {
     if (!m_json->is_string()) fail("must be a text, not " + kindOf(*m_json));
     return m_json->get<std::string>();

@@ -34,6 +34,9 @@ class JsonValue {
     /// Keeps a key that is not known and warns about it. `near`: the known key that it resembles, if any.
     void keepUnknown(const std::string& key, const std::string& near = {}) const;
 
+    /// Keeps what the value stands for, as JSON, in the place of a value that is found later.
+    void keepName(const Json& name) const;
+
     std::string text() const;
     bool boolean() const;
     double number() const;

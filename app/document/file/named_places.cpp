@@ -11,6 +11,7 @@
 #include "app/document/file/text_file.h"
 #include "app/document/project.h"
 #include "core/mesh/error.h"
+#include "core/mesh/group_normal.h"
 #include "core/mesh/group_vertices.h"
 #include "core/mesh/mesh_of_file.h"
 
@@ -19,11 +20,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kPlace = "/at";
+constexpr const char *kPlace = "/at", *kAxis = "/axis", *kHeld = "/hold/normal";
+constexpr std::string_view kNormalOf = "normal of ";
 
-std::string* namedPlace(Extras& extras) {
+std::string* nameAt(Extras& extras, std::string_view at) {
     for (auto& [pointer, text] : extras)
-        if (pointer == kPlace) return &text;
+        if (pointer == at) return &text;
     return nullptr;
 }
 
@@ -84,6 +86,15 @@ class PlaceFinder {
         return vertices;
     }
 
+    /// The mean normal of a group.
+    template <int Dim>
+    std::optional<Vec<Dim>> normalOf(const std::string& group) {
+        if (m_domain.kind == DomainKind::Image)
+            throw InputError("normals of groups are for meshes and surfaces: a picture has no groups");
+        if (!m_file && !readMesh()) return std::nullopt;
+        return groupNormal<Dim>(*m_file, group);
+    }
+
   private:
     bool readMesh() {
         try {
@@ -109,18 +120,52 @@ Json asJson(const Placement<Dim>& place) {
 }
 
 template <int Dim>
+Json directionJson(const Vec<Dim>& p) {
+    return std::vector<double>(p.begin(), p.end());
+}
+
+/// Of a direction whose name is in the extras.
+template <int Dim>
+void findDirection(Extras& extras, const char* pointer, PlaceFinder& finder, Vec<Dim>& direction) {
+    std::string* text = nameAt(extras, pointer);
+    if (!text) return;
+    Json named = Json::parse(*text);
+    const auto normal = finder.normalOf<Dim>(named["name"].get<std::string>().substr(kNormalOf.size()));
+    if (normal) direction = *normal;
+    named["as"] = directionJson<Dim>(direction);
+    *text = named.dump();
+}
+
+template <int Dim>
+void findDirections(Handle<Dim>& handle, const std::string& where, PlaceFinder& finder) {
+    std::string key = "hold.normal";
+    try {
+        if (handle.normal) findDirection<Dim>(handle.extras, kHeld, finder, *handle.normal);
+        for (std::size_t m = 0; m < handle.motions.size(); ++m) {
+            key = "motion[" + std::to_string(m) + "].axis";
+            if (auto* rotate = std::get_if<Rotate<Dim>>(&handle.motions[m].kind))
+                findDirection<Dim>(handle.motions[m].extras, kAxis, finder, rotate->axis);
+        }
+    } catch (const InputError& error) {
+        throw InputError(where + "." + key + ": " + error.reason());
+    }
+}
+
+template <int Dim>
 void findPlaces(Project& project, const std::string& folder) {
     PlaceFinder finder(project.domain, folder);
     auto& handles = designOf<Dim>(project).handles;
     for (std::size_t h = 0; h < handles.size(); ++h) {
-        std::string* text = namedPlace(handles[h].extras);
+        const std::string where = "handles[" + std::to_string(h) + "]";
+        findDirections<Dim>(handles[h], where, finder);
+        std::string* text = nameAt(handles[h].extras, kPlace);
         if (!text) continue;
         Json named = Json::parse(*text);
         try {
             if (const auto place = finder.find<Dim>(named["name"])) handles[h].at = *place;
         } catch (const InputError& error) {
-            const std::string where = "handles[" + std::to_string(h) + "].at: ";
-            throw InputError(where + (error.file().empty() ? "" : error.file() + ": ") + error.reason());
+            throw InputError(where + ".at: " + (error.file().empty() ? "" : error.file() + ": ") +
+                             error.reason());
         }
         named["as"] = asJson<Dim>(handles[h].at);
         *text = named.dump();
@@ -128,6 +173,44 @@ void findPlaces(Project& project, const std::string& folder) {
 }
 
 }  // namespace
+
+template <int Dim>
+Vec<Dim> readNamedDirection(const JsonValue& value) {
+    if (value.json().is_string()) {
+        const std::string name = value.text();
+        if (!name.starts_with(kNormalOf) || name.size() == kNormalOf.size())
+            value.fail("must be a direction, such as " + std::string(Dim == 2 ? "[0, 1]" : "[0, 0, 1]") +
+                       ", or \"normal of GROUP\"");
+        value.keepName({{"name", name}});
+        return Vec<Dim>::Zero();
+    }
+    const Vec<Dim> direction = value.point<Dim>();
+    if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
+    return direction;
+}
+
+template Vec<2> readNamedDirection<2>(const JsonValue&);
+template Vec<3> readNamedDirection<3>(const JsonValue&);
+
+void putNamedDirection(Json& json, const Extras& extras, const std::string& pointer) {
+    const Json::json_pointer place(pointer);
+    if (!json.contains(place)) return;
+    for (const auto& [at, text] : extras) {
+        if (at != pointer) continue;
+        const Json named = Json::parse(text);
+        if (named.is_object() && named.contains("as") && named["as"] == json[place])
+            json[place] = named["name"];
+    }
+}
+
+Extras withoutNames(Extras extras) {
+    std::erase_if(extras, [](const auto& extra) {
+        if (extra.first == kPlace || extra.first == kHeld) return true;
+        const Json value = extra.first == kAxis ? Json::parse(extra.second) : Json();
+        return value.is_object() && value.contains("name");  // and no unknown key of that name
+    });
+    return extras;
+}
 
 bool readNamedPlace(JsonObject& at, Extras& extras) {
     Json name;
@@ -164,7 +247,7 @@ std::optional<Json> nameOfPlace(const Extras& extras, const Json& place) {
 }
 
 void rebaseNamedPlaces(Extras& extras, const std::function<std::string(const std::string&)>& rebased) {
-    std::string* text = namedPlace(extras);
+    std::string* text = nameAt(extras, kPlace);
     if (!text) return;
     Json named = Json::parse(*text);
     if (!named["name"].contains("vertices")) return;

@@ -13,12 +13,24 @@ namespace wend {
 // FILE}, a list of vertex ids. What it names is looked up when the project is read; the name is kept with the
 // handle's extras under "/at", with what it stood for, and is written again while the handle is still there.
 
+// So may directions of a handle be: "normal of GROUP" for an axis of rotation or a direction that is held.
+// Their names are kept under "/hold/normal", and with the motion's extras under "/axis".
+
+/// A direction, or one that is named and found with findNamedPlaces; it is zero until then.
+template <int Dim>
+Vec<Dim> readNamedDirection(const JsonValue& value);
+
 /// Takes the name from the object "at", if it is one; the vertices follow with findNamedPlaces.
 bool readNamedPlace(JsonObject& at, Extras& extras);
 
-/// Finds the vertices of all handles whose place is named. A mesh that cannot be read is left to who needs
-/// it. Throws InputError "handles[2].at: …".
+/// Finds the vertices of all handles whose place is named, and directions that are. A mesh that cannot be
+/// read is left to who needs it. Throws InputError "handles[2].at: …".
 void findNamedPlaces(Project& project, const std::string& folder);
+
+/// Puts the name of a direction into its place in `json` if it stands for that value still.
+void putNamedDirection(nlohmann::ordered_json& json, const Extras& extras, const std::string& pointer);
+/// The extras without names.
+Extras withoutNames(Extras extras);
 
 /// The name of a handle's place if it stands for `place` still, both as JSON.
 std::optional<nlohmann::ordered_json> nameOfPlace(const Extras& extras, const nlohmann::ordered_json& place);

@@ -276,7 +276,8 @@ Json motionJson(const Motion<Dim>& motion) {
     if (!hasTimesOfPoses(motion))
         json["time"] = Json::array({numberJson(motion.start), numberJson(motion.end)});
     if (motion.ease != Ease::Linear) json["ease"] = wordOf("handles[].motion[].ease", motion.ease);
-    return withExtras(std::move(json), motion.extras);
+    putNamedDirection(json, motion.extras, "/axis");
+    return withExtras(std::move(json), withoutNames(motion.extras));
 }
 
 /// An end that is open is null.
@@ -321,9 +322,8 @@ Json handleJson(const Handle<Dim>& handle) {
     for (const auto& motion : handle.motions) json["motion"].push_back(motionJson(motion));
     if (handle.isPartlyHeld()) json["hold"] = holdJson(handle);
     addTraits(json, handle.traits);
-    Extras unknown = handle.extras;  // without the name of the place
-    std::erase_if(unknown, [](const auto& extra) { return extra.first == "/at"; });
-    return withExtras(std::move(json), unknown);
+    putNamedDirection(json, handle.extras, "/hold/normal");
+    return withExtras(std::move(json), withoutNames(handle.extras));
 }
 
 template <int Dim>

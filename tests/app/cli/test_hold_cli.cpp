@@ -6,9 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "app/document/design.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/project.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
 
@@ -104,6 +106,11 @@ class TestHoldCli : public QObject {
     void runsGoOn();
     void surfacesThatAreRefused_data();
     void surfacesThatAreRefused();
+    void normalsOfGroups_data();
+    void normalsOfGroups();
+    void normalsOfLines();
+    void groupsWithoutNormal_data();
+    void groupsWithoutNormal();
     void savedAsRead();
     void bad_data();
     void bad();
@@ -502,6 +509,128 @@ void TestHoldCli::surfacesThatAreRefused() {
     const CliResult result = run({"run", "refused.wend", "--mesh", "refused.vtu"});
     QCOMPARE(result.code, 3);
     QVERIFY2(result.error.count('\n') == 1 && result.error.contains(message), qPrintable(result.error));
+}
+
+namespace {
+
+/// The bar, turned, with the groups "top" (z = 6), "roof" (z = 6 and x = 2) and "all" (the whole boundary).
+void writeGroupedBar(const std::string& path, const SimplicialMesh<3>& bar, const Eigen::Matrix3d& R) {
+    MeshFile file = toMeshFile<3>(bar);
+    std::vector<int> top, roof, all;
+    for (const Cell<3>& cell : bar.cells) file.cells.add(CellKind::Tetrahedron, cell);
+    for (int c = 0; c < bar.cellCount(); ++c) file.cellOfTetrahedron.push_back(c);
+    for (const auto& facet : facetsOf(bar)) {
+        if (facet.interior()) continue;
+        auto vertices = facet.vertices;
+        const int number = file.cells.size();
+        const auto lies = [&](int axis, double at) {
+            return std::ranges::all_of(vertices, [&](int v) { return bar.points(axis, v) == at; });
+        };
+        if (lies(2, 6)) top.push_back(number), roof.push_back(number);
+        if (lies(0, 2)) roof.push_back(number);
+        all.push_back(number);
+        if (number % 2 == 0) std::swap(vertices[0], vertices[1]);  // the file's order says nothing
+        file.cells.add(CellKind::Triangle, vertices);
+        file.triangles.push_back(vertices);
+        file.cellOfTriangle.push_back(number);
+    }
+    file.groups = {{"top", 2, 1, top, {}}, {"roof", 2, 2, roof, {}}, {"all", 2, 3, all, {}}};
+    file.points = R * file.points;
+    writeMeshFile(path, file);
+}
+
+std::string listed(const Vec<3>& p) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(17);
+    out << '[' << p.x() << ", " << p.y() << ", " << p.z() << ']';
+    return out.str();
+}
+
+}  // namespace
+
+void TestHoldCli::normalsOfGroups_data() {
+    QTest::addColumn<QString>("group");
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("z");
+    QTest::newRow("one face") << "top" << 0.0 << 1.0;
+    QTest::newRow("two faces, by area") << "roof" << 12.0 << 4.0;
+}
+
+/// The same as with the normal in numbers, for a rotation and for what is held.
+void TestHoldCli::normalsOfGroups() {
+    QFETCH(QString, group);
+    QFETCH(double, x);
+    QFETCH(double, z);
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.9, Vec<3>(1, 2, -1).normalized()).toRotationMatrix();
+    writeGroupedBar(file("grouped.msh"), m_bar, R);
+    const Vec<3> normal = R * Vec<3>(x, 0, z).normalized();
+    const auto handles = [&](const std::string& direction) {
+        return "{'at': {'vertices': [0, 1, 3, 4]}}, {'at': {'group': 'top'}, 'hold': {'normal': " +
+               direction + "}, 'motion': [{'kind': 'translate', 'by': " + listed(R * Vec<3>(0.3, 0, 0.5)) +
+               "}]}, {'at': {'vertices': [27]}, 'motion': [{'kind': 'rotate', 'centre': " +
+               listed(R * Vec<3>(1, 1, 3)) + ", 'axis': " + direction + ", 'angle': 0.4}]}";
+    };
+    const Points<3> named = bent("grouped.msh", handles("'normal of " + group.toStdString() + "'")),
+                    expected = bent("grouped.msh", handles(listed(normal)));
+    QVERIFY((named - expected).cwiseAbs().maxCoeff() < 1e-9);
+    QVERIFY((named - R * m_bar.points).cwiseAbs().maxCoeff() > 1e-3);
+    // The name is saved as it was read.
+    const std::string saved = file("named.wend");
+    putProject(path(), "bend.wend",
+               "'domain': {'mesh': 'grouped.msh'}, 'handles': [" +
+                   handles("'normal of " + group.toStdString() + "'") + "]");
+    writeProject(saved, *readProject(file("bend.wend")).project);
+    const std::string text = readTextFile(saved), name = "\"normal of " + group.toStdString() + "\"";
+    QVERIFY2(text.find("\"normal\": " + name) != std::string::npos, text.c_str());
+    QVERIFY2(text.find("\"axis\": " + name) != std::string::npos, text.c_str());
+}
+
+/// Lines of a flat mesh: of the right end of a strip, turned by 0.3.
+void TestHoldCli::normalsOfLines() {
+    const SimplicialMesh<2> strip = stripMesh(10, 2);
+    MeshFile mesh = toMeshFile<2>(strip);
+    for (const Cell<2>& cell : strip.cells) mesh.cells.add(CellKind::Triangle, cell);
+    for (int c = 0; c < strip.cellCount(); ++c) mesh.cellOfTriangle.push_back(c);
+    MeshGroup end{"end", 1, 1, {}, {}};
+    for (const std::array<int, 2> line : {std::array{10, 21}, std::array{32, 21}}) {
+        end.cells.push_back(mesh.cells.size());
+        mesh.cells.add(CellKind::Line, line);
+    }
+    mesh.groups = {end};
+    mesh.points.topRows<2>() = Eigen::Rotation2Dd(0.3).toRotationMatrix() * mesh.points.topRows<2>();
+    writeMeshFile(file("strip.msh"), mesh);
+    putProject(path(), "strip.wend",
+               "'domain': {'mesh': 'strip.msh'}, 'handles': [{'at': {'group': 'end'}, 'hold': {'normal': "
+               "'normal of end'}}]");
+    const auto project = readProject(file("strip.wend")).project;
+    const Vec<2> normal = *designOf<2>(*project).handles.at(0).normal;
+    QVERIFY((normal - Vec<2>(std::cos(0.3), std::sin(0.3))).norm() < 1e-14);
+}
+
+void TestHoldCli::groupsWithoutNormal_data() {
+    QTest::addColumn<QString>("axis");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("closed") << "normal of all"
+                            << "handles[0].motion[0].axis: the normals of the group 'all' cancel out";
+    QTest::newRow("unknown") << "normal of tip"
+                             << "handles[0].motion[0].axis: there is no group 'tip' in the file; it has";
+    QTest::newRow("a word")
+        << "top"
+        << "handles[0].motion[0].axis: must be a direction, such as [0, 0, 1], or \"normal of GROUP\"";
+}
+
+void TestHoldCli::groupsWithoutNormal() {
+    QFETCH(QString, axis);
+    QFETCH(QString, message);
+    writeGroupedBar(file("grouped.msh"), m_bar, Eigen::Matrix3d::Identity());
+    putProject(path(), "bad.wend",
+               "'domain': {'mesh': 'grouped.msh'}, 'handles': [{'at': {'group': 'top'}, 'motion': [{'kind': "
+               "'rotate', 'centre': [0, 0, 0], 'axis': '" +
+                   axis.toStdString() + "', 'angle': 1}]}]");
+    const CliResult result = run({"run", "bad.wend", "--mesh", "out.vtu"});
+    QCOMPARE(result.code, 3);
+    QVERIFY2(result.error.contains(message), qPrintable(result.error));
 }
 
 void TestHoldCli::savedAsRead() {
