@@ -63,7 +63,7 @@ void check(const Option& option, const std::string& value) {
     const bool isNumber = option.kind == OptionKind::Number || option.kind == OptionKind::Integer ||
                           (option.kind == OptionKind::Unbounded && !isChoice(option, value));
     if (isNumber) checkNumber(option, value);
-    const bool isFile = option.kind == OptionKind::File || option.kind == OptionKind::Output;
+    const bool isFile = option.kind == OptionKind::File || isRepeatable(option.kind);
     if (isFile && value.empty()) throw UsageError(flag + ": names no file");
 }
 
@@ -73,6 +73,7 @@ std::string valueName(const Option& option) {
     if (const std::string form = formBesideChoices(option); !form.empty())
         return " " + std::string(option.choices) + "|" + (option.kind == OptionKind::Unbounded ? "X" : form);
     if (option.kind == OptionKind::Integer) return " N";
+    if (option.kind == OptionKind::FilePair) return " IN OUT";
     return option.kind == OptionKind::File || option.kind == OptionKind::Output ? " FILE" : " X";
 }
 
@@ -108,7 +109,7 @@ void Arguments::take(const std::string& flag, const std::optional<std::string>& 
                      const std::vector<std::string>& words, std::size_t& at) {
     const Option* option = findFlag(flag, m_command);
     if (!option) throw UsageError("`wend " + m_command + "` has no option " + flag);
-    if (has(flag) && option->kind != OptionKind::Output) throw UsageError(flag + " is given twice");
+    if (has(flag) && !isRepeatable(option->kind)) throw UsageError(flag + " is given twice");
     if (option->kind == OptionKind::Flag) {
         if (attached) throw UsageError(flag + " takes no value");
         m_values.set(flag, "");
@@ -118,6 +119,10 @@ void Arguments::take(const std::string& flag, const std::optional<std::string>& 
     const std::string value = attached ? *attached : words[++at];
     check(*option, value);
     m_values.add(flag, value);
+    if (option->kind != OptionKind::FilePair) return;
+    if (at + 1 == words.size()) throw UsageError(flag + " needs two files, IN and OUT");
+    check(*option, words[++at]);
+    m_values.add(flag, words[at]);
 }
 
 double Arguments::phi(const std::string& flag, int dim) const {

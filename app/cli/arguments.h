@@ -27,7 +27,7 @@ class Arguments {
     const OptionValues& values() const { return m_values; }
     bool has(const std::string& flag) const { return m_values.has(flag); }
     std::string text(const std::string& flag) const { return m_values.text(flag); }
-    /// Returns the values of an option that may be repeated, in their order.
+    /// Returns the values of an option that may be repeated, in their order; of pairs both.
     std::vector<std::string> texts(const std::string& flag) const { return m_values.texts(flag); }
     double number(const std::string& flag) const { return m_values.number(flag); }
     int integer(const std::string& flag) const { return m_values.integer(flag); }

@@ -11,6 +11,7 @@
 #include "app/document/file/named_files.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/project.h"
+#include "app/session/run/output_set.h"
 #include "app/session/run/overwriting.h"
 #include "app/session/run/run_options.h"
 #include "app/session/shape/material_picture.h"
@@ -36,6 +37,8 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     outputs.states = arguments.texts("--states");
     outputs.material = {arguments.texts("--phi-picture"), arguments.texts("--stiffness-picture"),
                         arguments.texts("--direction-picture")};
+    const std::vector<std::string> pairs = arguments.texts("--points");
+    for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) outputs.points.push_back({pairs[k], pairs[k + 1]});
     outputs.count = arguments.integer("--count");
     outputs.framesPerSecond = arguments.number("--fps");
     for (const char* flag : {"--states", "--frames"})
@@ -43,10 +46,18 @@ RunOutputs outputsFrom(const Arguments& arguments) {
             throw UsageError(std::string(flag) + " cannot go to standard output (-)");
     if (std::ranges::count(outputs.singleFiles(), "-") > 1)
         throw UsageError("only one output can go to standard output (-)");
+    if (arguments.has("--inverse") && outputs.points.empty()) throw UsageError("--inverse is for --points");
     if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
     if (arguments.has("--fps") && std::ranges::none_of(outputs.frames, isAnimation))
         throw UsageError("--fps is for --frames with a film: a .webp or .glb without ####");
     return outputs;
+}
+
+/// Standard input is read once.
+void requireOneStandardInput(const std::string& project, const RunOutputs& outputs) {
+    const auto points = std::ranges::count(outputs.points, "-", &PointsOutput::in);
+    if (points + (project == "-" ? 1 : 0) > 1)
+        throw UsageError("only one input can come from standard input (-)");
 }
 
 /// "3/8".
@@ -78,6 +89,7 @@ RunOptions optionsFrom(const Arguments& arguments) {
     options.outputs = outputsFrom(arguments);
     options.at = arguments.given("--at");
     options.from = arguments.text("--from");
+    options.inverse = arguments.has("--inverse");
     if (arguments.has("--shard")) {
         options.shard = shardFrom(arguments.text("--shard"));
         requireShardOfFrames(options);
@@ -143,6 +155,9 @@ ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chr
             return sameFile(options.from, file);
         }))
         inputs.push_back({OwnFile::States, options.from});
+    for (const PointsOutput& one : options.outputs.points)
+        for (const std::string& file : writtenAlong(one.in)) inputs.push_back({OwnFile::Points, file});
+    requireOneStandardInput(path, options.outputs);
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
     if (!options.outputs.any()) notices.push_back("no output was asked for; nothing will be written");

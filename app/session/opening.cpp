@@ -17,6 +17,7 @@
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
+#include "core/mesh/plane_frame.h"
 #include "core/mesh/segments.h"
 #include "warp/convert.h"
 #include "warp/outline.h"
@@ -117,10 +118,7 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
 }
 
 bool isFlat(const MeshFile& mesh) {
-    const auto& points = pointsOf(mesh);
-    const auto z = points.row(2);
-    const Vec<3> size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
-    return !isVolume(mesh) && z.maxCoeff() - z.minCoeff() <= 1e-9 * size.norm();
+    return !isVolume(mesh) && planeOf(pointsOf(mesh), trianglesOf(mesh)).has_value();
 }
 
 OpenedFile openMesh(const QString& path) {

@@ -152,7 +152,7 @@ constexpr std::array kOptions{
     Option{"domain.sizes[].values", "--sizes", File, "", kAny, "", "", "mesh",
            "text file with such a factor for every vertex of the surface", Field{{}, &kSurface}},
     Option{"domain.detail", "", File, "", kAny, "", "", "",
-           "a surface embedded in the solid, which is what surface formats get"},
+           "a surface, points or polylines embedded in the solid, which are what surface formats get"},
     Option{"material.phi", "--phi", Phi, "", kAny, "radians", "equia|metr|akvf|conf", "run",
            "what is kept: area (equia), length (metr), rigidity (akvf) or angle (conf), or a number in ]0, "
            "φ_CONF]",
@@ -265,6 +265,11 @@ constexpr std::array kOptions{
         "its surface"},
     Option{"", "--velocity", Output, "", kAny, "", "", "run",
            "write the velocity field at the last time (csv, vtu)"},
+    Option{"", "--points", FilePair, "", kAny, "", "", "run",
+           "map the points of the file IN (csv, txt, xyz, or the vertices of a mesh) by the deformation, and "
+           "write them to OUT"},
+    Option{"", "--inverse", Flag, "", kAny, "", "", "run",
+           "map the points of --points from the deformed shape back to the rest"},
     Option{"", "--stmap", Output, "", kAny, "", "", "run", "write the ST map of the warp (exr, tif)"},
     Option{"", "--phi-picture", Output, "", kAny, "", "", "run",
            "write what is kept at rest as a grey picture: black keeps area, white keeps angles"},

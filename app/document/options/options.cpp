@@ -28,6 +28,7 @@ using enum OptionKind;
 std::string allowed(const Option& option) {
     if (option.kind == Flag || option.kind == File || option.kind == Text) return "";
     if (option.kind == Output) return "one or more files";
+    if (option.kind == FilePair) return "one or more pairs of files";
     std::string text;
     for (char c : option.choices) text += c == '|' ? std::string(", ") : std::string(1, c);
     if (option.kind == Phi) text += ", or a number";
@@ -37,6 +38,10 @@ std::string allowed(const Option& option) {
 }
 
 }  // namespace
+
+bool isRepeatable(OptionKind kind) {
+    return kind == Output || kind == FilePair;
+}
 
 std::string formBesideChoices(const Option& option) {
     if (option.kind == Unbounded) return "a number in " + option.range.text();

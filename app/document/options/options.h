@@ -23,8 +23,9 @@ struct Range {
     std::string text() const;
 };
 
-/// For Unbounded: a number, or the word for infinity, which is the only choice. For Canvas: one of the choices, or a rectangle of pixels; for Colour: one of them, or "#d9822b". An Output
-/// is a file that is written, and may be given several times.
+/// For Unbounded: a number, or the word for infinity, which is the only choice. For Canvas: one of the
+/// choices, or a rectangle of pixels; for Colour: one of them, or "#d9822b". An Output is a file that is
+/// written, and may be given several times; a FilePair is one that is read and one that is written.
 enum class OptionKind {
     Flag,
     Number,
@@ -36,8 +37,11 @@ enum class OptionKind {
     Colour,
     Text,
     File,
-    Output
+    Output,
+    FilePair
 };
+/// Returns whether an option may be given several times.
+bool isRepeatable(OptionKind kind);
 
 /// A value in a project. Every value is a number: a flag is 0 or 1, a choice its place in the list.
 struct Accessor {

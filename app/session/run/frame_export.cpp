@@ -140,7 +140,7 @@ void FrameExport::writeMesh(const std::string& path, const RunOptions& options, 
 int FrameExport::vertexCount(const std::string& extension) const {
     const auto solid = posed<3>(m_frame);
     if (!solid) return m_frame->vertices;
-    if (isSkinFile("mesh" + extension)) return solid->built->skin->vertexCount();
+    if (isSkinFile("mesh" + extension)) return solid->built->exported().vertexCount();
     return static_cast<int>(writtenPart<3>(*solid->built, solid->pose).cols());
 }
 

@@ -8,7 +8,7 @@
 namespace wend {
 
 /// A file that a project is read from.
-enum class OwnFile { Project, Picture, Mesh, Sizes, Detail, Material, Look, States, Motion };
+enum class OwnFile { Project, Picture, Mesh, Sizes, Detail, Material, Look, States, Motion, Points };
 
 struct OwnInput {
     OwnFile kind;

@@ -13,6 +13,7 @@
 #include "app/document/options/options.h"
 #include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
+#include "app/session/run/point_file.h"
 #include "app/session/run/pose_file.h"
 #include "app/session/run/report.h"
 #include "app/session/run/run_options.h"
@@ -71,11 +72,15 @@ class Run {
           m_deformer(
               m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape), integrationOf(project),
               backEndFactory<Dim>(options.backEnd, {}, m_watch.notice, m_device), options.solvers.of<Dim>()) {
+        for (const FileNames* names : {&options.outputs.mesh, &options.outputs.frames})
+            for (const std::string& path : *names) requireHeldBy<Dim>(path, m_shape);
+        readPoints();
     }
 
     AdvanceResult run() {
         openStates();
         if (m_options.shard) return runShard();
+        endIfStrict(false);
         AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         if (result.outcome == Outcome::Done && m_atTime) m_deformer.restore(*m_atTime);
@@ -226,6 +231,7 @@ class Run {
         const Points<Dim> pose = m_deformer.state().points;
         for (const std::string& path : outputs.velocity) writeVelocity(path, pose);
         for (const std::string& path : outputs.mesh) writeMesh(path, pose);
+        writePoints(pose);
         if constexpr (Dim == 2) {
             writePictures(pose);
             writeMaterial();
@@ -317,6 +323,74 @@ class Run {
             const auto fields = shapeFields(m_shape, pose, m_velocity);
             writeShape(file, m_shape, pose, {fields.back()}, m_options.meshes);
         });
+    }
+
+    // --- Points ---
+
+    /// Reads them, and finds their places at rest unless the map is the inverse one.
+    void readPoints() {
+        for (const PointsOutput& one : m_options.outputs.points) {
+            const PointFile& file = m_pointFiles.emplace_back(one.in, pointDimension());
+            file.requireHeldBy(one.out);
+            if (const std::string lost = file.lostIn(one.out, m_options.meshes); !lost.empty())
+                m_watch.notice(one.out + ": " + lost);
+            if (!m_options.inverse) m_pointMaps.push_back(pointMap(file, *carrier(), 0));
+        }
+    }
+
+    /// Points of a flat mesh in another plane than that of x and y have three coordinates.
+    int pointDimension() const {
+        if constexpr (Dim == 2) return m_shape.plane.isXy() ? 2 : 3;
+        return Dim;
+    }
+
+    /// The mesh that carries points: with the parts of a picture that ride on others.
+    std::shared_ptr<const SimplicialMesh<Dim>> carrier() const {
+        if constexpr (Dim == 2) return drawnRest(m_shape);
+        return m_shape.rest;
+    }
+    Points<Dim> carrierIn(const Points<Dim>& pose) const {
+        if constexpr (Dim == 2)
+            if (m_shape.texture) return m_shape.texture->withRiders(pose);
+        return pose;
+    }
+
+    PointMap<Dim> pointMap(const PointFile& file, const SimplicialMesh<Dim>& from, double time) {
+        std::vector<float> order;
+        if constexpr (Dim == 2) order = depths(time);
+        PointMap<Dim> map(from, order, ownCoordinates(m_shape, file.points()));
+        const auto tellOf = [&](int count, const std::string& where) {
+            if (count > 0)
+                m_watch.notice(file.path() + ": " + std::to_string(count) + " of " +
+                               std::to_string(file.points().cols()) + " points " +
+                               (count == 1 ? "lies " : "lie ") + where);
+        };
+        tellOf(
+            map.outside(),
+            "outside the shape: such points follow the nearest place of its border, as the shape turns and "
+            "stretches there");
+        tellOf(map.covered(), std::string("where the shape covers itself: ") +
+                                  (Dim == 2 ? "the front counts" : "the last cell there counts"));
+        return map;
+    }
+
+    void writePoints(const Points<Dim>& pose) {
+        const auto rest = carrier();
+        const Points<Dim> bent = carrierIn(pose);
+        for (std::size_t k = 0; k < m_pointFiles.size(); ++k) {
+            const PointFile& file = m_pointFiles[k];
+            Points<Dim> own;
+            if (m_options.inverse) {
+                SimplicialMesh<Dim> from = *rest;
+                from.points = bent;
+                own = pointMap(file, from, m_deformer.state().time).mapped(rest->points);
+            } else {
+                own = m_pointMaps[k].mapped(bent);
+            }
+            const Points<3> points = inSpace(m_shape, file.points(), own);
+            m_files.add(m_options.outputs.points[k].out, ".csv",
+                        [&](const std::string& to) { file.write(to, points, m_options.meshes); });
+        }
     }
 
     const std::vector<float>& depths(double time) {
@@ -550,6 +624,8 @@ class Run {
     Extent<2> m_allFrames;                // around those that wait
     std::map<std::string, Film> m_films;  // of pictures, by their files
     std::vector<Points<Dim>> m_animation;
+    std::deque<PointFile> m_pointFiles;
+    std::vector<PointMap<Dim>> m_pointMaps;  // from the rest
     std::optional<StatesReader<Dim>> m_known;
     std::deque<StatesWriter<Dim>> m_states;        // with the same states
     std::optional<State<Dim>> m_atTime;            // the shape that is wanted, within the states

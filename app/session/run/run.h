@@ -24,6 +24,11 @@ struct AdvanceResult;
 
 using FileNames = std::vector<std::string>;
 
+/// A file of points and where the mapped ones are written.
+struct PointsOutput {
+    std::string in, out;
+};
+
 /// The outputs of a run, each written to any number of files; "-" is standard output.
 struct RunOutputs {
     FileNames image, mesh, velocity, stMap, report;
@@ -32,6 +37,7 @@ struct RunOutputs {
     int count = 25;               // of frames, at equal times from 0 to the end, both included
     double framesPerSecond = 24;  // of a film
     FileNames states;             // see StatesWriter
+    std::vector<PointsOutput> points;
 
     /// Returns the names of all that is one file or a collection beside numbered frames.
     FileNames singleFiles() const;
@@ -89,6 +95,7 @@ struct RunOptions {
     bool lossy = false;                          // of WebP
     bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
     MeshWriteOptions meshes;
+    bool inverse = false;  // points are mapped from the deformed shape to the rest
     bool partial = false;  // if the deformation stops early, write the last good shape anyway
     bool strict = false;   // a notice ends the run, see NoticeError
     std::vector<std::string> notices = {};  // that the report lists before those of the run

@@ -7,6 +7,7 @@
 #include "app/document/options/options.h"
 #include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
+#include "app/session/run/point_file.h"
 #include "app/session/run/run.h"
 #include "app/session/run/shape_file.h"
 #include "app/session/shape/material_picture.h"
@@ -70,6 +71,7 @@ FileNames RunOutputs::singleFiles() const {
     for (const FileNames* names :
          {&image, &mesh, &velocity, &stMap, &report, &states, &material[0], &material[1], &material[2]})
         all.insert(all.end(), names->begin(), names->end());
+    for (const PointsOutput& one : points) all.push_back(one.out);
     for (const std::string& path : frames)
         if (const std::string file = isAnimation(path) ? path : collectionName(path); !file.empty())
             all.push_back(file);
@@ -109,6 +111,10 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     for (const FileNames& pictures : outputs.material)
         for (const std::string& path : pictures) requireMaterialPicture(project, path);
     for (const std::string& path : outputs.frames) requireFrames(project, path);
+    for (const PointsOutput& one : outputs.points) {
+        requirePointFormat(one.in, false);
+        requirePointFormat(one.out, true);
+    }
     requirePlaces(outputs.singleFiles());
     requirePlaces(outputs.numberedFrames());
 }

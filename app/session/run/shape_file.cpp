@@ -84,15 +84,29 @@ std::vector<double> atVertices(const SimplicialMesh<3>& rest, const MeshField& f
 MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
     const std::vector<double> values = field.perCell ? atVertices(*shape.rest, field) : field.values;
     MeshField carried{field.name, false, field.components, {}};
-    carried.values.resize(static_cast<std::size_t>(shape.skin->vertexCount()) * field.components);
+    const int count = shape.exported().vertexCount();
+    carried.values.resize(static_cast<std::size_t>(count) * field.components);
     Points<3> one = Points<3>::Zero(3, shape.rest->vertexCount());
     for (int k = 0; k < field.components; ++k) {
         for (int v = 0; v < shape.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
-        const Points<3> there = shape.embedding->interpolate(*shape.rest, one);
-        for (int v = 0; v < shape.skin->vertexCount(); ++v)
-            carried.values[v * field.components + k] = there(0, v);
+        const Points<3> there = shape.exportedEmbedding().interpolate(*shape.rest, one);
+        for (int v = 0; v < count; ++v) carried.values[v * field.components + k] = there(0, v);
     }
     return carried;
+}
+
+/// Turns vectors and gradients of a mesh in another plane than that of x and y.
+void turnFields(const PlaneFrame& plane, std::vector<MeshField>& fields) {
+    if (plane.isXy()) return;
+    for (MeshField& field : fields) {
+        const int width = field.components;
+        if (width != 3 && width != 9) continue;
+        for (std::size_t at = 0; at < field.values.size(); at += static_cast<std::size_t>(width)) {
+            Eigen::Map<Eigen::Matrix3Xd> columns(&field.values[at], 3, width / 3);
+            columns = (plane.axes * columns).eval();
+            if (width == 9) columns = (columns * plane.axes.transpose()).eval();
+        }
+    }
 }
 
 /// Nodes between the corners of cells, and those of lines and vertices apart, move as the shape around them.
@@ -100,10 +114,10 @@ template <int Dim>
 void carryNodes(const Shape<Dim>& shape, const Points<Dim>& pose, const Points<3>& before, MeshFile& file) {
     const std::vector<int> nodes = carriedNodes(file);
     if (nodes.empty()) return;
-    const Points<Dim> rest = before.topRows<Dim>()(Eigen::all, nodes);
-    const Points<Dim> carried = Embedding<Dim>(*shape.rest, rest).carry(*shape.rest, pose);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        file.points.col(nodes[i]).template head<Dim>() = carried.col(static_cast<Eigen::Index>(i));
+    const Points<3> there = before(Eigen::all, nodes);
+    const Points<Dim> rest = ownCoordinates(shape, there);
+    file.points(Eigen::all, nodes) =
+        inSpace(shape, there, Points<Dim>(Embedding<Dim>(*shape.rest, rest).carry(*shape.rest, pose)));
 }
 
 void addUv(const Shape<2>& shape, MeshFile& file) {
@@ -150,12 +164,14 @@ MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose, const std::v
         throw InputError("the mesh has " + std::to_string(file.points.cols()) + " vertices, its pose " +
                          std::to_string(pose.cols()));
     const Points<3> before = file.points;
-    file.points.template topRows<Dim>() = pose;
+    file.points = inSpace(shape, before, pose);
     carryNodes<Dim>(shape, pose, before, file);
     turnNormals(before, file);
     if constexpr (Dim == 2)
         if (!shape.source && shape.picture) addUv(shape, file);
-    for (const MeshField& field : fields) {
+    std::vector<MeshField> turned = fields;
+    if constexpr (Dim == 2) turnFields(shape.plane, turned);
+    for (const MeshField& field : turned) {
         std::erase_if(file.fields, [&](const MeshField& old) {
             return old.name == field.name && old.perCell == field.perCell;
         });
@@ -182,7 +198,8 @@ void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<D
             std::vector<MeshField> carried;
             if (holdsFields(path))
                 for (const MeshField& field : fields) carried.push_back(onSkin(shape, field));
-            return writeSkin(path, *shape.skin, shape.embedding->carry(*shape.rest, pose), carried, options);
+            return writeSkin(path, shape.exported(), shape.exportedEmbedding().carry(*shape.rest, pose),
+                             carried, options);
         }
     writeMeshFile(path, poseFile(shape, pose, fields), options);
 }
@@ -190,7 +207,7 @@ void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<D
 template <int Dim>
 std::string lostInShape(const std::string& path, const Shape<Dim>& shape, const MeshWriteOptions& options) {
     if (Dim == 3 && isSkinFile(path)) {
-        if constexpr (Dim == 3) return lostInSkin(path, *shape.skin, options);
+        if constexpr (Dim == 3) return lostInSkin(path, shape.exported(), options);
     }
     return shape.source ? lostInFile(path, *shape.source, options) : std::string();
 }
@@ -199,6 +216,12 @@ template <int Dim>
 std::string turnedOver(const Shape<Dim>& shape, const Points<Dim>& pose) {
     if (!shape.source || shape.source->made || !hasWholeCells(*shape.source)) return {};
     return turnedCells(*shape.source, poseFile<Dim>(shape, pose, {}).points);
+}
+
+template <int Dim>
+void requireHeldBy(const std::string& path, const Shape<Dim>& shape) {
+    if constexpr (Dim == 3)
+        if (isSkinFile(path)) requireSkinHeldBy(path, shape.exported());
 }
 
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension) {
@@ -210,9 +233,9 @@ void requireShapeFormat(const std::string& path, const std::string& extension, i
     throw InputError(path, "is in no known mesh format; known are" + list);
 }
 
-/// Of those that get the skin, one.
+/// Of those that get the skin, two.
 bool holdsFields(const std::string& path) {
-    return !isSkinFile(path) || lowerExtension(path) == ".ply";
+    return !isSkinFile(path) || lowerExtension(path) == ".ply" || lowerExtension(path) == ".vtp";
 }
 
 namespace {
@@ -270,6 +293,7 @@ std::string collectionText(const std::vector<std::string>& files, const std::vec
                                                    const Points<Dim>&, const Points<Dim>&);                \
     template MeshFile poseFile<Dim>(const Shape<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
     template std::string lostInShape<Dim>(const std::string&, const Shape<Dim>&, const MeshWriteOptions&); \
+    template void requireHeldBy<Dim>(const std::string&, const Shape<Dim>&);                               \
     template std::string turnedOver<Dim>(const Shape<Dim>&, const Points<Dim>&);                           \
     template Points<Dim> writtenPart<Dim>(const Shape<Dim>&, const Points<Dim>&);                          \
     template void writeShape<Dim>(const std::string&, const Shape<Dim>&, const Points<Dim>&,               \

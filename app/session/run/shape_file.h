@@ -52,6 +52,11 @@ std::string lostInShape(const std::string& path, const Shape<Dim>& shape, const 
 template <int Dim>
 std::string turnedOver(const Shape<Dim>& shape, const Points<Dim>& pose);
 
+/// Throws InputError if what a file of that name gets of the shape is more than its format holds: points
+/// without triangles.
+template <int Dim>
+void requireHeldBy(const std::string& path, const Shape<Dim>& shape);
+
 /// Throws InputError that lists the formats that a shape of this dimension can be written in if `extension`,
 /// lower case with its dot, is of none. `path` is what the user named.
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension);

@@ -150,6 +150,7 @@ Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
         throw error.named(path);
     }
     shape.source = file;
+    shape.plane = planeOf(file->points, file->triangles).value_or(PlaneFrame());
     shape.picture = loadPicture(domain, folder, &shape.notices);
     // On the file's own cells: at a seam, vertices at one place have texture points of their own.
     if (shape.picture)

@@ -7,6 +7,7 @@
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/hanging_parts.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/plane_frame.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/mesh/skin.h"
 #include "core/mesh/used_vertices.h"
@@ -167,11 +168,6 @@ bool isBeyondNumbers(const Points<3>& points) {
     return spread > 0 && !(spread > 1e-100 && spread < 1e100);
 }
 
-bool isPlanar(const MeshFile& file) {
-    const double spread = file.points.row(2).maxCoeff() - file.points.row(2).minCoeff();
-    return spread <= 1e-12 * boundingBoxDiagonal<3>(file.points);
-}
-
 std::vector<int> coincident(const Points<3>& points) {
     std::map<std::array<double, 3>, int> first;
     std::vector<int> found;
@@ -261,10 +257,11 @@ MeshInspection inspect(const MeshFile& file) {
             const Skin boundary = boundaryOf({file.points, file.tetrahedra});
             inspection.facts = factsOf({boundary.points, boundary.triangles, {}});
         }
-    } else if (isPlanar(file))
-        inspectPartition<2>({file.points.topRows<2>(), file.triangles}, inspection);
-    else
+    } else if (const auto plane = planeOf(file.points, file.triangles)) {
+        inspectPartition<2>({plane->toPlane(file.points).topRows<2>(), file.triangles}, inspection);
+    } else {
         inspectSurface(file, inspection);
+    }
     if (inspection.dimension > 0) collectSuspects(inspection);
     return inspection;
 }

@@ -11,6 +11,7 @@
 #include "app/session/shape/mesh_verdict.h"
 #include "core/energy/material.h"
 #include "core/mesh/embedding.h"
+#include "core/mesh/plane_frame.h"
 #include "core/mesh/skin.h"
 #include "warp/atlas.h"
 
@@ -58,19 +59,44 @@ struct Shape {
     std::vector<std::string> notices;  // messages for the user
     // 2D only.
     std::shared_ptr<const Image> picture;    // may be null
+    PlaneFrame plane;                        // of a file's mesh
     std::shared_ptr<const Texture> texture;  // of a file's mesh with a picture; null: coordinates are pixels
     // 3D only.
     std::shared_ptr<const std::vector<Facet<Dim>>> facets;
     std::shared_ptr<const Skin> skin;               // the surface that is shown and exported …
     std::shared_ptr<const Embedding<3>> embedding;  // … and its embedding in the mesh
-    std::optional<MeshVerdict> verdict;             // on cells that were made
-    std::optional<CageFacts> cage;                  // if a cage carries the surface
-    bool refineHelps = false;                       // splitting the surface's triangles would help
+    /// The points and polylines of `domain.detail`, which are exported in the place of a surface but not
+    /// drawn, and their embedding. Null without, and for a detailed surface, which is the skin.
+    std::shared_ptr<const Skin> cloud;
+    std::shared_ptr<const Embedding<3>> cloudEmbedding;
+    std::optional<MeshVerdict> verdict;  // on cells that were made
+    std::optional<CageFacts> cage;       // if a cage carries the surface
+    bool refineHelps = false;            // splitting the surface's triangles would help
 
     /// Returns whether an embedded surface is shown instead of the mesh's vertices.
     bool hidesVertices() const { return embedding && embedding->isFree(); }
+    /// Returns what surface formats get, and its embedding.
+    const Skin& exported() const { return cloud ? *cloud : *skin; }
+    const Embedding<3>& exportedEmbedding() const { return cloud ? *cloudEmbedding : *embedding; }
 };
 using AnyShape = std::variant<Shape<2>, Shape<3>>;
+
+/// Coordinates of the shape's rest of points in space: of a flat mesh, in its plane.
+template <int Dim>
+Points<Dim> ownCoordinates(const Shape<Dim>& shape, const Points<3>& points) {
+    if constexpr (Dim == 2)
+        return shape.plane.toPlane(points).template topRows<2>();
+    else
+        return points;
+}
+/// Returns where points of space are once their own coordinates are `moved`; the height over a plane stays.
+template <int Dim>
+Points<3> inSpace(const Shape<Dim>& shape, const Points<3>& points, const Points<Dim>& moved) {
+    if constexpr (Dim == 2)
+        return shape.plane.moved(points, moved);
+    else
+        return moved;
+}
 
 /// The mesh that is drawn, at rest in pixels of the picture, and in a pose in the plane that is rendered.
 /// Both are in domain coordinates if there is no picture.

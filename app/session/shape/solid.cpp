@@ -214,8 +214,20 @@ Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
     return solid;
 }
 
+/// A surface becomes the skin, points and polylines go along beside it.
+void takeDetail(const std::string& path, Shape<3>& solid) {
+    const auto detail = std::make_shared<const Skin>(readSkin(path, MeshNeeds::Points));
+    (detail->triangles.empty() ? solid.cloud : solid.skin) = detail;
+}
+
+void embed(Shape<3>& solid) {
+    solid.embedding = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
+    if (solid.cloud)
+        solid.cloudEmbedding = std::make_shared<const Embedding<3>>(*solid.rest, solid.cloud->points);
+}
+
 void tellOfOutside(const Domain& domain, Shape<3>& solid) {
-    const int outside = solid.embedding->outside(), all = solid.skin->vertexCount();
+    const int outside = solid.exportedEmbedding().outside(), all = solid.exported().vertexCount();
     if (!domain.detail.empty() && 2 * outside > all)
         solid.notices.push_back(domain.detail + ": " + std::to_string(outside) + " of " +
                                 std::to_string(all) + " vertices lie outside the solid that carries them");
@@ -239,12 +251,11 @@ Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::str
     } catch (const InputError& error) {
         throw error.named(path);
     }
-    if (!domain.detail.empty())
-        solid.skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.detail)));
+    if (!domain.detail.empty()) takeDetail(pathIn(folder, domain.detail), solid);
     if (stop.stop_requested()) throw Cancelled();
     for (const std::string& warning : solid.skin->warnings)
         solid.notices.push_back(solid.skin->path + ": " + warning);
-    solid.embedding = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
+    embed(solid);
     tellOfOutside(domain, solid);
     tellOfHanging<3>(*solid.rest, solid.notices);
     return solid;

@@ -36,7 +36,7 @@ Formats meshFormats(bool solid, bool film) {
 void putOwnFirst(Formats& formats, const FrameExport& shape) {
     const auto solid = posed<3>(shape.frame());
     if (!solid || !solid->built->skin) return;
-    const QString own = QFileInfo(QString::fromStdString(solid->built->skin->path)).suffix().toLower();
+    const QString own = QFileInfo(QString::fromStdString(solid->built->exported().path)).suffix().toLower();
     std::ranges::stable_partition(formats,
                                   [&](const ExportFormat& one) { return one.extension == '.' + own; });
 }

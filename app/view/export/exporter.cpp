@@ -80,6 +80,7 @@ QString questionOf(OwnFile own, const QString& name) {
         case OwnFile::Look:
         case OwnFile::States:
         case OwnFile::Motion:
+        case OwnFile::Points:
             break;
     }
     return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);
