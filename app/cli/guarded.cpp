@@ -1,7 +1,5 @@
 #include "app/cli/guarded.h"
 
-#include <unistd.h>
-
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +13,7 @@
 #include "core/mesh/input_file.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/safe_file.h"
+#include "core/system/last_act.h"
 
 namespace wend {
 namespace {
@@ -99,7 +98,7 @@ int runToTheEnd(const std::function<ExitCode()>& run, const std::function<void()
     if (finish) finish();
     // Not exit(): the libraries wait there for threads that, without memory, never began.
     std::fflush(nullptr);
-    _exit(static_cast<int>(code));
+    endProcess(static_cast<int>(code));
 }
 
 }  // namespace wend

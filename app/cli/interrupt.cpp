@@ -10,6 +10,7 @@
 #include "app/cli/cli.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
+#include "core/system/last_act.h"
 
 namespace wend {
 namespace {
@@ -19,10 +20,10 @@ std::atomic<int> interruptPipe = -1;
 std::atomic<int> interruptCount = 0;
 
 extern "C" void onInterrupt(int) {
-    if (++interruptCount >= 3) _exit(1);
+    if (++interruptCount >= 3) endProcess(1);
     stopReading(true);
     const char signalled = 's';
-    if (write(interruptPipe, &signalled, 1) < 0) _exit(1);
+    if (write(interruptPipe, &signalled, 1) < 0) endProcess(1);
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ void Interrupt::wait() {
         const bool late = poll(&signal, 1, static_cast<int>(m_patience.count())) == 0;
         if (late && abandonPendingFiles()) {
             m_sayCancelled();
-            _exit(static_cast<int>(ExitCode::Incomplete));
+            endProcess(static_cast<int>(ExitCode::Incomplete));
         }
         why = next();
     }

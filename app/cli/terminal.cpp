@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/mesh/printable.h"
+#include "core/system/last_act.h"
 
 namespace wend {
 namespace {
@@ -78,7 +79,7 @@ void Terminal::lastWord(const char* what, int code) noexcept {
     const std::array<const char*, 5> parts{"wend: ", currentFile.data(), separator, what, "\n"};
     for (const char* part : parts)
         if (write(STDERR_FILENO, part, std::strlen(part)) < 0) break;
-    _exit(code);
+    endProcess(code);
 }
 
 void Terminal::clearLine() {

@@ -7,6 +7,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/terminal.h"
 #include "app/mpi/divided_solver.h"
+#include "app/mpi/lifeline.h"
 #include "app/session/run/run.h"
 #include "core/system/simd_target.h"
 #include "kernels/opencl_devices.h"
@@ -15,11 +16,12 @@
 namespace {
 
 /// The others end when the first process does; it alone is asked to stop.
-[[noreturn]] void serveToTheEnd(std::optional<wend::Team>& team) {
+[[noreturn]] void serveToTheEnd(std::optional<wend::Team>& team, std::optional<wend::Lifeline>& lifeline) {
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
     try {
         wend::serve(*team);
+        lifeline.reset();
         team.reset();
     } catch (const std::bad_alloc&) {
         wend::Terminal::lastWord("a process has not enough memory",
@@ -39,18 +41,22 @@ int main(int argc, char** argv) {
     wend::lookForNoPlugins();
     std::optional<wend::Team> team;
     team.emplace(argc, argv);
-    const auto finish = [&team] {
+    std::optional<wend::Lifeline> lifeline;
+    lifeline.emplace(*team);
+    const auto finish = [&] {
         wend::dismiss(*team);
+        lifeline.reset();
         team.reset();
     };
     try {
         wend::useSimdOfEnvironment();
     } catch (const std::invalid_argument& error) {
         if (team->isFirst()) wend::Terminal::error(error.what());
+        lifeline.reset();
         team.reset();
         _exit(static_cast<int>(wend::ExitCode::Usage));
     }
-    if (!team->isFirst()) serveToTheEnd(team);
+    if (!team->isFirst()) serveToTheEnd(team, lifeline);
     const wend::RunSolvers solvers{wend::dividedSolvers<2>(*team), wend::dividedSolvers<3>(*team)};
     return wend::runDividedCommand(argc, argv, solvers, finish);
 }

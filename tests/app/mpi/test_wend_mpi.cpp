@@ -1,4 +1,6 @@
 // wend-mpi in one, two and four processes against each other and against the program of one process.
+#include <csignal>
+
 #include <QtTest>
 #include <random>
 
@@ -17,6 +19,8 @@ class TestWendMpi : public QObject {
     void errorsAreToldOnce();
     void runsThatCannotBeCompleted();
     void cancelledRuns();
+    void lostProcessesAreNamed_data();
+    void lostProcessesAreNamed();
     void moreProcessesThanUnknowns();
 
   private:
@@ -48,6 +52,20 @@ namespace {
 
 // Rounding differs with the order of sums, by far less than the 5e-5 to which velocities are solved for.
 constexpr double kAgreement = 1e-8;  // of the size
+
+/// The process with this rank that an mpirun has started; 0: there is none.
+qint64 processOf(qint64 mpirun, int rank) {
+    const QByteArray wanted = "OMPI_COMM_WORLD_RANK=" + QByteArray::number(rank);
+    for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
+        QFile status("/proc/" + name + "/stat"), environment("/proc/" + name + "/environ");
+        if (!status.open(QIODevice::ReadOnly) || !environment.open(QIODevice::ReadOnly)) continue;
+        const QByteArray text = status.readAll();
+        const QList<QByteArray> behindName = text.mid(text.lastIndexOf(')') + 2).split(' ');
+        if (behindName.value(1).toLongLong() == mpirun && environment.readAll().split('\0').contains(wanted))
+            return name.toLongLong();
+    }
+    return 0;
+}
 
 template <int Dim>
 SimplicialMesh<Dim> jittered(SimplicialMesh<Dim> mesh) {
@@ -193,6 +211,38 @@ void TestWendMpi::cancelledRuns() {
     QVERIFY(process.waitForFinished(60000));
     QVERIFY(process.exitCode() != 0);
     QVERIFY(!QFile::exists(path() + "/long.mesh"));
+}
+
+void TestWendMpi::lostProcessesAreNamed_data() {
+    QTest::addColumn<int>("rank");
+    QTest::newRow("first") << 0;
+    QTest::newRow("second") << 1;
+    QTest::newRow("last") << 2;
+}
+
+/// As by the kernel where memory is short: the others do not wait for ever.
+void TestWendMpi::lostProcessesAreNamed() {
+    QFETCH(int, rank);
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.setProcessEnvironment(environment());
+    process.setReadChannel(QProcess::StandardError);
+    process.start("mpirun",
+                  launch(3) + QStringList{"run", "endless.wend", "--mesh", "lost.mesh", "--progress"});
+    QByteArray said;
+    while (!said.contains("deforming") && process.waitForReadyRead(60000))
+        said += process.readAllStandardError();
+    QVERIFY2(said.contains("deforming"), said.constData());
+    const qint64 lost = processOf(process.processId(), rank);
+    QVERIFY(lost > 0);
+    QCOMPARE(::kill(static_cast<pid_t>(lost), SIGKILL), 0);
+    QVERIFY(process.waitForFinished(60000));
+    said += process.readAllStandardError();
+    QCOMPARE(process.exitCode(), 137);
+    const QByteArray name = "process " + QByteArray::number(rank + 1) + " of 3 was lost";
+    QCOMPARE(said.count("\nwend: "), 1);
+    QVERIFY2(said.contains(name), said.constData());
+    QVERIFY(!QFile::exists(path() + "/lost.mesh"));
 }
 
 void TestWendMpi::moreProcessesThanUnknowns() {

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace wend {
+
+/// What endProcess() does first, with the exit code. It may run in any thread and in a signal handler; null:
+/// nothing.
+void setLastAct(void (*act)(int code)) noexcept;
+
+/// Ends the process at once: nothing is cleaned up.
+[[noreturn]] void endProcess(int code) noexcept;
+
+}  // namespace wend
