@@ -45,7 +45,7 @@ DividedCoarse<Modes>::DividedCoarse(const Team& team, Graph aggregates, WorkerPo
 
 /// Runs in the first process.
 template <int Modes>
-BuildStatus DividedCoarse<Modes>::gather(CoarseShare<Modes> share, const std::stop_token& stop) {
+BuildStatus DividedCoarse<Modes>::gather(CoarseShare<Modes> share) {
     std::vector<CoarseShare<Modes>> shares;
     shares.push_back(std::move(share));
     for (int rank = 1; rank < m_team.size(); ++rank) shares.push_back(unpacked<Modes>(m_team.receive(rank)));
@@ -57,15 +57,15 @@ BuildStatus DividedCoarse<Modes>::gather(CoarseShare<Modes> share, const std::st
         for (std::size_t i = 0; i < one.own.size(); ++i) whole.motions[one.own[i]] = one.motions[i];
     shares = {};
     m_size = static_cast<int>(whole.rows.size());
-    return m_levels.build(std::move(whole), stop);
+    return m_levels.build(std::move(whole));
 }
 
 template <int Modes>
-BuildStatus DividedCoarse<Modes>::build(CoarseShare<Modes> share, const std::stop_token& stop) {
+BuildStatus DividedCoarse<Modes>::build(CoarseShare<Modes> share) {
     auto status = BuildStatus::Done;
     if (!m_team.isFirst()) m_team.send(0, packed(share));
     m_team.together([&] {
-        if (m_team.isFirst()) status = gather(std::move(share), stop);
+        if (m_team.isFirst()) status = gather(std::move(share));
     });
     if (!m_team.decide(status != BuildStatus::Stopped)) return BuildStatus::Stopped;
     return m_team.decide(status == BuildStatus::Done) ? BuildStatus::Done : BuildStatus::NotPositiveDefinite;

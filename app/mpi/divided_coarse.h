@@ -17,11 +17,11 @@ class DividedCoarse final : public CoarseSolver<Modes> {
     /// it.
     DividedCoarse(const Team& team, Graph aggregates, WorkerPool& workers);
 
-    BuildStatus build(CoarseShare<Modes> share, const std::stop_token& stop) override;
+    BuildStatus build(CoarseShare<Modes> share) override;
     bool solve(Points<Modes>& r, Points<Modes>& z) override;
 
   private:
-    BuildStatus gather(CoarseShare<Modes> share, const std::stop_token& stop);
+    BuildStatus gather(CoarseShare<Modes> share);
     bool solveWhole(const Points<Modes>& r, Points<Modes>& z);
 
     const Team& m_team;

@@ -158,7 +158,7 @@ BlockRows<Modes> DividedLevel<Modes>::matrixOf(std::vector<Row> rows, const Coar
 }
 
 template <int Modes>
-BuildStatus DividedLevel<Modes>::build(CoarseShare<Modes> share, const std::stop_token& stop) {
+BuildStatus DividedLevel<Modes>::build(CoarseShare<Modes> share) {
     m_matrix = {};
     auto rows = exchangeRows(share);
     share.blocks = {};
@@ -168,8 +168,8 @@ BuildStatus DividedLevel<Modes>::build(CoarseShare<Modes> share, const std::stop
     m_matrix = matrixOf(std::move(rows), share);
     const auto motions = std::move(share.motions);
     share = {};
-    const auto status = m_level.build(m_matrix, m_groups, motions, {}, *m_links, m_workers, stop, share);
-    return status == BuildStatus::Done ? m_next.build(std::move(share), stop) : status;
+    const auto status = m_level.build(m_matrix, m_groups, motions, {}, *m_links, m_workers, share);
+    return status == BuildStatus::Done ? m_next.build(std::move(share)) : status;
 }
 
 /// Sums of right-hand sides run in the order of the processes.

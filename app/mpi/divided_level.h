@@ -18,7 +18,7 @@ class DividedLevel final : public CoarseSolver<Modes> {
     DividedLevel(const Team& team, std::vector<int> ownerOf, Aggregates groups, CoarseSolver<Modes>& next,
                  WorkerPool& workers);
 
-    BuildStatus build(CoarseShare<Modes> share, const std::stop_token& stop) override;
+    BuildStatus build(CoarseShare<Modes> share) override;
     bool solve(Points<Modes>& r, Points<Modes>& z) override;
 
   private:

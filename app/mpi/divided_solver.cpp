@@ -52,7 +52,7 @@ class PartService final : public Service {
                 m_part->setShape(received());
                 return;
             case Command::Build:
-                m_part->build({});
+                m_part->build({}, {});
                 return;
             case Command::Run:
                 return run(order);
@@ -115,7 +115,8 @@ class DividedSolver final : public IterativeSolver<Dim> {
 
     BackEnd<Dim>& backEnd() override { return m_backEnd; }
     void analyze(std::vector<double> epsilon) override;
-    BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop) override;
+    BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop,
+                      const WorkerPool::Progress& progress) override;
     Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) override;
 
   private:
@@ -318,9 +319,10 @@ int DividedSolver<Dim>::setShape(const Points<Dim>& shape) {
 }
 
 template <int Dim>
-BuildStatus DividedSolver<Dim>::build(Nodal<Dim>, const std::stop_token& stop) {
+BuildStatus DividedSolver<Dim>::build(Nodal<Dim>, const std::stop_token& stop,
+                                      const WorkerPool::Progress& progress) {
     order(m_team, Command::Build, m_number, Dim);
-    return m_part->build(stop);
+    return m_part->build(stop, progress);
 }
 
 template <int Dim>

@@ -160,8 +160,9 @@ int PartSolver<Dim>::setShape(Points<Dim> shape) {
 }
 
 template <int Dim>
-BuildStatus PartSolver<Dim>::build(const std::stop_token& stop) {
-    return m_multigrid.build(*m_shape, stop);
+BuildStatus PartSolver<Dim>::build(const std::stop_token& stop, const WorkerPool::Progress& progress) {
+    const WorkerPool::Watched watched(m_backEnd->workers(), stop, progress);
+    return m_multigrid.build(*m_shape);
 }
 
 template <int Dim>
@@ -170,6 +171,7 @@ typename PartSolver<Dim>::Result PartSolver<Dim>::run(const Goal& goal, const Po
     const auto precondition = [this](std::span<const double> r, std::span<double> z) {
         return m_multigrid.apply(r, z);
     };
+    const WorkerPool::Watched watched(m_backEnd->workers(), goal.stop);
     return m_iteration.run(*m_backEnd, m_system, precondition, goal, load, v, m_links);
 }
 

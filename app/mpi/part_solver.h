@@ -48,8 +48,9 @@ class PartSolver {
 
     /// Does the same as BackEnd::setShape(); the returned cell is numbered as in the whole mesh.
     int setShape(Points<Dim> shape);
-    /// Do the same as those of IterativeSolver. `stop` and the goal's functions count in the first process.
-    BuildStatus build(const std::stop_token& stop);
+    /// Do the same as those of IterativeSolver. `stop`, `progress` and the goal's functions
+    /// count in the first process.
+    BuildStatus build(const std::stop_token& stop, const WorkerPool::Progress& progress);
     Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v);
     /// Returns BackEnd::energy() of the whole mesh.
     double energy(const Points<Dim>& v);

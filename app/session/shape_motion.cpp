@@ -35,6 +35,7 @@ ShapeMotion::ShapeMotion(Document& document, const Selection& selection, Playbac
     connect(m_compute.get(), &ComputeThread::finished, this, &ShapeMotion::takeFinished);
     connect(m_compute.get(), &ComputeThread::failed, this, &ShapeMotion::takeFailure);
     connect(m_compute.get(), &ComputeThread::progress, this, &ShapeMotion::progress);
+    connect(m_compute.get(), &ComputeThread::within, this, &ShapeMotion::within);
 }
 
 ShapeMotion::~ShapeMotion() = default;

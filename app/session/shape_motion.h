@@ -75,6 +75,7 @@ class ShapeMotion : public QObject {
     void failing();
     void busyChanged(bool busy);
     void progress(double time, double end);
+    void within(double time, double end);
     void notice(QString text);
     void problem(QString text);
 

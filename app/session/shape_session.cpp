@@ -15,6 +15,7 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_motion, &ShapeMotion::frameChanged, this, &ShapeSession::frameChanged);
     connect(&m_motion, &ShapeMotion::busyChanged, this, &ShapeSession::busyChanged);
     connect(&m_motion, &ShapeMotion::progress, this, &ShapeSession::progress);
+    connect(&m_motion, &ShapeMotion::within, this, &ShapeSession::within);
     connect(&m_motion, &ShapeMotion::notice, this, &ShapeSession::notice);
     connect(&m_motion, &ShapeMotion::problem, this, &ShapeSession::problem);
     connect(&m_gesture, &ShapeGesture::began, this, &ShapeSession::dragBegan);

@@ -159,7 +159,10 @@ class ShapeSession : public QObject {
     void dragEnded();
     void dragCancelled();
     void busyChanged(bool busy);
+    /// Emitted with the time up to which the motion is computed.
     void progress(double time, double end);
+    /// Emitted with the time that a step on the way is about at.
+    void within(double time, double end);
     /// Emitted with a line for the status bar: what could not be done, and where.
     void notice(QString text);
     /// Emitted if the project cannot be computed; an empty text withdraws the problem.

@@ -1,6 +1,7 @@
 #include "core/factor/worker_pool.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -46,13 +47,22 @@ void WorkerPool::publish(std::uint32_t next) {
     m_ticket.notify_all();
 }
 
+void WorkerPool::run(int count, int grain, Function function, void* context) {
+    m_share = std::exchange(m_nextShare, 0) * (1 - m_part);
+    m_done.store(0);
+    shareOut(count, grain, function, context);
+    m_part += std::exchange(m_share, 0);
+}
+
 // The ticket is closed before the job's fields change: a thread that read the old ticket and a new field then
 // fails to claim.
-void WorkerPool::run(int count, int grain, Function function, void* context) {
+void WorkerPool::shareOut(int count, int grain, Function function, void* context) {
     const int pieces = (count + grain - 1) / grain;
     if (m_threads.empty() || pieces <= 1) {
-        for (int begin = 0; begin < count; begin += grain)
-            function(context, begin, std::min(count, begin + grain));
+        m_count = count;
+        m_function = function;
+        m_context = context;
+        for (int begin = 0; begin < count; begin += grain) doPiece(begin, std::min(count, begin + grain));
         return;
     }
     m_ticket.store(ticketOf(jobOf(m_ticket.load()) + 1, kClosed));
@@ -73,6 +83,16 @@ void WorkerPool::run(int count, int grain, Function function, void* context) {
     }
 }
 
+void WorkerPool::doPiece(int begin, int end) {
+    if (m_stop.stop_requested()) return;
+    m_function(m_context, begin, end);
+    if (m_share == 0 || !m_progress) return;
+    const int before = m_done.fetch_add(end - begin);
+    const auto part = [&](int done) { return m_part + m_share * done / m_count; };
+    const double now = part(before + end - begin);
+    if (static_cast<int>(100 * now) > static_cast<int>(100 * part(before))) m_progress(now);
+}
+
 bool WorkerPool::claimAndDo() {
     std::uint64_t ticket = m_ticket.load();
     while (true) {
@@ -80,7 +100,7 @@ bool WorkerPool::claimAndDo() {
         if (piece == kClosed || piece >= static_cast<std::uint32_t>(m_pieces.load())) return false;
         if (m_ticket.compare_exchange_weak(ticket, ticket + 1)) {
             const int begin = static_cast<int>(piece) * m_grain;
-            m_function(m_context, begin, std::min(m_count, begin + m_grain));
+            doPiece(begin, std::min(m_count, begin + m_grain));
             m_finished.fetch_add(1);
             return true;
         }

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -22,6 +24,33 @@ class WorkerPool {
 
     int threads() const { return static_cast<int>(m_threads.size()) + 1; }
 
+    /// Gets the part of long work that is done, in [0, 1], from any thread.
+    using Progress = std::function<void(double)>;
+    /// Long work of several loops. Once it is to stop, loops leave out the pieces that are not begun yet, and
+    /// their results are worth nothing. While it lives, nothing else uses the pool.
+    class Watched {
+      public:
+        Watched(WorkerPool& pool, std::stop_token stop, Progress progress = {}) : m_pool(pool) {
+            pool.m_stop = std::move(stop);
+            pool.m_progress = std::move(progress);
+            pool.m_part = pool.m_nextShare = 0;
+        }
+        ~Watched() {
+            m_pool.m_stop = {};
+            m_pool.m_progress = {};
+            m_pool.m_nextShare = 0;
+        }
+        Watched(const Watched&) = delete;
+        Watched& operator=(const Watched&) = delete;
+
+      private:
+        WorkerPool& m_pool;
+    };
+    bool isStopped() const { return m_stop.stop_requested(); }
+    const std::stop_token& stop() const { return m_stop; }
+    /// The next loop does this share of what is left of the work that is watched. Other loops tell nothing.
+    void measureNext(double share) { m_nextShare = share; }
+
     /// work(begin, end) on consecutive pieces of [0, count) of at most `grain` items; the pieces do not
     /// depend on the number of threads. work may not throw.
     template <typename Work>
@@ -36,6 +65,8 @@ class WorkerPool {
   private:
     using Function = void (*)(void*, int, int);
     void run(int count, int grain, Function function, void* context);
+    void shareOut(int count, int grain, Function function, void* context);
+    void doPiece(int begin, int end);
     void serve(const std::stop_token& stop);
     bool claimAndDo();
     std::uint64_t waitForWork(std::uint64_t seen);
@@ -48,6 +79,10 @@ class WorkerPool {
     int m_count = 0, m_grain = 1;
     Function m_function = nullptr;
     void* m_context = nullptr;
+    std::stop_token m_stop;
+    Progress m_progress;
+    double m_part = 0, m_share = 0, m_nextShare = 0;  // before this loop, of this loop, of the next one
+    std::atomic<int> m_done{0};                       // items of this loop, if it is measured
     std::vector<std::jthread> m_threads;
 };
 

@@ -12,6 +12,7 @@
 #include "core/assembly/back_end.h"
 #include "core/energy/material.h"
 #include "core/integration/integration_options.h"
+#include "core/integration/step_progress.h"
 #include "core/integration/step_record.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
@@ -121,8 +122,9 @@ class Deformer {
         std::function<void(const State<Dim>&)> onFrame;
         std::function<void(double)> progress;
         std::stop_token stop;
-        /// Gets the part of a factorization that is done, within a step, if that takes long; from any thread.
-        std::function<void(double)> factorizing;
+        /// Gets how far a step is while its fields are computed, at most so often; from any thread.
+        StepProgress::Sink within;
+        std::chrono::milliseconds withinEvery{100};
         /// Gets every step that was computed, once state() is the shape at its end.
         std::function<void(const StepRecord<Dim>&)> onStep;
         /// Steps that are taken from here as long as there are any. They begin where state() is.

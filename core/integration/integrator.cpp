@@ -194,13 +194,17 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
     prescribe(t, side, m_constraints->hasGuides() ? *m_solver->stages().shape() : state.normalized);
     m_solver->setMemoryRate(memoryRate(t, side));
     m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
-    m_solver->setProgress(m_watch ? m_watch->factorizing : nullptr);
+    if (m_watch && m_watch->within)
+        m_solver->setProgress([this](FieldWork work, double part) { m_progress.tell(work, part); });
+    else
+        m_solver->setProgress({});
     ++statistics.evaluations;
     const bool reuses = m_solver->reuses();
     m_failure.outcome =
         m_solver->solveAtStage(m_prescribed, velocity, reuses ? m_history.at(t) : std::nullopt);
     m_failure.cancelled = m_failure.outcome.kind == SolveOutcome::Kind::Stopped;
     if (reuses && m_failure.outcome.done()) m_history.record(t, m_prescribed, velocity);
+    if (m_failure.outcome.done()) m_progress.fieldDone();
     return m_failure.outcome.done();
 }
 
@@ -314,6 +318,7 @@ template <int Dim>
 AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch) {
     const auto begin = std::chrono::steady_clock::now();
     m_watch = &watch;
+    m_progress.start(state.time, watch.within, watch.withinEvery);
     m_frame = 0;
     bool good = true;
     const auto emitHere = [&] {
@@ -327,6 +332,7 @@ AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch
         if (good) emitHere();
     }
     m_watch = nullptr;
+    m_progress.stop();
     statistics.integrate += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     collectStatistics();
     return good ? AdvanceResult{Outcome::Done, state.time, -1, {}} : stopped();

@@ -140,6 +140,7 @@ struct Deformer<Dim>::Integrator {
     std::optional<int> m_snapped;  // the vertex that moved the farthest where a minimum ended in this step
     bool m_springing = false;
     const Watch* m_watch = nullptr;
+    StepProgress m_progress;
     size_t m_frame = 0;
 };
 

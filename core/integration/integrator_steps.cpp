@@ -77,7 +77,9 @@ std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start
         m_history.begin(state.time, to, start, [this](const auto& from, const auto& shape, auto& fields) {
             m_solver->turn(from, shape, fields);
         });
+    m_progress.begin(state.time, to);
     if (!method().attempt(rhs, m_solver->stages(), state.time, to, start, state.pace)) return {};
+    m_progress.succeed();
     const double error = method().error();
     if (!(error <= 1)) return error;
     m_next = *method().result();

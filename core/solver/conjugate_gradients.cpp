@@ -99,14 +99,15 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             result.end = Result::End::Converged;
             break;
         }
-        const double lasting = goal.trials > 1 ? std::max(goal.minContraction, mean) : contraction;
-        if (result.iterations > goal.trials &&
-            links.decide(goal.hopeless && goal.hopeless(iterationsTo(goalSize, size, lasting))))
-            break;
+        const double lasting = goal.trials > 1 ? std::max(goal.minContraction, mean) : contraction,
+                     left = iterationsTo(goalSize, size, lasting);
+        if (result.iterations > goal.trials && links.decide(goal.hopeless && goal.hopeless(left))) break;
+        if (goal.progress) goal.progress(result.iterations / (result.iterations + left));
         m_r -= rz / pKp * m_q;
         before = size;
         rzBefore = rz;
     }
+    if (links.decide(goal.stop.stop_requested())) result.end = Result::End::GaveUp;  // v may be anything
     return result;
 }
 

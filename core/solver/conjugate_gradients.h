@@ -34,8 +34,9 @@ class ConjugateGradients {
         // Whether |z| shows only a part of the error: of multigrid, whose B K has eigenvalues well below 1.
         bool cautious = false;
         int trials = 1;
-        int most = 200;             // iterations, far beyond what ever pays with a factor
-        std::stop_token stop = {};  // gives up between iterations
+        int most = 200;                             // iterations, far beyond what ever pays with a factor
+        std::stop_token stop = {};                  // gives up between iterations
+        std::function<void(double)> progress = {};  // gets the part that is done, in [0, 1], as it seems
     };
     struct Result {
         enum class End { Converged, GaveUp } end = End::GaveUp;

@@ -90,6 +90,12 @@ void FactorCache<Dim>::recall(const FactorMemory<Dim>& memory) {
 }
 
 template <int Dim>
+std::function<void(double)> FactorCache<Dim>::progressOf(FieldWork work) const {
+    if (!m_progress) return {};
+    return [this, work](double part) { m_progress(work, part); };
+}
+
+template <int Dim>
 Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_token& stop) {
     {
         const Stopwatch watch(m_statistics.assemble);
@@ -97,7 +103,8 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
         m_system.gather(m_blocks, m_factor.values());
     }
     const Stopwatch watch(m_statistics.factor);
-    const Factor::Status status = m_factor.factorize(kind, m_backEnd.workers(), stop, m_progress);
+    const Factor::Status status =
+        m_factor.factorize(kind, m_backEnd.workers(), stop, progressOf(FieldWork::Factor));
     m_analyzed = m_factor.isAnalyzed();
     m_statistics.needed = std::max(m_statistics.needed, m_factor.needed());
     return status;
@@ -107,7 +114,7 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
 template <int Dim>
 Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop) {
     const Stopwatch watch(m_statistics.factor);
-    switch (m_multigrid->build(shape, stop)) {
+    switch (m_multigrid->build(shape, stop, progressOf(FieldWork::Levels))) {
         case BuildStatus::Stopped:
             return Factor::Status::Stopped;
         case BuildStatus::NotPositiveDefinite:

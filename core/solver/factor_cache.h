@@ -38,7 +38,7 @@ class FactorCache {
     void recall(const FactorMemory<Dim>& memory);
     RefactorPolicy& policy() { return m_policy; }
     /// Of long factorizations: see Factor::factorize().
-    void setProgress(FactorProgress progress) { m_progress = std::move(progress); }
+    void setProgress(FieldProgress progress) { m_progress = std::move(progress); }
     std::span<double> values() { return m_factor.values(); }
 
     /// A new factor, at the back end's shape: one that lasts, in the poorest precision that serves here, or
@@ -75,6 +75,7 @@ class FactorCache {
   private:
     Nodal<Dim> goAhead(const Points<Dim>& velocity);
     SolveOutcome factorize(const Nodal<Dim>& shape, FactorKind kind, const std::stop_token& stop);
+    std::function<void(double)> progressOf(FieldWork work) const;
     Factor::Status makeFactor(FactorKind kind, const std::stop_token& stop);
     Factor::Status makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop);
     /// Multigrid is in double precision, and no more exact than a factor in single.
@@ -86,7 +87,7 @@ class FactorCache {
     SolverStatistics& m_statistics;
     const AssemblyPlan<Dim>* m_plan = nullptr;
     bool m_analyzed = false;
-    FactorProgress m_progress;
+    FieldProgress m_progress;
     Factor m_factor;
     IterativeSolver<Dim>* m_multigrid = nullptr;
     Nodal<Dim> m_shape;          // where the factor at hand was made; null: it has served

@@ -32,7 +32,8 @@ class IterativeSolver {
     /// BackEnd::setMassRegularization().
     virtual void analyze(std::vector<double> epsilon) = 0;
     /// Builds all levels at a shape, which is the back end's.
-    virtual BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop) = 0;
+    virtual BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop,
+                              const WorkerPool::Progress& progress) = 0;
     /// ConjugateGradients::run() with these levels, at the back end's shape.
     virtual Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) = 0;
 };

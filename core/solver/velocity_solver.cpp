@@ -128,7 +128,8 @@ void VelocitySolver<Dim>::setStop(std::stop_token stop) {
 }
 
 template <int Dim>
-void VelocitySolver<Dim>::setProgress(std::function<void(double)> progress) {
+void VelocitySolver<Dim>::setProgress(FieldProgress progress) {
+    m_impl->progress = progress;
     m_impl->cache->setProgress(std::move(progress));
 }
 

@@ -10,6 +10,7 @@
 #include "core/assembly/back_end.h"
 #include "core/factor/factor_kind.h"
 #include "core/solver/constraint_rows.h"
+#include "core/solver/field_progress.h"
 #include "core/solver/iterative_solver.h"
 #include "core/solver/refactor_policy.h"
 #include "core/solver/solver_choice.h"
@@ -164,8 +165,8 @@ class VelocitySolver {
     /// A wish to stop ends a solve that goes on: between the iterations, and within an analysis or a
     /// factorization. What was remembered before it leads to the same bits again.
     void setStop(std::stop_token stop);
-    /// From now on gets the part of a factorization that is done, if that takes long, from any thread.
-    void setProgress(std::function<void(double)> progress);
+    /// From now on tells how far the work on a field is; factors only if they take long.
+    void setProgress(FieldProgress progress);
     /// To be taken between solves, and given back before the solves that are to go on from it, after their
     /// constraints were set. A factor that is no longer there is made again when it is needed.
     FactorMemory<Dim> remember() const;

@@ -289,6 +289,7 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     goal.minContraction = cache->minContraction();
     if (lag == 0 && cache->isSingle()) goal.poorestContraction = kPoorestContraction;
     goal.stop = stop;
+    if (progress) goal.progress = [this](double part) { progress(FieldWork::Iterations, part); };
     const RefactorPolicy& policy = cache->policy();
     goal.trials = policy.keepsPace() ? kTrials : 1;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };

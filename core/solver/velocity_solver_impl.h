@@ -54,6 +54,7 @@ struct VelocitySolver<Dim>::Impl {
     std::vector<double> turnedRight;
     double tolerance = 0;
     std::stop_token stop;
+    FieldProgress progress;
     ConjugateGradients<Dim> iteration;
     Points<Dim> last;  // v̂ of the last solve
 

@@ -1,6 +1,8 @@
 // A wish to stop that comes in the middle of a velocity field: the solver ends, and what follows has the same
 // bits as if nobody had wished anything.
 #include <QTest>
+#include <mutex>
+#include <set>
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/factor/cholesky.h"
@@ -87,6 +89,70 @@ void goesOnToTheSameBits(double phi) {
     QVERIFY(cut.state().points == whole.state().points);
 }
 
+template <int Dim>
+Deformer<Dim> steppedDeformer(SolverKind solver) {
+    const Bend<Dim> bend(Dim == 2 ? 60 : 24, Dim == 2 ? 20 : 6, 4, 1, phi::kMetr);
+    IntegrationOptions options;
+    options.solver = solver;
+    options.method = Method::RungeKutta4;
+    options.steps = 4;
+    return Deformer<Dim>(bend.mesh, bend.material, bend.handles, options, BackEndKind::Cpu);
+}
+
+/// Wherever it tells how far it is: within the levels, too.
+template <int Dim>
+void multigridGoesOnToTheSameBits() {
+    Deformer<Dim> whole = steppedDeformer<Dim>(SolverKind::Multigrid),
+                  cut = steppedDeformer<Dim>(SolverKind::Multigrid);
+    QCOMPARE(whole.advance(1).outcome, Outcome::Done);
+    std::set<FieldWork> stopped;
+    for (int tells = 0;; tells += 7) {
+        std::stop_source source;
+        std::mutex mutex;
+        int left = tells;
+        FieldWork work{};
+        typename Deformer<Dim>::Watch watch;
+        watch.stop = source.get_token();
+        watch.withinEvery = {};
+        watch.within = [&](const Within& now) {
+            const std::scoped_lock lock(mutex);
+            if (left-- != 0) return;
+            work = now.work;
+            source.request_stop();
+        };
+        const AdvanceResult result = cut.advance(1, watch);
+        if (result.outcome == Outcome::Done) break;
+        QCOMPARE(result.outcome, Outcome::Cancelled);
+        stopped.insert(work);
+    }
+    QCOMPARE(stopped, (std::set{FieldWork::Levels, FieldWork::Iterations}));
+    QVERIFY(cut.state().points == whole.state().points);
+}
+
+/// From the end of one step to that of the next, never back.
+template <int Dim>
+void progressMovesWithinSteps(SolverKind solver) {
+    Deformer<Dim> deformer = steppedDeformer<Dim>(solver);
+    typename Deformer<Dim>::Watch watch;
+    std::vector<double> times;
+    double step = 0;
+    std::vector<int> within(1, 0);  // of every step
+    watch.withinEvery = {};
+    watch.within = [&](const Within& now) {
+        times.push_back(now.time);
+        if (now.time > step && now.time < step + 0.25 && now.part >= 0 && now.part <= 1) ++within.back();
+    };
+    watch.progress = [&](double time) {
+        times.push_back(time);
+        step = time;
+        within.push_back(0);
+    };
+    QCOMPARE(deformer.advance(1, watch).outcome, Outcome::Done);
+    QVERIFY(std::ranges::is_sorted(times));
+    QCOMPARE(within.size(), std::size_t(5));
+    for (int k = 0; k < 4; ++k) QVERIFY2(within[k] >= 1, qPrintable(QString::number(within[k])));
+}
+
 }  // namespace
 
 class TestInterruption : public QObject {
@@ -96,6 +162,9 @@ class TestInterruption : public QObject {
     void factorizationStops();
     void runGoesOnToTheSameBits_data();
     void runGoesOnToTheSameBits();
+    void multigridRunGoesOnToTheSameBits();
+    void progressMovesWithinSteps_data();
+    void progressMovesWithinSteps();
 };
 
 /// Within its factorization and between its iterations, at once: no piece of work is begun after the wish,
@@ -164,6 +233,23 @@ void TestInterruption::runGoesOnToTheSameBits() {
     QFETCH(double, phi);
     goesOnToTheSameBits<2>(phi);
     goesOnToTheSameBits<3>(phi);
+}
+
+void TestInterruption::multigridRunGoesOnToTheSameBits() {
+    multigridGoesOnToTheSameBits<2>();
+    multigridGoesOnToTheSameBits<3>();
+}
+
+void TestInterruption::progressMovesWithinSteps_data() {
+    QTest::addColumn<SolverKind>("solver");
+    QTest::addRow("direct") << SolverKind::Direct;
+    QTest::addRow("multigrid") << SolverKind::Multigrid;
+}
+
+void TestInterruption::progressMovesWithinSteps() {
+    QFETCH(SolverKind, solver);
+    ::progressMovesWithinSteps<2>(solver);
+    ::progressMovesWithinSteps<3>(solver);
 }
 
 QTEST_APPLESS_MAIN(TestInterruption)

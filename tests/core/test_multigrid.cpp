@@ -232,7 +232,7 @@ struct Fine {
         }
         system = ReducedSystem<Dim>(*plan, eliminate(simplified(rows), sliders), sliders);
         matrix.analyze(*plan, system, static_cast<int>(system.unknowns().size()), backEnd->workers());
-        matrix.build(*backEnd, {});
+        matrix.build(*backEnd);
     }
     /// Without the matrix.
     Points<Dim> product(const Points<Dim>& x) const {
@@ -307,7 +307,7 @@ struct TwoLevels : Fine<Dim> {
         }
         coarseMotions =
             P.build(aggregatesOf(graphOf<Dim>(*this->plan, this->system)), motions, K, smoother, workers);
-        coarse = coarseMatrix<kModes>(coarseShare<Dim, kModes>(K, P, workers, {}));
+        coarse = coarseMatrix<kModes>(coarseShare<Dim, kModes>(K, P, workers));
     }
 };
 

@@ -77,6 +77,9 @@ ShapeEngine::Sink ComputeThread::sink() {
     sink.progress = [this](double time, double end) {
         m_out.call([this, time, end] { emit progress(time, end); });
     };
+    sink.within = [this](double time, double end) {
+        m_out.call([this, time, end] { emit within(time, end); });
+    };
     sink.finished = [this](double time, const std::string& problem, const std::string& remark) {
         m_out.call([this, time, why = said(problem), note = said(remark)] { emit finished(time, why, note); });
     };

@@ -30,6 +30,8 @@ class ComputeThread : public QObject {
     void frameReady(wend::FramePtr frame);
     void fieldReady(int number, wend::VelocityPtr field);
     void progress(double time, double end);
+    /// Emitted with the time that a step on the way is about at.
+    void within(double time, double end);
     /// Emitted at the end of the motion; `problem` says what could not be completed, or is empty.
     void finished(double time, QString problem, QString remark);
     /// Emitted if the project cannot be computed. The last shape stays, unless the failure is Shapeless.

@@ -227,6 +227,7 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
             frameTimes(std::max(m_sent.empty() ? 0 : m_sent.back(), m_deformer->state().time), breakpoint);
         watch.onFrame = send;
         watch.progress = [&](double time) { sink.progress(time, m_end); };
+        if (sink.within) watch.within = [&](const Within& now) { sink.within(now.time, m_end); };
         watch.stop = stop;
         const AdvanceResult result = m_deformer->advance(breakpoint, watch);
         if (result.outcome == Outcome::Cancelled) return;

@@ -218,6 +218,7 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
         m_sink.frameReady(frame);
     };
     sink.progress = m_sink.progress;
+    sink.within = m_sink.within;
     sink.meanwhile = [this] { readyDrag(); };
     m_pass.run(sink, stop);
     if (!m_pass.isFinished()) return;

@@ -15,12 +15,12 @@ namespace wend {
 /// The work of the compute thread on a project, independent of the dimension.
 class ShapeEngine {
   public:
-    /// Receives results, in the thread of the engine.
+    /// Receives results, in the thread of the engine; `within` from any thread.
     struct Sink {
         std::function<void(int revision, std::shared_ptr<const void> shape, KeptFrames kept)> shapeReady;
         std::function<void(FramePtr)> frameReady;
         std::function<void(int number, VelocityPtr)> fieldReady;
-        std::function<void(double time, double end)> progress;
+        std::function<void(double time, double end)> progress, within;
         std::function<void(double time, std::string problem, std::string remark)> finished;
     };
     static std::unique_ptr<ShapeEngine> make(int dimension, Sink sink);

@@ -54,6 +54,18 @@ std::string adviceOnMemory(const Project& project) {
            other;
 }
 
+std::string nameOf(FieldWork work) {
+    switch (work) {
+        case FieldWork::Factor:
+            return "factorizing";
+        case FieldWork::Levels:
+            return "building levels";
+        case FieldWork::Iterations:
+            break;
+    }
+    return "iterating";
+}
+
 constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
 
 /// One run: the shape, its deformer, and the files that are being made. Frames are written as they come, so
@@ -154,12 +166,15 @@ class Run {
     typename Deformer<Dim>::Watch watchFor(int firstFrame, int endFrame) {
         typename Deformer<Dim>::Watch watch;
         watch.stop = m_watch.stop;
-        watch.progress = [this](double time) {
-            if (m_watch.progress) m_watch.progress("deforming", end() > 0 ? std::min(time / end(), 1.0) : 1);
-        };
-        watch.factorizing = [this](double part) {
-            if (m_watch.progress) m_watch.progress("factorizing", part);
-        };
+        if (m_watch.progress) {
+            const auto part = [this](double time) { return end() > 0 ? std::min(time / end(), 1.0) : 1; };
+            watch.progress = [this, part](double time) { m_watch.progress("deforming", part(time)); };
+            watch.within = [this, part](const Within& now) {
+                const int percent = static_cast<int>(100 * part(now.time));
+                m_watch.progress("deforming " + std::to_string(percent) + " %, " + nameOf(now.work),
+                                 now.part);
+            };
+        }
         if (m_known) watch.known = &*m_known;
         m_frame = firstFrame;
         for (int k = firstFrame; k < endFrame; ++k) watch.frames.push_back(frameTime(k));

@@ -56,10 +56,11 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
     connect(m_cancel, &QPushButton::clicked, &session, &ShapeSession::cancelWork);
     connect(&session, &ShapeSession::busyChanged, this, &WorkNote::follow);
     connect(&session, &ShapeSession::frameChanged, this, &WorkNote::follow);
-    connect(&session, &ShapeSession::progress, this, [this](double time, double end) {
-        m_part = end > 0 ? time / end : 0;
-        follow();
-    });
+    for (const auto told : {&ShapeSession::progress, &ShapeSession::within})
+        connect(&session, told, this, [this](double time, double end) {
+            m_part = end > 0 ? time / end : 0;
+            follow();
+        });
     connect(&session.document(), &Document::projectChanged, this, [this] {
         m_part = 0;
         follow();

@@ -21,20 +21,20 @@ void CoarseLevels<Modes>::analyze(Graph graph) {
 }
 
 template <int Modes>
-BuildStatus CoarseLevels<Modes>::build(CoarseShare<Modes> share, const std::stop_token& stop) {
+BuildStatus CoarseLevels<Modes>::build(CoarseShare<Modes> share) {
     for (Stage& stage : m_stages) {
         stage.matrix = coarseMatrix<Modes>(share);
         const auto motions = std::move(share.motions);
         share = {};
         const auto status =
-            stage.level.build(stage.matrix, stage.aggregates, motions, {}, m_links, m_workers, stop, share);
+            stage.level.build(stage.matrix, stage.aggregates, motions, {}, m_links, m_workers, share);
         if (status != BuildStatus::Done) return status;
     }
-    return factorize(coarseMatrix<Modes>(share), stop);
+    return factorize(coarseMatrix<Modes>(share));
 }
 
 template <int Modes>
-BuildStatus CoarseLevels<Modes>::factorize(const BlockRows<Modes>& A, const std::stop_token& stop) {
+BuildStatus CoarseLevels<Modes>::factorize(const BlockRows<Modes>& A) {
     std::vector<int> start{0}, row;
     for (int j = 0; j < A.rows(); ++j)
         for (int k = 0; k < Modes; ++k) {
@@ -42,11 +42,12 @@ BuildStatus CoarseLevels<Modes>::factorize(const BlockRows<Modes>& A, const std:
                 for (int i = 0; i < Modes; ++i) row.push_back(A.column(e) * Modes + i);
             start.push_back(static_cast<int>(row.size()));
         }
-    if (!m_factor.analyze(start, row, Modes, Ordering::NestedDissection, stop)) return BuildStatus::Stopped;
+    if (!m_factor.analyze(start, row, Modes, Ordering::NestedDissection, m_workers.stop()))
+        return BuildStatus::Stopped;
     auto status = Factor::Status::NotPositiveDefinite;
     for (const double shift : kShifts) {
         fill(A, shift);
-        status = m_factor.factorize(FactorKind::Double, m_workers, stop);
+        status = m_factor.factorize(FactorKind::Double, m_workers, m_workers.stop());
         if (status != Factor::Status::NotPositiveDefinite) break;
     }
     if (status == Factor::Status::Stopped) return BuildStatus::Stopped;

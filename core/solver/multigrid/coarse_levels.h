@@ -14,7 +14,7 @@ class CoarseSolver {
     virtual ~CoarseSolver() = default;
 
     /// Takes the share of the part that the finest level belongs to.
-    virtual BuildStatus build(CoarseShare<Modes> share, const std::stop_token& stop) = 0;
+    virtual BuildStatus build(CoarseShare<Modes> share) = 0;
     /// z ≈ A⁻¹ r in the rows of the share; r is what they add to the right-hand side, and is spoilt. False if
     /// that is not finite.
     virtual bool solve(Points<Modes>& r, Points<Modes>& z) = 0;
@@ -31,11 +31,11 @@ class CoarseLevels final : public CoarseSolver<Modes> {
 
     /// The groups of all levels, from which aggregates are next to each other.
     void analyze(Graph aggregates);
-    BuildStatus build(CoarseShare<Modes> share, const std::stop_token& stop) override;
+    BuildStatus build(CoarseShare<Modes> share) override;
     bool solve(Points<Modes>& r, Points<Modes>& z) override { return cycle(0, r, z); }
 
   private:
-    BuildStatus factorize(const BlockRows<Modes>& A, const std::stop_token& stop);
+    BuildStatus factorize(const BlockRows<Modes>& A);
     void fill(const BlockRows<Modes>& A, double shift);
     bool cycle(std::size_t level, Points<Modes>& r, Points<Modes>& z);
 

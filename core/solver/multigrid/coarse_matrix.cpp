@@ -128,12 +128,11 @@ void append(List& list, List& more) {
 
 template <int Size, int Modes>
 CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
-                               WorkerPool& workers, const std::stop_token& stop) {
+                               WorkerPool& workers) {
     std::vector<CoarseShare<Modes>> pieces((P.aggregates() + kAggregateGrain - 1) / kAggregateGrain);
     workers.forPieces(P.aggregates(), kAggregateGrain, [&](int begin, int end) {
         LowerRow<Size, Modes> maker(K, P);
-        for (int a = begin; a < end && !stop.stop_requested(); ++a)
-            maker.append(a, pieces[begin / kAggregateGrain]);
+        for (int a = begin; a < end; ++a) maker.append(a, pieces[begin / kAggregateGrain]);
     });
     CoarseShare<Modes> share;
     share.own = P.ownAggregates();
@@ -196,7 +195,7 @@ BlockRows<Modes> coarseMatrix(const CoarseShare<Modes>& share) {
 
 #define WEND_INSTANTIATE(Size, Modes)                                                                 \
     template CoarseShare<Modes> coarseShare(const BlockRows<Size>&, const Prolongation<Size, Modes>&, \
-                                            WorkerPool&, const std::stop_token&);
+                                            WorkerPool&);
 WEND_INSTANTIATE(2, 6)
 WEND_INSTANTIATE(6, 6)
 WEND_INSTANTIATE(3, 12)

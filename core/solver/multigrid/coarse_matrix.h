@@ -21,11 +21,11 @@ struct CoarseShare {
     std::vector<Eigen::Matrix<double, Modes, Modes>> motions;
 };
 
-/// Row by row: the same bits for any number of threads. Incomplete once `stop` is requested. With rests, if
-/// there are other parts.
+/// Row by row: the same bits for any number of threads. Incomplete once the threads are stopped. With rests,
+/// if there are other parts.
 template <int Size, int Modes>
 CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
-                               WorkerPool& workers, const std::stop_token& stop);
+                               WorkerPool& workers);
 
 /// The sum of the shares of all parts, in their order, without motions.
 template <int Modes>

@@ -22,10 +22,9 @@ class Level {
     /// Puts the contribution to the next level into `share`.
     BuildStatus build(const BlockRows<Size>& K, const Aggregates& aggregates,
                       const std::vector<Motions>& motions, const std::vector<unsigned>& held,
-                      const PartLinks& links, WorkerPool& workers, const std::stop_token& stop,
-                      CoarseShare<Modes>& share);
-    /// z ≈ K⁻¹ r, a column per row; r is spoilt. Smoothed before and after the coarse correction by the same
-    /// polynomial, so that all of it is symmetric.
+                      const PartLinks& links, WorkerPool& workers, CoarseShare<Modes>& share);
+    /// z ≈ K⁻¹ r, a column per row; r is spoilt. False if the threads are stopped. Smoothed before and after
+    /// the coarse correction by the same polynomial, so that all of it is symmetric.
     bool cycle(const BlockRows<Size>& K, Points<Size>& r, Points<Size>& z, const CoarseSolve& solve,
                const PartLinks& links, WorkerPool& workers);
 

@@ -37,13 +37,13 @@ auto Multigrid<Dim>::linearMotions(const Points<Dim>& shape) const
 }
 
 template <int Dim>
-BuildStatus Multigrid<Dim>::build(const Points<Dim>& shape, const std::stop_token& stop) {
-    const bool made = m_matrix.build(m_backEnd, stop);
+BuildStatus Multigrid<Dim>::build(const Points<Dim>& shape) {
+    const bool made = m_matrix.build(m_backEnd);
     if (!m_links.decide(made)) return BuildStatus::Stopped;
     CoarseShare<kModes> share;
     const auto status = m_finest.build(m_matrix.blocks(), m_aggregates, linearMotions(shape), m_system.held(),
-                                       m_links, m_backEnd.workers(), stop, share);
-    return status == BuildStatus::Done ? m_coarse.build(std::move(share), stop) : status;
+                                       m_links, m_backEnd.workers(), share);
+    return status == BuildStatus::Done ? m_coarse.build(std::move(share)) : status;
 }
 
 template <int Dim>

@@ -28,7 +28,7 @@ class Multigrid {
     /// the first unknowns, which are the part's own: none of these has unknowns in other parts.
     void analyze(const AssemblyPlan<Dim>& plan, Aggregates aggregates);
     /// All levels at a shape, which is the back end's.
-    BuildStatus build(const Points<Dim>& shape, const std::stop_token& stop);
+    BuildStatus build(const Points<Dim>& shape);
     /// z ≈ K⁻¹ r, K at the shape of the levels, in the part's own unknowns; false if that is not finite.
     bool apply(std::span<const double> r, std::span<double> z);
 

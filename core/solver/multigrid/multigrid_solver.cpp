@@ -34,14 +34,17 @@ class MultigridSolver final : public IterativeSolver<Dim> {
         m_backEnd->setMassRegularization(std::move(epsilon));
     }
 
-    BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop) override {
-        return m_multigrid.build(*shape, stop);
+    BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop,
+                      const WorkerPool::Progress& progress) override {
+        const WorkerPool::Watched watched(m_backEnd->workers(), stop, progress);
+        return m_multigrid.build(*shape);
     }
 
     Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) override {
         const auto precondition = [this](std::span<const double> r, std::span<double> z) {
             return m_multigrid.apply(r, z);
         };
+        const WorkerPool::Watched watched(m_backEnd->workers(), goal.stop);
         return m_iteration.run(*m_backEnd, m_system, precondition, goal, load, v);
     }
 

@@ -10,7 +10,8 @@ namespace wend {
 namespace {
 
 constexpr int kProlongationGrain = 256;
-constexpr double kDamping = 4.0 / 3;  // of the inverse of the largest eigenvalue
+constexpr double kSmoothingShare = 0.3;  // of the time that the levels take from there on
+constexpr double kDamping = 4.0 / 3;     // of the inverse of the largest eigenvalue
 // A motion of an aggregate that is so nearly a sum of others, relative to its size squared, is left out.
 constexpr double kDependent = 1e-10;
 
@@ -188,7 +189,9 @@ auto Prolongation<Size, Modes>::build(const Aggregates& aggregates, const std::v
     m_rows = K.rows();
     auto coarse = makeMotions(aggregates, motions);
     addCopies(links);
+    workers.measureNext(kSmoothingShare);
     smooth(kDamping / smoother.largest(), K, smoother, workers);
+    if (links.decide(workers.isStopped())) return coarse;
     addCopies(links);
     renumber();
     listUsers(m_rows);

@@ -19,7 +19,7 @@ class Prolongation {
     using Square = Eigen::Matrix<double, Modes, Modes>;
 
     /// Makes P; returns the motions as coarse fields: of the aggregates that have rows of K, ascending. In a
-    /// part of a divided matrix those have no rows in other parts.
+    /// part of a divided matrix those have no rows in other parts. Unfinished if the threads are stopped.
     std::vector<Square> build(const Aggregates& aggregates, const std::vector<Motions>& motions,
                               const BlockRows<Size>& K, const Chebyshev<Size>& smoother, WorkerPool& workers,
                               const PartLinks& links = {});

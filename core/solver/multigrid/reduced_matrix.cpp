@@ -1,7 +1,6 @@
 #include "core/solver/multigrid/reduced_matrix.h"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 
 #include "core/solver/multigrid/numbering.h"
@@ -9,7 +8,8 @@
 namespace wend {
 namespace {
 
-constexpr int kReducedGrain = 512;  // rows
+constexpr int kReducedGrain = 512;    // rows
+constexpr double kMatrixShare = 0.2;  // of the time that all levels take
 
 }  // namespace
 
@@ -151,16 +151,14 @@ void ReducedMatrix<Dim>::analyze(const AssemblyPlan<Dim>& plan, const ReducedSys
 }
 
 template <int Dim>
-bool ReducedMatrix<Dim>::build(BackEnd<Dim>& backEnd, const std::stop_token& stop) {
+bool ReducedMatrix<Dim>::build(BackEnd<Dim>& backEnd) {
     const auto source = backEnd.blockSource();
-    std::atomic<bool> stopped = false;
+    backEnd.workers().measureNext(kMatrixShare);
     backEnd.workers().forPieces(m_blocks.rows(), kReducedGrain, [&](int begin, int end) {
-        if (stop.stop_requested()) stopped = true;
-        if (stopped) return;
         Rows maker(*this);
         for (int row = begin; row < end; ++row) maker.compute(row, *source, m_blocks);
     });
-    return !stopped;
+    return !backEnd.workers().isStopped();
 }
 
 template class ReducedMatrix<2>;

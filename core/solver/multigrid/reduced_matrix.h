@@ -21,8 +21,8 @@ class ReducedMatrix {
     void analyze(const AssemblyPlan<Dim>& plan, const ReducedSystem<Dim>& system, int rows,
                  WorkerPool& workers);
     /// The values at the back end's shape. In coordinates in which a vertex is held there is nothing but the
-    /// diagonal. False once `stop` is requested.
-    bool build(BackEnd<Dim>& backEnd, const std::stop_token& stop);
+    /// diagonal. False if the threads are stopped.
+    bool build(BackEnd<Dim>& backEnd);
 
     const BlockRows<Dim>& blocks() const { return m_blocks; }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <mutex>
+
+#include "core/solver/field_progress.h"
+
+namespace wend {
+
+/// How far a step is whose fields are being computed.
+struct Within {
+    double time;  // between the ends of the step, by the work that is done; of a run it never falls
+    FieldWork work;
+    double part;  // of this work, in [0, 1]
+};
+
+/// Counts the fields of a step. tell() may be called from any thread.
+class StepProgress {
+  public:
+    using Sink = std::function<void(const Within&)>;
+
+    /// A run from this time on; the sink is called at most so often, by one thread at a time.
+    void start(double time, Sink sink, std::chrono::milliseconds every);
+    void stop() { start(0, {}, {}); }
+    /// An attempt at a step, which takes about as many fields as the last one that succeeded.
+    void begin(double from, double to);
+    void succeed() { m_expected = m_fields; }
+    void fieldDone();
+    void tell(FieldWork work, double part);
+
+  private:
+    static constexpr int kFields = 7;  // of the first step
+
+    std::mutex m_mutex;
+    Sink m_sink;
+    std::chrono::milliseconds m_every{};
+    std::chrono::steady_clock::time_point m_last;
+    double m_from = 0, m_to = 0, m_told = 0;
+    int m_fields = 0, m_expected = kFields;
+    bool m_setUp = false;  // for this field a factor or levels were made
+};
+
+}  // namespace wend
