@@ -1,6 +1,6 @@
 #include "warp/colour_space.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -58,27 +58,25 @@ void Projection<Dim>::addCluster(std::vector<int> rows, const std::vector<bool>&
     for (int row : rows)
         for (const auto& [vertex, weight] : m_rows[row].terms)
             if (!isFixed[vertex] && weight != 0) column.try_emplace(vertex, static_cast<int>(column.size()));
-    Cluster cluster{std::move(rows), std::vector<int>(column.size()), {}, {}};
-    cluster.W.setZero(static_cast<Eigen::Index>(cluster.rows.size()),
-                      static_cast<Eigen::Index>(column.size()));
-    for (const auto& [vertex, at] : column) cluster.vertices[at] = vertex;
-    for (std::size_t i = 0; i < cluster.rows.size(); ++i)
-        for (const auto& [vertex, weight] : m_rows[cluster.rows[i]].terms)
-            if (!isFixed[vertex] && weight != 0)
-                cluster.W(static_cast<Eigen::Index>(i), column.at(vertex)) += weight;
-    cluster.WWt.compute(cluster.W * cluster.W.transpose());
-    m_clusters.push_back(std::move(cluster));
+    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
+                                              static_cast<Eigen::Index>(column.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (const auto& [vertex, weight] : m_rows[rows[i]].terms)
+            if (!isFixed[vertex] && weight != 0) W(static_cast<Eigen::Index>(i), column.at(vertex)) += weight;
+    std::vector<int> vertices(column.size());
+    for (const auto& [vertex, at] : column) vertices[at] = vertex;
+    m_clusters.push_back({std::move(rows), std::move(vertices), RightInverse(W)});
 }
 
 template <int Dim>
 void Projection<Dim>::correct(const Cluster& cluster, Points<Dim>& values, const Points<Dim>& targets) const {
-    Eigen::Matrix<double, Eigen::Dynamic, Dim> residual(cluster.rows.size(), Dim);
+    Eigen::MatrixXd residual(cluster.rows.size(), Dim);
     for (std::size_t i = 0; i < cluster.rows.size(); ++i) {
         Vec<Dim> r = targets.col(cluster.rows[i]);
         for (const auto& [vertex, weight] : m_rows[cluster.rows[i]].terms) r -= weight * values.col(vertex);
         residual.row(static_cast<Eigen::Index>(i)) = r.transpose();
     }
-    const Eigen::MatrixXd correction = cluster.W.transpose() * cluster.WWt.solve(residual);
+    const Eigen::MatrixXd correction = cluster.inverse.times(residual);
     for (std::size_t i = 0; i < cluster.vertices.size(); ++i)
         values.col(cluster.vertices[i]) += correction.row(static_cast<Eigen::Index>(i)).transpose();
 }

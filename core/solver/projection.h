@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <vector>
 
 #include "core/mesh/types.h"
 #include "core/solver/constraint_rows.h"
+#include "core/solver/dense_systems.h"
 
 namespace wend {
 
@@ -25,8 +25,7 @@ class Projection {
     };
     struct Cluster {
         std::vector<int> rows, vertices;  // vertices: the movable ones
-        Eigen::MatrixXd W;
-        Eigen::LDLT<Eigen::MatrixXd> WWt;
+        RightInverse inverse;             // of the matrix W of these rows and vertices
     };
     void addCluster(std::vector<int> rows, const std::vector<bool>& isFixed);
     void correct(const Cluster& cluster, Points<Dim>& values, const Points<Dim>& targets) const;

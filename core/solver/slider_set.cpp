@@ -1,8 +1,9 @@
 #include "core/solver/slider_set.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <map>
+
+#include "core/solver/dense_systems.h"
 
 namespace wend {
 namespace {
@@ -13,16 +14,12 @@ constexpr double kOneDirection = 1e-9;  // sine of the angle below which two dir
 template <int Dim>
 void completeRows(typename SliderSet<Dim>::Vertex& vertex) {
     const auto count = static_cast<Eigen::Index>(vertex.rows.size());
-    Eigen::Matrix<double, Eigen::Dynamic, Dim> C(count, Dim);
+    Eigen::MatrixXd C(count, Dim);
     for (Eigen::Index j = 0; j < count; ++j)
         C.row(j) = vertex.rows[static_cast<std::size_t>(j)].direction.transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    Eigen::Matrix<double, Dim, Eigen::Dynamic> inverse = Eigen::MatrixXd::Zero(Dim, count);
-    for (Eigen::Index i = 0; i < svd.singularValues().size(); ++i)
-        if (const double value = svd.singularValues()[i]; value > kOneDirection)
-            inverse += svd.matrixV().col(i) * svd.matrixU().col(i).transpose() / value;
+    const Eigen::MatrixXd inverse = pseudoInverse(C, kOneDirection);
     for (Eigen::Index j = 0; j < count; ++j) vertex.rows[static_cast<std::size_t>(j)].column = inverse.col(j);
-    vertex.projector = inverse * C;
+    vertex.projector = inverse.lazyProduct(C);
     if (!vertex.isAlongAxes) return;
     vertex.projector.setZero();
     for (int k = 0; k < Dim; ++k) vertex.projector(k, k) = vertex.held >> k & 1U;

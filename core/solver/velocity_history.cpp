@@ -1,8 +1,9 @@
 #include "core/solver/velocity_history.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "core/solver/dense_systems.h"
 
 namespace wend {
 namespace {
@@ -104,10 +105,7 @@ std::optional<Points<Dim>> VelocityHistory<Dim>::fitting(const Points<Dim>& pres
         if (m_fields[i].prescribed->size() != prescribed.size()) return std::nullopt;
         directions.col(static_cast<Eigen::Index>(i)) = m_fields[i].prescribed->reshaped();
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
-    fit.setThreshold(kRankTolerance);
-    fit.compute(directions);
-    return combined(fit.solve(Eigen::VectorXd(prescribed.reshaped())));
+    return combined(leastNormSolution(directions, prescribed.reshaped(), kRankTolerance));
 }
 
 template class VelocityHistory<2>;

@@ -1,9 +1,9 @@
 #include "core/solver/welded_components.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "core/mesh/disjoint_sets.h"
+#include "core/solver/dense_systems.h"
 
 namespace wend {
 namespace {
@@ -62,15 +62,13 @@ void holdWelded(const std::vector<SimilaritySquare<Dim>>& squares,
     for (const std::vector<int>& group : groups) {
         if (group.size() < 2) continue;
         const Eigen::MatrixXd S = weldedSquare<Dim>(group, squares, welded);
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(S);
+        const EigenPairs modes = eigenPairs(S);
         const double least = std::max(distinct * distinct, kRounding * S.trace());
         std::vector<bool> isFree(group.size(), false);
-        for (Eigen::Index k = 0; k < S.cols() && modes.eigenvalues()[k] <= least; ++k)
+        for (Eigen::Index k = 0; k < S.cols() && modes.values[k] <= least; ++k)
             for (std::size_t i = 0; i < group.size(); ++i)
-                if (modes.eigenvectors()
-                        .col(k)
-                        .segment<kModes>(static_cast<Eigen::Index>(i) * kModes)
-                        .norm() > kPartOfVector)
+                if (modes.vectors.col(k).segment<kModes>(static_cast<Eigen::Index>(i) * kModes).norm() >
+                    kPartOfVector)
                     isFree[i] = true;
         for (std::size_t i = 0; i < group.size(); ++i) held[static_cast<std::size_t>(group[i])] = !isFree[i];
     }

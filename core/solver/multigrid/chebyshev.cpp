@@ -1,9 +1,10 @@
 #include "core/solver/multigrid/chebyshev.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cstdint>
+
+#include "core/solver/dense_systems.h"
 
 namespace wend {
 namespace {
@@ -116,10 +117,7 @@ bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsign
         r -= alpha * Kp;
     }
     if (steps == 0) return false;
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(main.head(steps), side.head(std::max(0, steps - 1)),
-                                  Eigen::EigenvaluesOnly);
-    m_largest = kMargin * solver.eigenvalues().maxCoeff();
+    m_largest = kMargin * largestEigenvalue(main.head(steps), side.head(std::max(0, steps - 1)));
     return std::isfinite(m_largest) && m_largest > 0;
 }
 
