@@ -96,6 +96,7 @@ for part in phi stiffness direction; do attempt "$part.png" "--$part-picture" "D
 for format in exr tif; do attempt "map.$format" --stmap "DISK/map.$format"; done
 for format in png exr tif obj vtu; do attempt "f_1.$format" --frames "DISK/f_#.$format" --count 3; done
 attempt film.webp --frames DISK/film.webp --count 3
+for format in mp4 webm mov gif png webp; do attempt "film.$format" --film "DISK/film.$format" --count 3; done
 
 echo "$runs runs on disks 0 to 4 pages too small: $lost failed"
 [ "$lost" -eq 0 ]

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace wend {
@@ -9,22 +10,38 @@ class FilmEncoder;
 class WarpedPicture;
 struct Image;
 
-/// Pictures of one size as a film in one file, an animated WebP: 8 bits deep with alpha, shown for
-/// equal times, again and again. In memory are its frames as they will be in the file.
+/// Sound of a film, from an audio or film file.
+struct FilmSound {
+    std::string file = {};  // empty: no sound
+    double from = 0;        // seconds of the file that come before the film
+};
+
+struct FilmOptions {
+    double framesPerSecond = 24;
+    bool lossy = false;  // of WebP
+    int frames = 0;      // number that will be added: the sound ends with them
+    FilmSound sound = {};
+    std::stop_token stop = {};  // add() and finish() throw Cancelled then
+};
+
+/// Pictures of one size, 8 bits deep, as a film in one file, by its extension (film_format.h). A film that
+/// repeats itself in the program that shows it does so for ever.
 class Film {
   public:
-    /// `path`: the name for messages. Throws InputError for a rate that the format does not support.
-    Film(const std::string& path, double framesPerSecond, bool lossy);
+    /// `path`: the name for messages. `file`: the file that is written, of the same extension. Throws
+    /// InputError.
+    Film(const std::string& path, const std::string& file, const FilmOptions& options);
     ~Film();
 
     /// Throws InputError, and Cancelled when the picture's painting is stopped.
     void add(const WarpedPicture& picture);
     void add(const Image& frame);
-    /// Throws InputError.
-    void write(const std::string& file);
+    /// Completes the file. Throws InputError.
+    void finish();
 
   private:
     std::unique_ptr<FilmEncoder> m_encoder;
+    bool m_alpha;
 };
 
 }  // namespace wend

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "warp/colour_space.h"
+#include "warp/film.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
 #include "warp/picture_metadata.h"
@@ -66,22 +67,21 @@ struct PictureToWrite {
     bool lossy = false;  // of WebP: what the eye hardly misses goes, for a file of a fraction of the size
 };
 
-/// A film on its way into a file, an animated WebP.
+/// A film on its way into a file.
 struct FilmToWrite {
-    std::string path;  // the name to speak of
-    double framesPerSecond = 24;
-    bool lossy = false;
+    std::string path, file;  // the name to speak of, and the file that is written
+    FilmOptions options;
 };
 
-/// Takes a film's frames one by one, and keeps them as they will be in the file.
+/// Takes a film's frames one by one.
 class FilmEncoder {
   public:
     virtual ~FilmEncoder() = default;
-    /// 8 bits deep with alpha, the colours not associated; of the first one's size and with its metadata.
-    /// Throws InputError.
+    /// 8 bits deep with alpha, the colours not associated, or without alpha if the format has none; of the
+    /// first one's size and with its metadata. Throws InputError.
     virtual void add(const Image& frame) = 0;
-    /// Writes all of them. Throws InputError.
-    virtual void write(const std::string& temporary) = 0;
+    /// Completes the file. Throws InputError.
+    virtual void finish() = 0;
 };
 
 /// What is done by OpenImageIO: readers in wend-picture (readPicture()), writers in the program. It brings
@@ -98,7 +98,8 @@ class PictureLibrary {
     virtual StoredPicture read(const PictureSource& source, double maxMegapixels, PixelSink& sink) const = 0;
     /// Throws InputError(path, why) if the file is not what was handed over.
     virtual void write(const PictureToWrite& writing) const = 0;
-    /// Throws InputError(path, why) for a rate that the format does not hold.
+    /// An animated WebP, which is in memory until it is complete. Throws InputError(path, why) for a rate
+    /// that the format does not hold.
     virtual std::unique_ptr<FilmEncoder> film(const FilmToWrite& writing) const = 0;
 };
 

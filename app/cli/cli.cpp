@@ -7,6 +7,7 @@
 #include "app/bench/bench.h"
 #include "app/cli/commands.h"
 #include "app/cli/guarded.h"
+#include "warp/film_format.h"
 
 namespace wend {
 namespace {
@@ -82,9 +83,15 @@ std::string helpFor(const Command& command) {
     return text;
 }
 
+/// With the programs that films need.
+std::string versionText() {
+    const std::string ffmpeg = ffmpegVersion();
+    return "wend " WEND_VERSION "\nffmpeg " + (ffmpeg.empty() ? "is not installed" : ffmpeg) + "\n";
+}
+
 ExitCode dispatch(const std::vector<std::string>& words) {
     if (words.empty() || words[0] == "--help" || words[0] == "-h") return print(overview());
-    if (words[0] == "--version") return print("wend " WEND_VERSION "\n");
+    if (words[0] == "--version") return print(versionText());
     const Command* command = findCommand(words[0]);
     if (!command) throw UsageError("there is no command or file " + words[0] + " (see wend --help)");
     const std::vector<std::string> rest(words.begin() + 1, words.end());

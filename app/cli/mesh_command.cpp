@@ -139,8 +139,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     readDomain(arguments, *input.project);
     RunOutputs outputs;
     outputs.mesh = {output};
-    const std::vector<OwnInput> inputs =
-        inputsOf(domainOf(*input.project), designOf(*input.project), path, input.folder);
+    const std::vector<OwnInput> inputs = inputsOf(*input.project, path, input.folder);
     if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);
     requirePossible(*input.project, outputs);
 

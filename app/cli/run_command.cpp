@@ -40,16 +40,22 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     const std::vector<std::string> pairs = arguments.texts("--points");
     for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) outputs.points.push_back({pairs[k], pairs[k + 1]});
     outputs.count = arguments.integer("--count");
-    outputs.framesPerSecond = arguments.number("--fps");
-    for (const char* flag : {"--states", "--frames"})
+    outputs.films = arguments.texts("--film");
+    outputs.loop = arguments.has("--loop");
+    for (const char* flag : {"--states", "--frames", "--film"})
         if (std::ranges::count(arguments.texts(flag), "-") > 0)
             throw UsageError(std::string(flag) + " cannot go to standard output (-)");
     if (std::ranges::count(outputs.singleFiles(), "-") > 1)
         throw UsageError("only one output can go to standard output (-)");
     if (arguments.has("--inverse") && outputs.points.empty()) throw UsageError("--inverse is for --points");
-    if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
-    if (arguments.has("--fps") && std::ranges::none_of(outputs.frames, isAnimation))
-        throw UsageError("--fps is for --frames with a film: a .webp or .glb without ####");
+    for (const char* flag : {"--count", "--loop"})
+        if (arguments.has(flag) && !outputs.hasFrames())
+            throw UsageError(std::string(flag) + " is for --frames and --film");
+    if (arguments.has("--fps") && outputs.films.empty() && std::ranges::none_of(outputs.frames, isAnimation))
+        throw UsageError("--fps is for --film, and for --frames with a .webp or .glb without ####");
+    if (!outputs.films.empty() && !arguments.has("--count")) outputs.count = 0;
+    if (arguments.has("--scale") && arguments.has("--width"))
+        throw UsageError("--scale and --width both say how large pictures are");
     return outputs;
 }
 
@@ -136,6 +142,13 @@ void divide(IntegrationOptions& integration) {
     if (integration.threads == 0) integration.threads = 1;
 }
 
+/// The project's is as the line says by now. Frames without a number are as many as the motion needs.
+void takeFrameRate(const Project& project, double at, RunOutputs& outputs) {
+    outputs.framesPerSecond = project.frameRate;
+    if (outputs.count == 0)
+        outputs.count = frameCount(frameSpan(project, at, outputs), outputs.framesPerSecond, outputs.loop);
+}
+
 ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chrono::milliseconds patience) {
     const std::string path = onlyFile(arguments, "project");
     RunOptions options = optionsFrom(arguments);
@@ -149,7 +162,8 @@ ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chr
     override(project, arguments);
     if (solvers.space) divide(project.integration);
     paint(project, folderOf(path), arguments);
-    std::vector<OwnInput> inputs = inputsOf(project.domain, project.design, path, folderOf(path));
+    takeFrameRate(project, options.at.value_or(project.end), options.outputs);
+    std::vector<OwnInput> inputs = inputsOf(project, path, folderOf(path));
     // Its own states go on growing.
     if (!options.from.empty() && std::ranges::none_of(options.outputs.states, [&](const std::string& file) {
             return sameFile(options.from, file);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/document/depth_region.h"
@@ -17,7 +20,10 @@ struct Project {
     AnyDesign design;
     DepthRegions depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
-    bool endIsGiven = true;            // false: the file leaves `end` to the motions, see endOfMotions()
+    bool endIsGiven = true;  // false: the file leaves `end` to the motions, see endOfMotions()
+    double frameRate = 24;   // of films, per unit of time
+    std::optional<std::array<double, 2>> cycle;  // the part of time that a loop shows
+    std::string audio;                 // a file that sounds from time 0 on, in films, too; empty: none
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
     SolidView view;                    // in space
     IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()

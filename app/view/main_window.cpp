@@ -228,6 +228,10 @@ void MainWindow::connectFiles() {
     connect(mesh, &MeshPanel::detailRemoved, m_solidActions->removeDetail, &QAction::trigger);
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
+    connect(a.exportFilm, &QAction::triggered, this, [this] {
+        const bool isSolid = m_session.document().dimension() == 3;
+        isSolid ? m_solids->exportFilm() : m_exporter->exportFilm();
+    });
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
     connect(m_exporter, &Exporter::failed, this, tellIn(Topic::Export));
     connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });

@@ -16,6 +16,7 @@
 #include "app/panels/fields/panel_fields.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reach_row.h"
+#include "app/panels/film_panel.h"
 #include "app/panels/flow_panel.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/handle_panel.h"
@@ -129,6 +130,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
     put(new FlowPanel(session), tr("Flow"), "curve", {.modes = Mode::Animate});
+    put(new FilmPanel(session), tr("Film"), "frames", {.modes = Mode::Animate});
     put(new ExportPanel(session, exporter, actions), tr("Export"), "export",
         {.modes = Mode::Export, .fills = true});
     put(m_measure, tr("Measure"), "measure", {.modes = Modes::all(), .flat = false, .tool = "measure"});

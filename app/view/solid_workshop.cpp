@@ -180,19 +180,28 @@ void SolidWorkshop::showDomain() {
 }
 
 void SolidWorkshop::exportView() {
-    if (!m_canvas) return;
+    askForView({});
+}
+
+void SolidWorkshop::exportFilm() {
     const ShapeSession& session = m_around.session;
-    const bool moves = session.frame() && !session.isBusy() && !session.isStale();
+    if (!session.frame() || session.isBusy() || session.isStale())
+        return emit failed(tr("The shape is still being computed. Try again in a moment."));
+    const Document& document = session.document();
+    askForView(FilmSubject{document.project(), session.playback().end(), document.folder().toStdString()});
+}
+
+void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
+    if (!m_canvas) return;
     PictureDialog dialog(
         m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
-        [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); },
-        moves ? session.playback().end() * Playback::kSecondsPerUnit : 0);
+        [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); }, film);
     QString path;
     while (path.isEmpty()) {
         if (dialog.exec() != QDialog::Accepted) return;
         const Document& document = m_around.session.document();
         const QString name = QFileInfo(document.displayName()).completeBaseName() + dialog.extension();
-        path = askFileToWrite(&m_window, tr("Export View"), QDir(proposedFolder(document)).filePath(name),
+        path = askFileToWrite(&m_window, dialog.windowTitle(), QDir(proposedFolder(document)).filePath(name),
                               dialog.filter());
         if (!path.isEmpty() && m_mayReplace && !m_mayReplace(path)) path.clear();
     }

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/tools/tool.h"
 #include "app/view/actions/solid_actions.h"
+#include "app/view/export/picture_dialog.h"
 #include "app/view/volume/plain_view.h"
 
 namespace wend {
@@ -41,6 +43,8 @@ class SolidWorkshop : public QObject {
     void takeUpTool();
     /// Asks for size and name and writes the view as a picture.
     void exportView();
+    /// The same for a film of the motion.
+    void exportFilm();
     /// The solid from where the view looks, as files get it: without map and cut. Null without one.
     QImage smallView(const QSize& size);
     /// Connects the view options of a canvas, for both halves.
@@ -59,6 +63,7 @@ class SolidWorkshop : public QObject {
     void done(QString text);
 
   private:
+    void askForView(const std::optional<FilmSubject>& film);
     void makePage();
     void connectView();
     void connectNavigation();

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/shm.h>
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <new>
@@ -30,6 +33,35 @@ class Descriptor {
 
   private:
     int m_fd;
+};
+
+/// Makes a pipe whose ends no other program gets.
+inline bool makePipe(Descriptor& readEnd, Descriptor& writeEnd) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    readEnd.reset(ends[0]);
+    writeEnd.reset(ends[1]);
+    return true;
+}
+
+/// Writing to a child that has died must be an error, not the end of this program.
+class IgnoreBrokenPipe {
+  public:
+    IgnoreBrokenPipe() {
+        sigemptyset(&m_set);
+        sigaddset(&m_set, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &m_set, &m_old);
+    }
+    IgnoreBrokenPipe(const IgnoreBrokenPipe&) = delete;
+    IgnoreBrokenPipe& operator=(const IgnoreBrokenPipe&) = delete;
+    ~IgnoreBrokenPipe() {
+        const timespec now{0, 0};
+        while (sigtimedwait(&m_set, nullptr, &now) > 0) continue;
+        pthread_sigmask(SIG_SETMASK, &m_old, nullptr);
+    }
+
+  private:
+    sigset_t m_set{}, m_old{};
 };
 
 /// Memory that two processes share, until neither has it. It is System V's, because a memory file would count

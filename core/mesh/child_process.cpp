@@ -22,34 +22,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-bool makePipe(Descriptor& readEnd, Descriptor& writeEnd) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
-    readEnd.reset(ends[0]);
-    writeEnd.reset(ends[1]);
-    return true;
-}
-
-/// Writing to a child that has died must be an error, not the end of this program.
-class IgnoreBrokenPipe {
-  public:
-    IgnoreBrokenPipe() {
-        sigemptyset(&m_set);
-        sigaddset(&m_set, SIGPIPE);
-        pthread_sigmask(SIG_BLOCK, &m_set, &m_old);
-    }
-    IgnoreBrokenPipe(const IgnoreBrokenPipe&) = delete;
-    IgnoreBrokenPipe& operator=(const IgnoreBrokenPipe&) = delete;
-    ~IgnoreBrokenPipe() {
-        const timespec now{0, 0};
-        while (sigtimedwait(&m_set, nullptr, &now) > 0) continue;
-        pthread_sigmask(SIG_SETMASK, &m_old, nullptr);
-    }
-
-  private:
-    sigset_t m_set{}, m_old{};
-};
-
 class Child {
   public:
     bool start(const std::string& path, int megabytes, double processorSeconds) {

@@ -18,9 +18,9 @@ constexpr double kLongest = 16777.215;  // seconds that a frame may last: 24 bit
 class WebpFilm final : public FilmEncoder {
   public:
     explicit WebpFilm(FilmToWrite writing) : m_writing(std::move(writing)) {
-        const double rate = m_writing.framesPerSecond;
+        const double rate = m_writing.options.framesPerSecond;
         if (rate > 1000 || 1 / rate > kLongest) fail("a WebP film has from 0.0001 to 1000 frames per second");
-        if (!prepareWebp(m_config, m_writing.lossy)) fail("the WebP library is of another version");
+        if (!prepareWebp(m_config, m_writing.options.lossy)) fail("the WebP library is of another version");
     }
 
     void add(const Image& frame) override {
@@ -32,7 +32,7 @@ class WebpFilm final : public FilmEncoder {
         ++m_count;
     }
 
-    void write(const std::string& temporary) override {
+    void finish() override {
         WebPData file{};
         if (!WebPAnimEncoderAdd(m_encoder.get(), nullptr, timeOf(m_count), nullptr) ||
             !WebPAnimEncoderAssemble(m_encoder.get(), &file))
@@ -41,7 +41,7 @@ class WebpFilm final : public FilmEncoder {
         WebPDataClear(&file);
         bytes = withMetadata(std::move(bytes), m_spec);
         const std::string error =
-            writeBytes(temporary, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+            writeBytes(m_writing.file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         if (!error.empty()) fail(error);
     }
 
@@ -59,7 +59,7 @@ class WebpFilm final : public FilmEncoder {
 
     /// Returns the start of a frame in whole milliseconds, without accumulated rounding.
     int timeOf(int frame) const {
-        const double time = std::round(1000 * frame / m_writing.framesPerSecond);
+        const double time = std::round(1000 * frame / m_writing.options.framesPerSecond);
         if (time > std::numeric_limits<int>::max()) fail("a WebP film lasts 24 days at most");
         return static_cast<int>(time);
     }

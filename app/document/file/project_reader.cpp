@@ -206,6 +206,22 @@ void readGroup(JsonObject& root, const std::string& group, Project& project) {
     }
 }
 
+std::array<double, 2> readCycle(const JsonValue& value) {
+    const std::vector<double> times = value.numbers();
+    if (times.size() != 2) value.fail("must be two times, [from, to]");
+    if (times[0] < 0 || times[0] >= times[1])
+        value.fail("must be two times from 0 on, the first before the second");
+    return {times[0], times[1]};
+}
+
+void readTime(const JsonValue& value, Project& project) {
+    JsonObject object(value);
+    readSettings(object, "time", project);
+    if (auto cycle = object.find("cycle")) project.cycle = readCycle(*cycle);
+    if (auto audio = object.find("audio")) project.audio = audio->text();
+    object.finish();
+}
+
 template <int Dim>
 void readDesign(JsonObject& root, Project& project) {
     auto& design = project.design.emplace<Design<Dim>>();
@@ -257,7 +273,8 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     JsonObject root(JsonValue(json, "", project.extras, loaded.warnings));
     checkFormat(root);
     readDomain(root.require("domain"), project);
-    for (const char* group : {"time", "integration"}) readGroup(root, group, project);
+    if (auto time = root.find("time")) readTime(*time, project);
+    readGroup(root, "integration", project);
     dimensionOf(project.domain, folder, json) == 2 ? readDesign<2>(root, project)
                                                    : readDesign<3>(root, project);
     findNamedPlaces(project, folder);

@@ -382,6 +382,13 @@ Project rebased(Project project, const std::string& path, const std::string& fol
     return project;
 }
 
+Json timeJson(const Project& project) {
+    Json json = groupJson("time", project);
+    if (project.cycle) json["cycle"] = {numberJson(project.cycle->at(0)), numberJson(project.cycle->at(1))};
+    if (!project.audio.empty()) json["audio"] = project.audio;
+    return json;
+}
+
 /// Takes the end of time out, and the object around it if nothing else is in it.
 void leaveEndOut(Json& json, const Extras& extras) {
     json["time"].erase("end");
@@ -395,6 +402,7 @@ void leaveEndOut(Json& json, const Extras& extras) {
 std::vector<std::string*> filesOf(Project& project) {
     Domain& domain = project.domain;
     std::vector<std::string*> files{&domain.path, &domain.texture, &domain.sizesFile, &domain.detail};
+    files.push_back(&project.audio);
     for (PicturePart& part : domain.parts) files.push_back(&part.path);
     std::visit(
         [&](auto& design) {
@@ -419,7 +427,8 @@ std::string toJson(const Project& project) {
     for (const DepthRegion& region : project.depth) json["depth"].push_back(depthJson(region));
     for (const SettleWindow& window : project.settle)
         json["settle"].push_back({{"time", Json::array({numberJson(window.start), numberJson(window.end)})}});
-    for (const char* group : {"time", "integration"}) json[group] = groupJson(group, project);
+    json["time"] = timeJson(project);
+    json["integration"] = groupJson("integration", project);
     if (!project.endIsGiven && project.end == endOfMotions(project)) leaveEndOut(json, project.extras);
     if (Json view = viewJson(project); !view.empty()) json["view"] = std::move(view);
     return prettyJson(withExtras(std::move(json), project.extras));

@@ -109,6 +109,7 @@ constexpr Range kAny{}, kPart{0, 1}, kOrder{-1000, 1000}, kLink{1, 1e6}, kPositi
     kNotNegative{0, kInfinity, false, true}, kVertices{3, 1e7}, kHundred{0, 100}, kQuality{1.2, 10},
     kRatio{1, 1e6}, kTolerance{1e-12, 0.1}, kSteps{0, 1e6}, kSmallestStep{0, 0.1, true, false},
     kFrames{2, 1e6}, kThreads{0, 1024}, kRepeats{1, 1000}, kHole{0, 1e6}, kFactor{0.01, 100},
-    kDetail{0.05, 1000}, kOffset{0, 10}, kOpenUnit{0, 1, true, true}, kUnitAboveZero{0, 1, true, false};
+    kPercent{1, 1000}, kWidth{1, 1e5}, kDetail{0.05, 1000}, kOffset{0, 10}, kOpenUnit{0, 1, true, true},
+    kUnitAboveZero{0, 1, true, false};
 
 }  // namespace wend::option_parts

@@ -47,12 +47,12 @@ void Playback::setSpeed(double speed) {
 
 void Playback::tick() {
     const double passed = m_speed * static_cast<double>(m_clock.restart()) * 1e-3 / kSecondsPerUnit;
-    if (!isAtEnd()) {
-        setTime(std::min(m_time + passed, std::max(m_ready, m_time)));
+    if (m_time < lastTime()) {
+        setTime(std::min({m_time + passed, std::max(m_ready, m_time), lastTime()}));
         return;
     }
     if (m_loops)
-        setTime(0);
+        setTime(hasCycle() ? m_cycleFrom : 0);
     else
         setPlaying(false);
 }

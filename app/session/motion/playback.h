@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <algorithm>
 
 namespace wend {
 
@@ -25,6 +26,8 @@ class Playback : public QObject {
 
     /// Sets the end. The time follows if it was at the old end or is beyond the new one.
     void setEnd(double end);
+    /// Sets the part that repeats while it loops; without an extent, that is all of it.
+    void setCycle(double from, double to) { m_cycleFrom = from, m_cycleTo = to; }
     /// Frames up to here exist: playing waits there.
     void setReady(double time) { m_ready = time; }
 
@@ -42,10 +45,13 @@ class Playback : public QObject {
 
   private:
     void tick();
+    bool hasCycle() const { return m_loops && m_cycleFrom < std::min(m_cycleTo, m_end); }
+    double lastTime() const { return hasCycle() ? std::min(m_cycleTo, m_end) : m_end; }
 
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_time = 0, m_end = 0, m_ready = 0;
+    double m_cycleFrom = 0, m_cycleTo = 0;
     double m_speed = 1;
     bool m_loops = false;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/document/domain.h"
+#include "app/document/project.h"
 #include "app/session/motion/velocity_probe.h"
 #include "app/session/run/layer_export.h"
 #include "app/session/run/run_options.h"
@@ -54,9 +55,19 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     m_depths = *CellDepths().of(document.depth(), drawn, m_levels);
 }
 
+double FrameExport::frameRate() const {
+    return m_project->frameRate;
+}
+
+FrameSpan FrameExport::span(bool loop) const {
+    RunOutputs outputs;
+    outputs.loop = loop;
+    return frameSpan(*m_project, m_seconds, outputs);
+}
+
 Extent<2> FrameExport::extent(ExportKind kind) const {
     Extent<2> all = extentOf<2>(m_pose, m_rest->cells);
-    if (kind != ExportKind::Frames) return all;
+    if (!isMotion(kind)) return all;
     for (const FramePtr& frame : m_motion)
         if (const auto flat = posed<2>(frame)) {
             const Extent<2> one = extentOf<2>(inPixels(*flat->built, flat->pose), m_rest->cells);
@@ -67,7 +78,7 @@ Extent<2> FrameExport::extent(ExportKind kind) const {
 }
 
 View FrameExport::view(ExportKind kind, const CanvasChoice& canvas) const {
-    return canvasView(m_size, extent(kind), canvas);
+    return canvasView(m_size, extent(kind), isMotion(kind) ? canvas.forFrames() : canvas);
 }
 
 /// The outline is grown beyond what is seen: what of it lies outside at rest is no loss.
@@ -95,6 +106,7 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     WarpOptions warp = warpOptions(options);
     warp.stop = watch.stop;
     if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
+    if (view.scale != 1) warp.restMargin = 0;  // in pixels of the picture in its own size
     requireDepth(path, options);
     if (isLayeredFile(path)) {
         const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);
@@ -144,10 +156,10 @@ int FrameExport::vertexCount(const std::string& extension) const {
     return static_cast<int>(writtenPart<3>(*solid->built, solid->pose).cols());
 }
 
-void FrameExport::writeFrames(const std::string& path, const RunOptions& options,
+void FrameExport::writeFrames(ExportKind kind, const std::string& path, const RunOptions& options,
                               const RunWatch& watch) const {
     RunOptions all = options;
-    all.outputs.frames = {path};
+    (kind == ExportKind::Film ? all.outputs.films : all.outputs.frames) = {path};
     const AdvanceResult result = runProject(*m_project, m_name, all, watch);
     if (result.outcome != Outcome::Done) throw InputError(result.message);
 }
@@ -157,8 +169,8 @@ void FrameExport::write(ExportKind kind, const std::string& path, const RunOptio
     if (kind == ExportKind::Mesh) {
         requireShapeFormat(path, lowerExtension(path), dimension());
         writeMesh(path, options, watch, remark);
-    } else if (kind == ExportKind::Frames) {
-        writeFrames(path, options, watch);
+    } else if (isMotion(kind)) {
+        writeFrames(kind, path, options, watch);
     } else if (kind == ExportKind::StMap) {
         writeStMap(path, view(kind, options.canvas));
     } else {

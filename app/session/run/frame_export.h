@@ -8,7 +8,12 @@ namespace wend {
 
 struct WarpOptions;
 
-enum class ExportKind { Picture, Frames, StMap, Mesh };
+enum class ExportKind { Picture, Film, Frames, StMap, Mesh };
+
+/// Returns whether it is all of the motion that is exported.
+constexpr bool isMotion(ExportKind kind) {
+    return kind == ExportKind::Film || kind == ExportKind::Frames;
+}
 
 /// How far a shape reaches beyond the sides of its picture, in whole pixels; zeros where it does not.
 struct Overhang {
@@ -27,6 +32,9 @@ class FrameExport {
     int dimension() const { return m_frame->dimension; }
     const FramePtr& frame() const { return m_frame; }
     double seconds() const { return m_seconds; }
+    double frameRate() const;
+    /// Of a sequence or film.
+    FrameSpan span(bool loop) const;
     bool hasParts() const { return !m_levels.empty(); }
     /// That a mesh file with this extension gets.
     int vertexCount(const std::string& extension) const;
@@ -44,8 +52,8 @@ class FrameExport {
     Overhang overhang(ExportKind kind) const;
     WarpOptions warpOptions(const RunOptions& options) const;
 
-    /// Writes the file, or all of a sequence, whose name has #### in it. `remark` is told what the user
-    /// should know of what was written. Throws InputError and Cancelled.
+    /// Writes the file, or all of a sequence, whose name has #### in it, or a film. `remark` is told what the
+    /// user should know of what was written. Throws InputError and Cancelled.
     void write(ExportKind kind, const std::string& path, const RunOptions& options, const RunWatch& watch,
                std::string& remark) const;
 
@@ -58,7 +66,8 @@ class FrameExport {
                    std::string& remark) const;
     void writeMesh(const std::string& path, const RunOptions& options, const RunWatch& watch,
                    std::string& remark) const;
-    void writeFrames(const std::string& path, const RunOptions& options, const RunWatch& watch) const;
+    void writeFrames(ExportKind kind, const std::string& path, const RunOptions& options,
+                     const RunWatch& watch) const;
     Extent<2> extent(ExportKind kind) const;
 
     std::shared_ptr<const Project> m_project;

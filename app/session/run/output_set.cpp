@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -89,6 +90,18 @@ void OutputSet::add(const std::string& path, const std::string& extension, const
     for (PendingFile& partner : partners)
         if (fs::exists(partner.temporary())) m_files.push_back(std::move(partner));
     m_files.push_back(std::move(file));
+}
+
+std::string OutputSet::begin(const std::string& path) {
+    m_files.emplace_back(path, Access::Usual, m_files.empty() ? nullptr : &m_files.back());
+    return m_files.back().temporary();
+}
+
+void OutputSet::extend(const std::string& path, const std::function<void()>& write) {
+    const auto file = std::ranges::find(m_files, path, &PendingFile::path);
+    file->fill([&](const std::string& temporary) {
+        writeTo(temporary, path, [&](const std::string&) { write(); });
+    });
 }
 
 void OutputSet::discard() {

@@ -18,6 +18,11 @@ class OutputSet {
     /// Calls `write` with the file to write, which has the extension of `path`, or that given for "-". Errors
     /// name `path`.
     void add(const std::string& path, const std::string& extension, const Write& write);
+    /// Adds a file that is written bit by bit until commit(). Returns the name to write to, which has the
+    /// extension of `path`. Throws InputError.
+    std::string begin(const std::string& path);
+    /// Calls `write`, which writes to a file that begin() has added. Errors name `path`.
+    void extend(const std::string& path, const std::function<void()>& write);
     /// Puts everything in its place. Throws InputError.
     void commit();
     /// Forgets what was added: none of it will be there.

@@ -6,6 +6,7 @@
 #include "app/document/domain.h"
 #include "app/document/file/motion_files.h"
 #include "app/document/file/named_files.h"
+#include "app/document/project.h"
 #include "app/session/run/output_set.h"
 #include "core/mesh/same_file.h"
 #include "core/mesh/skin_file.h"
@@ -70,8 +71,8 @@ std::string clashOfSequences(const FileNames& sequences, int count) {
 
 }  // namespace
 
-std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, const std::string& path,
-                               const std::string& folder) {
+std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, const std::string& folder) {
+    const Domain& domain = project.domain;
     std::vector<OwnInput> inputs;
     const auto add = [&](OwnFile kind, const std::string& file) {
         if (file.empty()) return;
@@ -83,6 +84,7 @@ std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, co
     for (const PicturePart& part : domain.parts) add(OwnFile::Picture, part.path);
     add(OwnFile::Sizes, domain.sizesFile);
     add(OwnFile::Detail, domain.detail);
+    add(OwnFile::Audio, project.audio);
     if (domain.kind != DomainKind::Image)
         for (const std::string& surface : {domain.path, domain.detail})
             if (!surface.empty())
@@ -101,7 +103,7 @@ std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, co
                      {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
                     add(OwnFile::Material, file);
         },
-        design);
+        project.design);
     return inputs;
 }
 

@@ -8,7 +8,7 @@
 namespace wend {
 
 /// A file that a project is read from.
-enum class OwnFile { Project, Picture, Mesh, Sizes, Detail, Material, Look, States, Motion, Points };
+enum class OwnFile { Project, Picture, Mesh, Sizes, Detail, Material, Look, States, Motion, Points, Audio };
 
 struct OwnInput {
     OwnFile kind;
@@ -17,8 +17,7 @@ struct OwnInput {
 
 /// The files that a project is read from: its own, `path`, and all that it names, relative to `folder`,
 /// with what a surface in turn names.
-std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, const std::string& path,
-                               const std::string& folder);
+std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, const std::string& folder);
 
 /// "OUTPUT: would replace INPUT, which is read here", or another output; empty if each has a place of its
 /// own. Names are compared as sameFile() does; what is no regular file replaces nothing.

@@ -26,8 +26,8 @@ bool isOneOfFrames(const std::string& pattern, const std::string& file, int coun
 std::optional<OwnFile> ownFileAt(const Document& document, const QString& path, int count) {
     const std::string target = path.toStdString();
     const bool sequence = path.contains('#');
-    for (const auto& [kind, file] : inputsOf(document.domain(), document.design(),
-                                             document.path().toStdString(), document.folder().toStdString()))
+    for (const auto& [kind, file] :
+         inputsOf(*document.project(), document.path().toStdString(), document.folder().toStdString()))
         if (sequence ? isOneOfFrames(target, file, count) : sameFile(target, file)) return kind;
     return std::nullopt;
 }

@@ -75,11 +75,13 @@ std::string reportJson(const RunFigures& figures) {
     json.update(Json::parse(figures.faults));
     if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
     if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
-    if (const auto& canvas = figures.canvas)
+    if (const auto& canvas = figures.canvas) {
         json["canvas"] = {{"x", canvas->origin.x()},
                           {"y", canvas->origin.y()},
                           {"width", canvas->width},
                           {"height", canvas->height}};
+        if (canvas->scale != 1) json["canvas"]["scale"] = 1 / canvas->scale;
+    }
     return prettyJson(json);
 }
 

@@ -4,13 +4,14 @@
 #include <chrono>
 #include <deque>
 #include <filesystem>
-#include <map>
 #include <mutex>
 
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
 #include "app/document/file/text_file.h"
 #include "app/document/options/options.h"
+#include "app/document/project.h"
+#include "app/session/run/film_outputs.h"
 #include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
 #include "app/session/run/point_file.h"
@@ -32,7 +33,7 @@
 #include "core/mesh/input_file.h"
 #include "core/system/memory.h"
 #include "kernels/back_end_choice.h"
-#include "warp/film.h"
+#include "warp/film_format.h"
 #include "warp/image_formats.h"
 #include "warp/picture_library.h"
 #include "warp/warp.h"
@@ -73,9 +74,10 @@ constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture i
 template <int Dim>
 class Run {
   public:
-    Run(const Project& project, Shape<Dim> shape, const RunOptions& options, const RunWatch& watch,
-        Clock::time_point start)
+    Run(const Project& project, const std::string& path, Shape<Dim> shape, const RunOptions& options,
+        const RunWatch& watch, Clock::time_point start)
         : m_project(project),
+          m_path(path),
           m_shape(std::move(shape)),
           m_options(options),
           m_notices(options.notices),
@@ -109,6 +111,7 @@ class Run {
             if (!isFaulty) writeAll();
             endIfStrict(isFaulty);
         } else {
+            m_films.discard();
             m_files.discard();
         }
         writeReports();
@@ -135,8 +138,10 @@ class Run {
     /// Where the integration ends: that of other states, whose last step is cut there.
     double flowEnd() const { return m_known ? m_known->header().end : end(); }
     double frameTime(int k) const {
-        const int count = m_options.outputs.count;
-        return k + 1 < count ? end() * k / (count - 1) : end();
+        const RunOutputs& outputs = m_options.outputs;
+        const auto [from, to] = frameSpan(m_project, end(), outputs);
+        const int intervals = outputs.loop ? outputs.count : outputs.count - 1;
+        return k < intervals ? from + (to - from) * k / intervals : to;
     }
 
     void tell(const std::string& work, double fraction) const {
@@ -188,7 +193,7 @@ class Run {
     }
 
     AdvanceResult integrate() {
-        auto watch = watchFor(0, m_options.outputs.frames.empty() ? 0 : m_options.outputs.count);
+        auto watch = watchFor(0, m_options.outputs.hasFrames() ? m_options.outputs.count : 0);
         if (!m_states.empty())
             watch.onStep = [this](const StepRecord<Dim>& step) {
                 for (StatesWriter<Dim>& states : m_states) states.add(step);
@@ -230,6 +235,7 @@ class Run {
     /// With --strict, the first notice ends the run. The report is left if the deformed shape is the reason.
     void endIfStrict(bool ofShape) {
         if (!m_options.strict || m_notices.empty()) return;
+        m_films.discard();
         m_files.discard();
         if (ofShape) writeReports();
         m_files.commit();
@@ -287,10 +293,15 @@ class Run {
         if (!m_shape.picture) return;
         for (const FileNames* names : {&m_options.outputs.image, &m_options.outputs.frames})
             for (const std::string& path : *names)
-                if (canWriteImage(path) && losesProfile(path, *m_shape.picture))
-                    m_watch.notice(
-                        path +
-                        ": the format holds no colour profile: the colours' numbers are kept as they are");
+                if (canWriteImage(path) && losesProfile(path, *m_shape.picture)) warnOfColoursIn(path);
+        for (const std::string& path : m_options.outputs.films)
+            if (!m_shape.picture->iccProfile().empty() && filmFormatOf(path)->id != FilmFormat::Webp)
+                warnOfColoursIn(path);
+    }
+
+    void warnOfColoursIn(const std::string& path) const {
+        m_watch.notice(path +
+                       ": the format holds no colour profile: the colours' numbers are kept as they are");
     }
 
     /// What may be so: parts of a picture lie over each other, in the order of their depth.
@@ -428,7 +439,9 @@ class Run {
     /// The picture at a time in the pixels of `view`.
     WarpedPicture warped(double time, const Points<2>& pixels, const View& view,
                          const std::function<void(double)>& progress) {
-        return {*m_shape.picture, restInPixels(m_shape), pixels, view, warpOptions(time, progress)};
+        WarpOptions options = warpOptions(time, progress);
+        if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
+        return {*m_shape.picture, restInPixels(m_shape), pixels, view, options};
     }
 
     void writeLayers(const std::string& file, double time, const Points<2>& pixels, const View& view) {
@@ -492,7 +505,7 @@ class Run {
 
     void takeFrame(const State<Dim>& state) {
         const int number = m_frame++;
-        bool hasPictures = false, hasAnimations = false;
+        bool hasPictures = !m_options.outputs.films.empty(), hasAnimations = false;
         for (const std::string& pattern : m_options.outputs.frames) {
             if (Dim == 2 && canWriteImage(pattern))
                 hasPictures = true;
@@ -547,10 +560,12 @@ class Run {
     void takePictureFrame(int number, const Points<2>& pixels) {
         const Extent<2> shape = extent(pixels);
         if (m_options.canvas.kind != Canvas::Fit)
-            return writePictureFrames(number, pixels,
-                                      canvasView(canvasSize(m_shape), shape, m_options.canvas), {});
+            return writePictureFrames(
+                number, pixels, canvasView(canvasSize(m_shape), shape, m_options.canvas.forFrames()), {});
         if (!m_waiting) {
-            m_waiting.emplace(*std::ranges::find_if(m_options.outputs.frames, canWriteImage));
+            const FileNames films = m_options.outputs.filmFiles();
+            m_waiting.emplace(films.empty() ? *std::ranges::find_if(m_options.outputs.frames, canWriteImage)
+                                            : films.front());
             m_allFrames = shape;
         }
         m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
@@ -560,7 +575,7 @@ class Run {
 
     void writeWaitingFrames() {
         if (!m_waiting) return;
-        const View view = canvasView(canvasSize(m_shape), m_allFrames, m_options.canvas);
+        const View view = canvasView(canvasSize(m_shape), m_allFrames, m_options.canvas.forFrames());
         const double count = m_waiting->count();
         for (int k = 0; k < m_waiting->count(); ++k) {
             if (!isPainted(k)) continue;
@@ -573,24 +588,25 @@ class Run {
                             const std::function<void(double)>& progress) {
         const WarpedPicture picture = warped(frameTime(number), pixels, view, progress);
         m_canvas = view;
-        for (const std::string& pattern : m_options.outputs.frames) {
-            if (!canWriteImage(pattern)) continue;
-            if (isAnimation(pattern))
-                filmOf(pattern).add(picture);
-            else
+        for (const std::string& pattern : m_options.outputs.numberedFrames())
+            if (canWriteImage(pattern))
                 m_files.add(frameName(pattern, number), "",
                             [&](const std::string& file) { writePicture(file, picture); });
-        }
-    }
-
-    Film& filmOf(const std::string& path) {
-        return m_films.try_emplace(path, path, m_options.outputs.framesPerSecond, m_options.lossy)
-            .first->second;
+        m_films.add(m_options.outputs.filmFiles(), picture);
     }
 
     void writeFilms() {
-        for (auto& [path, film] : m_films)
-            m_files.add(path, ".webp", [&](const std::string& file) { film.write(file); });
+        if (m_films.any()) tell("encoding", 0);
+        m_films.finish();
+    }
+
+    FilmOptions filmOptions() const {
+        const RunOutputs& outputs = m_options.outputs;
+        FilmOptions film{outputs.framesPerSecond, m_options.lossy, outputs.count, {}, m_watch.stop};
+        if (m_project.audio.empty()) return film;
+        film.sound.file = pathIn(folderOf(m_path), m_project.audio);
+        film.sound.from = frameSpan(m_project, end(), outputs).from;
+        return film;
     }
 
     void writeReports() {
@@ -623,6 +639,7 @@ class Run {
     }
 
     const Project& m_project;
+    const std::string m_path;  // of the project
     const Shape<Dim> m_shape;
     const RunOptions& m_options;
     std::mutex m_noticing;
@@ -631,13 +648,12 @@ class Run {
     Clock::time_point m_start;
     SharedDevice m_device;
     Deformer<Dim> m_deformer;
-    CellDepths m_depths;                  // of pictures
-    std::optional<View> m_canvas;         // of the last picture
-    MakeCellPainter m_painters;           // made with the first picture
-    int m_frame = 0;                      // number of the next
-    std::optional<PoseFile> m_waiting;    // frames, in pixels of the picture
-    Extent<2> m_allFrames;                // around those that wait
-    std::map<std::string, Film> m_films;  // of pictures, by their files
+    CellDepths m_depths;                // of pictures
+    std::optional<View> m_canvas;       // of the last picture
+    MakeCellPainter m_painters;         // made with the first picture
+    int m_frame = 0;                    // number of the next
+    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
+    Extent<2> m_allFrames;              // around those that wait
     std::vector<Points<Dim>> m_animation;
     std::deque<PointFile> m_pointFiles;
     std::vector<PointMap<Dim>> m_pointMaps;  // from the rest
@@ -648,10 +664,19 @@ class Run {
     Points<Dim> m_velocity;
     PoseFaults<Dim> m_faults;  // of the pose at the end
     OutputSet m_files;
+    FilmOutputs m_films{m_files, filmOptions()};
 };
 
+/// A shape that ends before its cycle has none of its frames.
+void requireSpan(const Project& project, const RunOptions& options) {
+    if (!options.outputs.hasFrames()) return;
+    const FrameSpan span = frameSpan(project, options.at.value_or(endOf(project)), options.outputs);
+    if (span.from >= span.to && options.outputs.loop)
+        throw InputError("time.cycle: begins at " + shortNumber(span.from) + ", where the motion is over");
+}
+
 bool writesPictures(const RunOutputs& outputs) {
-    return !outputs.image.empty() || !outputs.stMap.empty() ||
+    return !outputs.image.empty() || !outputs.stMap.empty() || !outputs.films.empty() ||
            std::ranges::any_of(outputs.frames, canWriteImage);
 }
 
@@ -661,6 +686,7 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
                          const RunWatch& watch) try {
     const Clock::time_point start = Clock::now();
     requirePossible(project, options.outputs);
+    requireSpan(project, options);
     for (const FileNames* pictures : {&options.outputs.image, &options.outputs.frames})
         for (const std::string& file : *pictures) requireDepth(file, options);
     if (watch.progress) watch.progress("reading", 0);
@@ -676,7 +702,7 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     if (options.strict && !heard.notices.empty()) throw NoticeError(heard.notices, false);
     return std::visit(
         [&]<int Dim>(Shape<Dim>& one) {
-            return Run<Dim>(project, std::move(one), heard, watch, start).run();
+            return Run<Dim>(project, path, std::move(one), heard, watch, start).run();
         },
         shape);
 } catch (const InputError& error) {

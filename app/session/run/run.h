@@ -33,8 +33,10 @@ struct PointsOutput {
 struct RunOutputs {
     FileNames image, mesh, velocity, stMap, report;
     std::array<FileNames, 3> material;  // by MaterialPart: at rest, of what there is in the plane
-    FileNames frames;             // with #### for the number, counted from 0; or one film, see isAnimation()
-    int count = 25;               // of frames, at equal times from 0 to the end, both included
+    FileNames frames;             // with #### for the number, counted from 0; or one file, see isAnimation()
+    FileNames films;              // of pictures, by their extensions, see filmFormats()
+    int count = 25;               // of frames and a film's pictures, at equal times
+    bool loop = false;            // the end of the motion or the cycle, which is like its start, has no frame
     double framesPerSecond = 24;  // of a film
     FileNames states;             // see StatesWriter
     std::vector<PointsOutput> points;
@@ -43,6 +45,9 @@ struct RunOutputs {
     FileNames singleFiles() const;
     /// Returns the names of sequences whose frames are files of their own.
     FileNames numberedFrames() const;
+    /// Returns the names of the films of pictures.
+    FileNames filmFiles() const;
+    bool hasFrames() const { return !frames.empty() || !films.empty(); }
     bool any() const;
 };
 
@@ -63,7 +68,18 @@ enum class Canvas { Picture, Fit, Part };
 struct CanvasChoice {
     CanvasChoice(Canvas as = Canvas::Picture) : kind(as) {}
     Canvas kind;
-    PixelRect part;  // of Canvas::Part
+    PixelRect part;     // of Canvas::Part
+    double scale = 1;   // of the pixels that are written
+    int width = 0;      // of what is written, in pixels, in the place of `scale` if it is positive
+    bool even = false;  // a canvas that fits or is scaled has an even width and height
+
+    /// For pictures that follow each other, which encoders of films want to have even sizes.
+    CanvasChoice forFrames() const {
+        CanvasChoice canvas = *this;
+        canvas.even = true;
+        return canvas;
+    }
+    bool isScaled() const { return scale != 1 || width > 0; }
 };
 
 /// Makers of the solvers by multigrid; if empty, this process solves.
@@ -144,6 +160,15 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
 bool isAnimation(const std::string& frames);
 /// The collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd"; empty for others.
 std::string collectionName(const std::string& pattern);
+
+/// The times that frames are spread over, the second of which has none in a loop.
+struct FrameSpan {
+    double from = 0, to = 1;
+};
+/// From the start to `end`; in a loop the project's cycle, if it has one.
+FrameSpan frameSpan(const Project& project, double end, const RunOutputs& outputs);
+/// Returns how many frames such a span has at that rate.
+int frameCount(const FrameSpan& span, double framesPerSecond, bool loop);
 
 /// The pixels that a picture shows of a shape (or of all frames of one) that lies there. Throws InputError
 /// for more than pictures may have. `size`: of the plane that is rendered.

@@ -51,8 +51,11 @@ RunOptions runOptionsFrom(const OptionValues& values) {
     RunOptions options;
     options.outputs.count = values.integer("--count");
     options.outputs.framesPerSecond = values.number("--fps");
+    options.outputs.loop = values.has("--loop");
     options.filter = values.choice<Filter>("--filter");
     options.canvas = canvasOf(values.text("--canvas"));
+    options.canvas.scale = values.number("--scale") / 100;
+    options.canvas.width = values.has("--width") ? values.integer("--width") : 0;
     options.depth = depthOf(values.text("--depth"));
     options.lossy = values.text("--webp") == "lossy";
     takeOutside(values.text("--outside"), options);

@@ -5,6 +5,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/options/options.h"
+#include "app/document/project.h"
 #include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
 #include "app/session/run/point_file.h"
@@ -14,6 +15,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/number_text.h"
+#include "warp/film_format.h"
 
 namespace wend {
 namespace {
@@ -39,10 +41,22 @@ bool isOneOf(const std::string& word, std::initializer_list<const char*> words) 
     return std::ranges::any_of(words, [&](const char* one) { return word == one; });
 }
 
+void requireFilm(const Project& project, const std::string& path) {
+    if (dimensionOf(project) == 3)
+        throw InputError(path,
+                         "a film of a solid is made by the window only (Export, View); here its animation "
+                         "can be written with --frames FILE.glb");
+    const Domain& domain = domainOf(project);
+    if (domain.kind == DomainKind::Mesh && domain.texture.empty())
+        throw InputError(path, "there is no picture for a film: the project's domain has none");
+    requireFilmFormat(path);
+}
+
 void requireFrames(const Project& project, const std::string& path) {
     const bool pictures = canWriteImage(path);
     if (!isAnimation(path) && path.find('#') == std::string::npos)
-        throw InputError(path, "the name of a sequence needs #### in the place of the number");
+        throw InputError(path, std::string("the name of a sequence needs #### in the place of the number") +
+                                   (filmFormatOf(path) ? "; for a film take --film" : ""));
     if (pictures) return requirePicture(project, path);
     requireShapeFormat(path, lowerExtension(path), dimensionOf(project));
 }
@@ -72,6 +86,7 @@ FileNames RunOutputs::singleFiles() const {
          {&image, &mesh, &velocity, &stMap, &report, &states, &material[0], &material[1], &material[2]})
         all.insert(all.end(), names->begin(), names->end());
     for (const PointsOutput& one : points) all.push_back(one.out);
+    all.insert(all.end(), films.begin(), films.end());
     for (const std::string& path : frames)
         if (const std::string file = isAnimation(path) ? path : collectionName(path); !file.empty())
             all.push_back(file);
@@ -83,6 +98,23 @@ FileNames RunOutputs::numberedFrames() const {
     std::ranges::copy_if(frames, std::back_inserter(all),
                          [](const std::string& path) { return !isAnimation(path); });
     return all;
+}
+
+FileNames RunOutputs::filmFiles() const {
+    FileNames all = films;
+    std::ranges::copy_if(frames, std::back_inserter(all),
+                         [](const std::string& path) { return isAnimation(path) && canWriteImage(path); });
+    return all;
+}
+
+FrameSpan frameSpan(const Project& project, double end, const RunOutputs& outputs) {
+    if (outputs.loop && project.cycle) return {project.cycle->at(0), std::min(project.cycle->at(1), end)};
+    return {0, end};
+}
+
+int frameCount(const FrameSpan& span, double framesPerSecond, bool loop) {
+    const double frames = std::round((span.to - span.from) * framesPerSecond) + (loop ? 0 : 1);
+    return static_cast<int>(std::clamp(frames, 2.0, 1e6));
 }
 
 bool RunOutputs::any() const {
@@ -115,18 +147,37 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
         requirePointFormat(one.in, false);
         requirePointFormat(one.out, true);
     }
+    for (const std::string& path : outputs.films) requireFilm(project, path);
     requirePlaces(outputs.singleFiles());
     requirePlaces(outputs.numberedFrames());
 }
 
+namespace {
+
+/// The size in pixels that are written, each of which is `scale` pixels of the plane wide.
+Vec<2> scaled(const Vec<2>& size, const CanvasChoice& canvas, double& scale) {
+    if (!canvas.isScaled()) return size;
+    const double factor = canvas.width > 0 ? canvas.width / size.x() : canvas.scale;
+    const double unit = canvas.even ? 2 : 1;
+    const Vec<2> pixels = ((size * factor / unit).array().round() * unit).max(unit);
+    scale = size.x() / pixels.x();
+    return pixels;
+}
+
+}  // namespace
+
 View canvasView(const std::array<int, 2>& canvasSize, const Extent<2>& shape, const CanvasChoice& canvas) {
     View view{canvasSize[0], canvasSize[1], Vec<2>::Zero(), 1};
-    if (canvas.kind == Canvas::Picture) return view;
+    if (canvas.kind == Canvas::Picture && !canvas.isScaled()) return view;
     const bool fits = canvas.kind == Canvas::Fit;
     const PixelRect& part = canvas.part;
-    view.origin = fits ? Vec<2>(shape.low.array().floor()) : Vec<2>(part.x, part.y);
-    const Vec<2> size = fits ? Vec<2>((shape.high.array().ceil().matrix() - view.origin).cwiseMax(1))
-                             : Vec<2>(part.width, part.height);
+    if (canvas.kind == Canvas::Part) view.origin = Vec<2>(part.x, part.y);
+    if (fits) view.origin = shape.low.array().floor();
+    Vec<2> size(canvasSize[0], canvasSize[1]);
+    if (canvas.kind == Canvas::Part) size = Vec<2>(part.width, part.height);
+    if (fits) size = (shape.high.array().ceil().matrix() - view.origin).cwiseMax(1);
+    if (fits && canvas.even) size = (size / 2).array().ceil() * 2;
+    size = scaled(size, canvas, view.scale);
     if (!(size.maxCoeff() <= 1e6 && size.prod() <= 1e6 * kMaxMegapixels)) {
         const auto rounded = [](double x) { return shortNumber(std::min(x, 1e15)); };
         throw InputError((fits ? "the shape spans " : "the canvas has ") + rounded(size.x()) + " x " +

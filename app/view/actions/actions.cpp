@@ -41,6 +41,7 @@ void Actions::makeFile() {
     saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
     exportPicture = add({tr("&Picture…"), tr("Write the bent picture at its full size")},
                         QKeySequence(tr("Ctrl+E")), "export");
+    exportFilm = add({tr("&Film…"), tr("Write the motion as a film: MP4, WebM, QuickTime, GIF …")}, {});
     exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
                        QKeySequence(tr("Ctrl+Shift+E")), "frames");
     exportStMap =
@@ -48,7 +49,7 @@ void Actions::makeFile() {
     exportMesh = add({tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
     exportView = add({tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
     exports->setTitle(tr("&Export"));
-    exports->addActions({exportPicture, exportFrames, exportStMap, exportMesh, exportView});
+    exports->addActions({exportPicture, exportFilm, exportFrames, exportStMap, exportMesh, exportView});
     closeFile = add({tr("&Close"), tr("Close the file and go back to the start page")}, QKeySequence::Close);
     quit = add({tr("&Quit"), tr("Leave Wend")}, QKeySequence::Quit);
     quit->setMenuRole(QAction::QuitRole);
@@ -224,6 +225,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
            isSolid ? tr("A solid has no pixels: export the view.") : (has ? noPicture : why));
     enable(exportView, has && isSolid, has ? tr("For a picture, export the picture itself.") : why);
     enable(exportFrames, has, why);
+    enable(exportFilm, has && (hasPicture || isSolid), has ? noPicture : why);
     enable(exportStMap, has && hasPicture, has ? noPicture : why);
     const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // exports the shown view
     setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);
@@ -243,7 +245,8 @@ void Actions::setHasSelection(bool has) {
 void Actions::setHasMotion(bool has) {
     for (QAction* action : {play, loop, toStart, toEnd, onionSkin})
         enable(action, has, tr("Nothing moves yet: drag a pin."));
-    if (!has) enable(exportFrames, false, tr("Nothing moves yet: drag a pin."));
+    for (QAction* action : {exportFilm, exportFrames})
+        if (!has) enable(action, false, tr("Nothing moves yet: drag a pin."));
 }
 
 }  // namespace wend

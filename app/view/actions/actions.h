@@ -23,7 +23,7 @@ class Actions : public ActionMaker {
     Actions(QUndoStack& undo, Toolbox& tools, QObject* parent);
 
     QAction *open, *save, *saveAs, *closeFile, *quit;
-    QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
+    QAction *exportPicture, *exportMesh, *exportFilm, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;  // tools that others return to
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;

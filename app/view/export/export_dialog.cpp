@@ -12,6 +12,8 @@ QString ExportDialog::title(ExportKind kind) {
     switch (kind) {
         case ExportKind::Picture:
             return tr("Export Picture");
+        case ExportKind::Film:
+            return tr("Export Film");
         case ExportKind::Frames:
             return tr("Export Sequence");
         case ExportKind::StMap:

@@ -64,8 +64,11 @@ void ExportForm::setSubject(const ExportSubject& subject) {
     if (!m_subject.picture) m_subject.picture = prepared;
     showFormats();
     showPart();
-    if (m_seconds != shape()->seconds()) tieRate(*field("--fps"));
+    const double rate = shape()->frameRate();
+    if (m_rate != rate) field("--fps")->setNumber(rate);
+    if (m_seconds != shape()->seconds() || m_rate != rate) tieRate(*field("--fps"));
     m_seconds = shape()->seconds();
+    m_rate = rate;
     adapt();
     if (!subject.solidView.isNull()) {
         m_preview->setProperty("bare", true);
@@ -129,7 +132,7 @@ bool ExportForm::isFilm() const {
 
 bool ExportForm::isPicture() const {
     const std::string file = "picture" + extension().toStdString();
-    return canWriteImage(file) || isLayeredFile(file);
+    return kind() == ExportKind::Film || canWriteImage(file) || isLayeredFile(file);
 }
 
 OptionField* ExportForm::field(const char* flag) const {
@@ -141,8 +144,9 @@ OptionField* ExportForm::field(const char* flag) const {
 /// Returns whether the option applies to the current export.
 bool ExportForm::takes(const std::string& flag) const {
     const std::string file = "mesh" + extension().toStdString();
-    if (flag == "--count" || flag == "--fps") return kind() == ExportKind::Frames;
-    if (flag == "--canvas") return isPicture();
+    if (flag == "--count" || flag == "--fps" || flag == "--loop") return isMotion(kind());
+    if (flag == "--canvas" || flag == "--scale") return isPicture();
+    if (flag == "--width") return false;  // it follows from the scale
     if (flag == "--webp") return extension() == QStringLiteral(".webp");
     if (isLayeredFile(file) && (flag == "--depth" || flag == "--outside")) return false;
     if (flag == "--depth" && isFilm()) return false;
@@ -161,12 +165,39 @@ OptionValues ExportForm::values() const {
     return values;
 }
 
-/// The film lasts as long as the motion: number and rate of its frames follow each other.
+/// The film lasts as long as the motion: number and rate of its frames follow each other. So do the width and
+/// the scale of pictures.
+void ExportForm::tie(const OptionField& changed) {
+    if (!shape()) return;
+    if (&changed == field("--width")) tieWidth();
+    tieRate(changed);
+}
+
 void ExportForm::tieRate(const OptionField& changed) {
     OptionField *count = field("--count"), *rate = field("--fps");
-    if (!shape() || shape()->seconds() <= 0) return;
-    if (&changed == rate) count->setNumber(std::lround(shape()->seconds() * rate->number()) + 1.0);
-    if (&changed == count) rate->setNumber((count->number() - 1) / shape()->seconds());
+    const bool loop = field("--loop")->number() != 0;
+    const FrameSpan span = shape()->span(loop);
+    const double seconds = span.to - span.from;
+    if (seconds <= 0) return;
+    if (&changed == rate || &changed == field("--loop"))
+        count->setNumber(frameCount(span, rate->number(), loop));
+    if (&changed == count) rate->setNumber((count->number() - (loop ? 0 : 1)) / seconds);
+}
+
+void ExportForm::tieWidth() {
+    CanvasChoice canvas = runOptionsFrom(values()).canvas;
+    canvas.scale = 1;
+    const double own = shape()->view(kind(), canvas).width;
+    field("--scale")->setNumber(100 * field("--width")->number() / own);
+}
+
+/// Shows the width that follows from the scale.
+void ExportForm::showWidth() {
+    if (!isPicture()) return;
+    try {
+        field("--width")->setNumber(shape()->view(kind(), runOptionsFrom(values()).canvas).width);
+    } catch (const InputError&) {  // the preview shows the reason
+    }
 }
 
 /// Shows the options of the format.
@@ -175,15 +206,26 @@ void ExportForm::adapt() {
     showFields();
     if (takes("--depth")) showDepths();
     showCrop();
+    showWidth();
     m_facts->setText(pixels());
-    tellProblem({});
+    tellProblem(missingProgram());
     askPreview();
 }
 
 /// Hides options while there is nothing to export.
 void ExportForm::showFields() {
     m_form->setRowVisible(m_format, m_format->count() > 0);
-    for (OptionField* field : m_fields) m_form->setRowVisible(field, shape() && takes(field->flag()));
+    for (OptionField* field : m_fields) m_form->setRowVisible(field, shape() && shows(field->flag()));
+}
+
+/// The number of a film's frames follows from its length and rate.
+bool ExportForm::shows(const std::string& flag) const {
+    if (flag == "--count") return kind() == ExportKind::Frames;
+    return takes(flag == "--width" ? "--scale" : flag);
+}
+
+QString ExportForm::missingProgram() const {
+    return kind() == ExportKind::Film ? missingFilmProgram(extension()) : QString();
 }
 
 void ExportForm::showDepths() {
@@ -218,7 +260,7 @@ void ExportForm::showCrop() {
     add(over.bottom, tr("%1 px at the bottom"));
     const QString where = sides.join(tr(", "));
     m_cropText->setText(
-        kind() == ExportKind::Frames
+        isMotion(kind())
             ? tr("As it moves, the shape leaves the picture and is cut off there: %1.").arg(where)
             : tr("The shape reaches beyond the picture and is cut off there: %1.").arg(where));
     m_crop->setVisible(over.any());
@@ -226,7 +268,7 @@ void ExportForm::showCrop() {
 
 QString ExportForm::pixels() const {
     const QLocale locale;
-    const auto count = static_cast<int>(kind() == ExportKind::Frames ? field("--count")->number() : 1);
+    const auto count = static_cast<int>(isMotion(kind()) ? field("--count")->number() : 1);
     if (!isPicture()) {
         const int vertices = shape()->vertexCount(extension().toStdString());
         const QString one = tr("%1 vertices").arg(locale.toString(vertices));
@@ -236,7 +278,7 @@ QString ExportForm::pixels() const {
         const View view = shape()->view(kind(), runOptionsFrom(values()).canvas);
         const QString one =
             tr("%1 × %2 pixels").arg(locale.toString(view.width), locale.toString(view.height));
-        return kind() == ExportKind::Frames ? tr("%n pictures of %1", nullptr, count).arg(one) : one;
+        return isMotion(kind()) ? tr("%n pictures of %1", nullptr, count).arg(one) : one;
     } catch (const InputError&) {
         return {};  // the preview shows the reason
     }

@@ -71,7 +71,12 @@ class ExportForm : public QWidget {
     bool isPicture() const;
     bool takes(const std::string& flag) const;
     void adapt();
+    bool shows(const std::string& flag) const;
+    QString missingProgram() const;
+    void tie(const OptionField& changed);
     void tieRate(const OptionField& changed);
+    void tieWidth();
+    void showWidth();
     void showFields();
     void showDepths();
     void showCrop();
@@ -84,7 +89,7 @@ class ExportForm : public QWidget {
     ExportSubject m_subject;
     std::map<ExportKind, QString> m_formats;  // chosen last, by name
     std::optional<PixelRect> m_part;          // that is offered as canvas
-    double m_seconds = 0;                     // duration for which count and rate were computed
+    double m_seconds = 0, m_rate = 0;         // duration and rate for which the count was computed
     ExportPreview* m_preview;
     QComboBox* m_format;
     QFormLayout* m_form;

@@ -18,12 +18,13 @@ constexpr int kNumberWidth = 140;  // common width, since they are in one column
 }  // namespace
 
 void ExportForm::makeFields() {
-    for (const char* flag : {"--count", "--fps", "--webp", "--depth", "--canvas", "--outside", "--filter",
-                             "--fields", "--encoding", "--msh", "--border"}) {
+    for (const char* flag :
+         {"--count", "--fps", "--loop", "--webp", "--depth", "--canvas", "--scale", "--width", "--outside",
+          "--filter", "--fields", "--encoding", "--msh", "--border"}) {
         auto* field = new OptionField(flag, this);
         m_fields << field;
         connect(field, &OptionField::changed, this, [this, field] {
-            tieRate(*field);
+            tie(*field);
             adapt();
         });
     }

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "app/session/shape/shape.h"
+#include "core/mesh/fed_process.h"
 #include "core/mesh/mesh_formats.h"
+#include "warp/film_format.h"
 
 namespace wend {
 
@@ -15,7 +17,6 @@ using Formats = QList<ExportFormat>;
 
 const Formats kPictures{
     {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
-const Formats kFilms{{"Animated WebP", ".webp", true}};
 const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
 /// Lists surfaces first in the plane, and formats of tetrahedra first in space.
 Formats meshFormats(bool solid, bool film) {
@@ -32,6 +33,14 @@ Formats meshFormats(bool solid, bool film) {
     return formats + others;
 }
 
+Formats pictureFilms() {
+    Formats formats;
+    for (const FilmFormatFacts& format : filmFormats())
+        formats << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),
+                                QString::fromUtf8(format.extension.data(), format.extension.size()), true};
+    return formats;
+}
+
 /// Lists the input's own format first.
 void putOwnFirst(Formats& formats, const FrameExport& shape) {
     const auto solid = posed<3>(shape.frame());
@@ -43,6 +52,14 @@ void putOwnFirst(Formats& formats, const FrameExport& shape) {
 
 }  // namespace
 
+QString missingFilmProgram(const QString& extension) {
+    if (extension == QStringLiteral(".webp") || !programInPath("ffmpeg").empty()) return {};
+    return QCoreApplication::translate(
+        "ExportFormats",
+        "This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). "
+        "Animated WebP needs no other program.");
+}
+
 QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
     const bool hasParts = shape.hasParts();
     if (kind == ExportKind::Picture)
@@ -51,11 +68,12 @@ QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
                                           QStringLiteral(".ora")}}
                    : kPictures;
     if (kind == ExportKind::StMap) return kMaps;
+    if (kind == ExportKind::Film) return pictureFilms();
     const bool solid = shape.dimension() == 3;
     const bool film = kind == ExportKind::Frames;
     Formats meshes = meshFormats(solid, film);
     if (kind == ExportKind::Mesh) putOwnFirst(meshes, shape);
-    return film && shape.picture() ? kPictures + kFilms + meshes : meshes;
+    return film && shape.picture() ? kPictures + meshes : meshes;
 }
 
 }  // namespace wend

@@ -12,6 +12,10 @@ struct ExportFormat {
     bool film = false;        // all frames in one file
 };
 
+/// Returns that the program which makes films of this extension is missing, and a way out; empty if it is
+/// there or none is needed.
+QString missingFilmProgram(const QString& extension);
+
 /// Returns the formats for a shape, the most suitable first.
 QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape);
 

@@ -26,8 +26,10 @@ ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Action
       m_kinds(new QButtonGroup(this)),
       m_form(new ExportForm(ExportForm::Fields::Below, this)),
       m_write(new QPushButton(tr("Export…"), this)),
-      m_view(viewButton(actions.exportView)) {
+      m_view(viewButton(actions.exportView)),
+      m_film(viewButton(actions.exportFilm)) {
     addKind(ExportKind::Picture, tr("Picture"), actions.exportPicture);
+    addKind(ExportKind::Film, tr("Film"), actions.exportFilm);
     addKind(ExportKind::Frames, tr("Sequence"), actions.exportFrames);
     addKind(ExportKind::StMap, tr("ST Map"), actions.exportStMap);
     addKind(ExportKind::Mesh, tr("Mesh"), actions.exportMesh);
@@ -44,6 +46,7 @@ ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Action
     column->addWidget(m_form, 1);
     column->addWidget(m_write);
     column->addWidget(m_view);
+    column->addWidget(m_film);
     connectAll();
 }
 
@@ -99,16 +102,16 @@ void ExportPanel::showShape() {
     QAbstractButton *first = nullptr, *chosen = m_kinds->checkedButton();
     for (QAbstractButton* button : m_kinds->buttons()) {
         const QAction* action = m_actions[m_kinds->id(button)];
-        const bool flatOnly =
-            action == m_actions[int(ExportKind::Picture)] || action == m_actions[int(ExportKind::StMap)];
+        const auto kind = static_cast<ExportKind>(m_kinds->id(button));
+        const bool flatOnly = kind != ExportKind::Frames && kind != ExportKind::Mesh;
         button->setVisible(!solid || !flatOnly);
         button->setEnabled(action->isEnabled());
         describe(button, button->text(), action->statusTip());
         if (!action->isEnabled()) button->setToolTip(action->toolTip());
-        if (!first && action->isEnabled()) first = button;
+        if (!first && button->isVisibleTo(this) && action->isEnabled()) first = button;
     }
-    if (first && (!chosen || !chosen->isEnabled())) first->setChecked(true);
-    m_view->setVisible(solid);
+    if (first && (!chosen || !chosen->isEnabled() || !chosen->isVisibleTo(this))) first->setChecked(true);
+    for (QPushButton* button : {m_view, m_film}) button->setVisible(solid);
     const QString why = m_exporter.whyNot();
     why.isEmpty() ? m_form->setSubject(m_exporter.subject(kind())) : m_form->setNothing(why);
 }

@@ -40,7 +40,7 @@ class ExportPanel : public QWidget {
     QButtonGroup* m_kinds;
     QMap<int, QAction*> m_actions;  // of the kinds
     ExportForm* m_form;
-    QPushButton *m_write, *m_view;
+    QPushButton *m_write, *m_view, *m_film;
     QTimer m_soon;
 };
 

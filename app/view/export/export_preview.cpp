@@ -9,6 +9,7 @@
 #include "app/view/canvas/ground.h"
 #include "app/view/canvas/render_thread.h"
 #include "warp/convert.h"
+#include "warp/film_format.h"
 #include "warp/image_formats.h"
 #include "warp/warp.h"
 
@@ -37,7 +38,8 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
     if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
     QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
     const std::string file = "picture" + request.extension;
-    if (holdsAlpha(file) || isLayeredFile(file)) return warped;
+    const FilmFormatFacts* film = request.kind == ExportKind::Film ? filmFormatOf(file) : nullptr;
+    if (film ? film->alpha : holdsAlpha(file) || isLayeredFile(file)) return warped;
     QImage opaque(warped.size(), QImage::Format_RGB32);
     opaque.fill(Qt::white);
     QPainter(&opaque).drawImage(0, 0, warped);
@@ -82,7 +84,8 @@ QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Scree
     QImage image;
     if (request.kind == ExportKind::StMap)
         image = mapPreview(shape, request);
-    else if (canWriteImage("picture" + request.extension) || isLayeredFile("picture" + request.extension))
+    else if (request.kind == ExportKind::Film || canWriteImage("picture" + request.extension) ||
+             isLayeredFile("picture" + request.extension))
         image = picturePreview(shape, *picture, request, std::move(stop));
     else if (shape.dimension() == 2)
         image = meshPreview(shape, picture, request);

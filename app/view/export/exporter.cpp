@@ -56,6 +56,8 @@ QString workOf(ExportKind kind, int count) {
     switch (kind) {
         case ExportKind::Picture:
             return Exporter::tr("Writing the picture …");
+        case ExportKind::Film:
+            return Exporter::tr("Writing the film …");
         case ExportKind::Frames:
             return Exporter::tr("Writing %n frames …", nullptr, count);
         case ExportKind::StMap:
@@ -81,6 +83,7 @@ QString questionOf(OwnFile own, const QString& name) {
         case OwnFile::States:
         case OwnFile::Motion:
         case OwnFile::Points:
+        case OwnFile::Audio:
             break;
     }
     return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);
@@ -135,7 +138,7 @@ ExportSubject Exporter::subject(ExportKind kind) const {
 
 void Exporter::ask(ExportKind kind) {
     if (!shownFrame()) return;
-    const bool needsPicture = kind == ExportKind::Picture || kind == ExportKind::StMap;
+    const bool needsPicture = kind != ExportKind::Frames && kind != ExportKind::Mesh;
     const ExportSubject subject = this->subject(kind);
     if (needsPicture && !subject.shape->picture()) return;
     emit begun();

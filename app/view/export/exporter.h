@@ -50,6 +50,7 @@ class Exporter : public QObject {
   public slots:
     void exportPicture() { ask(ExportKind::Picture); }
     void exportMesh() { ask(ExportKind::Mesh); }
+    void exportFilm() { ask(ExportKind::Film); }
     void exportFrames() { ask(ExportKind::Frames); }
     void exportStMap() { ask(ExportKind::StMap); }
     /// Exports the material at rest as a grey picture.

@@ -13,11 +13,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/file/named_files.h"
+#include "app/document/project.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/view/export/export_button.h"
+#include "app/view/export/export_formats.h"
 #include "app/view/export/export_preview.h"
 #include "app/view/export/view_picture.h"
+#include "warp/film_format.h"
 #include "warp/image_formats.h"
 
 namespace wend {
@@ -25,7 +29,6 @@ namespace wend {
 namespace {
 
 constexpr int kLeastPixels = 16, kMostPixels = 20000;  // pixels; drawn in tiles
-constexpr int kIsFilmRole = Qt::UserRole + 1;          // of a format's entry: whether it is a film
 constexpr int kTyped = 9999999;                        // larger numbers can be typed and are then rejected
 
 bool fits(const QSpinBox* box) {
@@ -35,7 +38,7 @@ bool fits(const QSpinBox* box) {
 }  // namespace
 
 PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw,
-                             double seconds)
+                             std::optional<FilmSubject> film)
     : QDialog(parent),
       m_proportions(proposal),
       m_width(new QSpinBox(this)),
@@ -48,14 +51,16 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
       m_format(new QComboBox(this)),
       m_form(new QFormLayout),
       m_rate(new OptionField("--fps", this)),
+      m_loop(new OptionField("--loop", this)),
       m_quality(new OptionField("--webp", this)),
-      m_seconds(seconds),
+      m_film(std::move(film)),
       m_facts(new QLabel(this)),
       m_draw(std::move(draw)),
       m_transparent(new QCheckBox(tr("&Transparent background"), this)),
       m_marks(new QCheckBox(tr("P&ins and axes"), this)),
       m_legend(new QCheckBox(tr("&Legend of the overlay"), this)) {
-    setWindowTitle(tr("Export View"));
+    setWindowTitle(m_film ? tr("Export Film") : tr("Export View"));
+    if (m_film) m_rate->setNumber(m_film->project->frameRate);
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(1, kTyped);
         box->setSuffix(tr(" px"));
@@ -73,15 +78,18 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
 }
 
 void PictureDialog::addFormats() {
+    if (m_film) {
+        for (const FilmFormatFacts& format : filmFormats())
+            m_format->addItem(QString::fromUtf8(format.name.data(), format.name.size()),
+                              QString::fromUtf8(format.extension.data(), format.extension.size()));
+        return;
+    }
     for (const auto& [name, extension] : {std::pair{"PNG", ".png"},
                                           {"TIFF", ".tif"},
                                           {"OpenEXR", ".exr"},
                                           {"JPEG", ".jpg"},
                                           {"WebP", ".webp"}})
         m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
-    if (m_seconds <= 0) return;
-    m_format->addItem(QStringLiteral("Animated WebP"), QStringLiteral(".webp"));
-    m_format->setItemData(m_format->count() - 1, true, kIsFilmRole);
 }
 
 void PictureDialog::describeControls() {
@@ -108,7 +116,7 @@ void PictureDialog::connectControls() {
     connect(m_format, &QComboBox::currentIndexChanged, this, &PictureDialog::check);
     for (QCheckBox* box : {m_transparent, m_marks, m_legend})
         connect(box, &QCheckBox::toggled, this, &PictureDialog::check);
-    for (OptionField* field : {m_rate, m_quality})
+    for (OptionField* field : {m_rate, m_loop, m_quality})
         connect(field, &OptionField::changed, this, &PictureDialog::check);
 }
 
@@ -117,6 +125,8 @@ void PictureDialog::lay() {
     form->setVerticalSpacing(10);
     form->addRow(tr("F&ormat"), m_format);
     for (OptionField* field : {m_rate, m_quality}) form->addRow(field->label(), field);
+    m_loop->sayLabel();
+    form->addRow(m_loop);
     form->addRow(tr("&Width"), m_width);
     form->addRow(tr("&Height"), m_height);
     for (QCheckBox* box : {m_tied, m_transparent, m_marks, m_legend}) form->addRow(box);
@@ -158,15 +168,14 @@ void PictureDialog::tie(QSpinBox* changed) {
 }
 
 void PictureDialog::check() {
-    const bool good = fits(m_width) && fits(m_height);
-    const QLocale locale;
-    m_note->setText(good ? QString()
-                         : tr("Width and height must be between %1 and %2 pixels.")
-                               .arg(locale.toString(kLeastPixels), locale.toString(kMostPixels)));
+    const QString why = problem();
+    const bool good = why.isEmpty();
+    m_note->setText(why);
     m_note->setVisible(!good);
     m_write->setEnabled(good);
-    m_transparent->setEnabled(holdsAlpha("view" + extension().toStdString()));
-    m_form->setRowVisible(m_rate, isFilm());
+    const FilmFormatFacts* film = filmFormat();
+    m_transparent->setEnabled(film ? film->alpha : holdsAlpha("view" + extension().toStdString()));
+    for (OptionField* field : {m_rate, m_loop}) m_form->setRowVisible(field, film != nullptr);
     m_form->setRowVisible(m_quality, extension() == QStringLiteral(".webp"));
     m_facts->setText(pixels());
     if (good && m_draw) m_timer.start();
@@ -180,25 +189,45 @@ QString PictureDialog::filter() const {
     return QStringLiteral("%1 (*%2)").arg(m_format->currentText(), extension());
 }
 
-bool PictureDialog::isFilm() const {
-    return m_format->currentData(kIsFilmRole).toBool();
+const FilmFormatFacts* PictureDialog::filmFormat() const {
+    return m_film ? filmFormatOf("view" + extension().toStdString()) : nullptr;
+}
+
+/// Returns why it cannot be written; empty if it can be.
+QString PictureDialog::problem() const {
+    const QLocale locale;
+    if (!fits(m_width) || !fits(m_height))
+        return tr("Width and height must be between %1 and %2 pixels.")
+            .arg(locale.toString(kLeastPixels), locale.toString(kMostPixels));
+    return m_film ? missingFilmProgram(extension()) : QString();
 }
 
 PictureChoice PictureDialog::choice() const {
-    const double rate = m_rate->number();
-    return {{m_width->value(), m_height->value()},
-            m_transparent->isChecked() && m_transparent->isEnabled(),
-            m_marks->isChecked(),
-            m_legend->isChecked(),
-            m_quality->value() == "lossy" && extension() == QStringLiteral(".webp"),
-            isFilm() ? static_cast<int>(std::lround(m_seconds * rate)) + 1 : 0,
-            rate};
+    PictureChoice choice;
+    choice.size = {m_width->value(), m_height->value()};
+    choice.transparent = m_transparent->isChecked() && m_transparent->isEnabled();
+    choice.marks = m_marks->isChecked();
+    choice.legend = m_legend->isChecked();
+    choice.lossy = m_quality->value() == "lossy" && extension() == QStringLiteral(".webp");
+    if (!m_film) return choice;
+    if (filmFormat()->even)
+        choice.size = {(choice.size.width() + 1) / 2 * 2, (choice.size.height() + 1) / 2 * 2};
+    choice.framesPerSecond = m_rate->number();
+    choice.loop = m_loop->number() != 0;
+    RunOutputs outputs;
+    outputs.loop = choice.loop;
+    choice.span = frameSpan(*m_film->project, m_film->end, outputs);
+    choice.frames = frameCount(*choice.span, choice.framesPerSecond, choice.loop);
+    if (!m_film->project->audio.empty())
+        choice.sound = {pathIn(m_film->folder, m_film->project->audio), choice.span->from};
+    return choice;
 }
 
 QString PictureDialog::pixels() const {
     const QLocale locale;
+    const QSize size = choice().size;
     const QString one =
-        tr("%1 × %2 pixels").arg(locale.toString(m_width->value()), locale.toString(m_height->value()));
+        tr("%1 × %2 pixels").arg(locale.toString(size.width()), locale.toString(size.height()));
     const int frames = choice().frames;
     if (frames == 0) return one;
     return QCoreApplication::translate("wend::ExportForm", "%n pictures of %1", nullptr, frames).arg(one);

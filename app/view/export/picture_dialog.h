@@ -3,6 +3,11 @@
 #include <QDialog>
 #include <QTimer>
 #include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/session/run/run.h"
+#include "warp/film.h"
 
 class QCheckBox;
 class QComboBox;
@@ -24,20 +29,32 @@ struct PictureChoice {
     bool lossy = false;   // of WebP
     int frames = 0;       // of a film; 0: a picture
     double framesPerSecond = 24;
+    bool loop = false;                   // the end of the span has no frame
+    std::optional<FrameSpan> span = {};  // of a film; without: the whole motion
+    FilmSound sound = {};
 };
 
+/// The motion that a film shows.
+struct FilmSubject {
+    std::shared_ptr<const Project> project;
+    double end = 0;
+    std::string folder;  // of the project's files
+};
+
+struct FilmFormatFacts;
 class ExportPreview;
 class OptionField;
 
-/// Asks for the size and content of a picture of a view, or of a film of its motion, with a small preview.
+/// Asks for the size and content of a picture of a view or of a film of its motion, with a small preview.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
   public:
     using Draw = std::function<QImage(const PictureChoice&)>;
 
-    /// `seconds`: duration of the motion; 0 if there is none.
-    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {}, double seconds = 0);
+    /// With `film` it asks for a film.
+    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {},
+                  std::optional<FilmSubject> film = {});
     PictureChoice choice() const;
     /// Returns the extension with its dot.
     QString extension() const;
@@ -56,7 +73,8 @@ class PictureDialog : public QDialog {
     void check();
     void showPreview();
     QString pixels() const;
-    bool isFilm() const;
+    const FilmFormatFacts* filmFormat() const;
+    QString problem() const;
 
     QSize m_proportions;  // of the view
     QSpinBox *m_width, *m_height;
@@ -67,8 +85,8 @@ class PictureDialog : public QDialog {
     ExportPreview* m_preview;
     QComboBox* m_format;
     QFormLayout* m_form;
-    OptionField *m_rate, *m_quality;
-    double m_seconds;  // of the motion
+    OptionField *m_rate, *m_loop, *m_quality;
+    std::optional<FilmSubject> m_film;
     QLabel* m_facts;
     Draw m_draw;
     QTimer m_timer;

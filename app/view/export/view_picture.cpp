@@ -18,6 +18,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
 #include "warp/film.h"
+#include "warp/film_format.h"
 #include "warp/image_formats.h"
 
 namespace wend {
@@ -121,6 +122,7 @@ class Progress {
         m_dialog.show();
     }
     QProgressDialog& dialog() { return m_dialog; }
+    std::stop_token token() const { return m_stop.get_token(); }
     void throwIfStopped() const {
         if (m_stop.stop_requested()) throw Cancelled();
     }
@@ -160,23 +162,29 @@ void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoi
     Playback& playback = canvas.session().playback();
     playback.setPlaying(false);
     const TimeKeeper keeper(playback);
+    const FrameSpan span = choice.span.value_or(FrameSpan{0, playback.end()});
+    const int intervals = choice.loop ? choice.frames : choice.frames - 1;
     const auto drawn = [&](int k) {
         return drawnByView(canvas, progress.dialog(), k, [&, k] {
-            playback.setTime(playback.end() * k / (choice.frames - 1));
+            playback.setTime(span.from + (span.to - span.from) * k / intervals);
             return viewPicture(canvas, choice);
         });
     };
     runBeside([&] {
-        Film film(path, choice.framesPerSecond, choice.lossy);
+        PendingFile file(path);
+        FilmOptions options{choice.framesPerSecond, choice.lossy, choice.frames, choice.sound,
+                            progress.token()};
+        Film film(path, file.temporary(), options);
         Image frame = headerOf(choice);
         for (int k = 0; k < choice.frames; ++k) {
             progress.throwIfStopped();
             frame.makePixels();
             copyRows(drawn(k), frame);
-            film.add(frame);
+            file.fill([&](const std::string&) { film.add(frame); });
         }
+        file.fill([&](const std::string&) { film.finish(); });
         progress.throwIfStopped();
-        writeWhole(path, [&film](const std::string& temporary) { film.write(temporary); });
+        file.commit();
     });
 }
 
@@ -200,8 +208,10 @@ QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
 
 bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice) {
     const QString kind = QFileInfo(path).suffix().toLower();
-    if (kind == QStringLiteral("jpg") || kind == QStringLiteral("jpeg")) choice.transparent = false;
     const std::string name = path.toStdString();
+    const FilmFormatFacts* film = choice.frames > 0 ? filmFormatOf(name) : nullptr;
+    const bool isJpeg = kind == QStringLiteral("jpg") || kind == QStringLiteral("jpeg");
+    if (isJpeg || (film && !film->alpha)) choice.transparent = false;
     if (const QString obstacle = canvas.obstacle(); !obstacle.isEmpty())
         throw InputError(name, obstacle.toStdString());
     try {

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QToolButton>
 
+#include "app/document/project.h"
 #include "app/panels/look/theme.h"
 #include "app/session/settle_step.h"
 #include "app/view/actions/actions.h"
@@ -21,6 +22,12 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.strip, &TimeStrip::wayChanged, &m_parts.tracks,
             [strip = &m_parts.strip, tracks = &m_parts.tracks] { tracks->setWay(strip->way()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
+    const auto showCycle = [&playback, &document = m_parts.session.document()] {
+        const auto cycle = document.isEmpty() ? std::nullopt : document.project()->cycle;
+        playback.setCycle(cycle ? cycle->at(0) : 0, cycle ? cycle->at(1) : 0);
+    };
+    connect(&m_parts.session.document(), &Document::projectChanged, this, showCycle);
+    connect(&m_parts.session.document(), &Document::opened, this, showCycle);
     connect(a.record, &QAction::toggled, &m_parts.session, &ShapeSession::setRecording);
     connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {
         playback.setSpeed(chosen->data().toDouble());

@@ -356,7 +356,9 @@ void TestCommands::settlingKeepsItsPlace() {
     Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
     appendSettling(project, 1);
     QVERIFY((project.settle == std::vector<SettleWindow>{{1, 2}}));
+    project.cycle = {0.5, 1};
     const Project longer = withLength(project, 6);
+    QVERIFY((*longer.cycle == std::array{1.5, 3.0}));
     QVERIFY((longer.settle == std::vector<SettleWindow>{{3, 6}}));
     const Project next = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 10}});
     QCOMPARE(next.end, 2.0);

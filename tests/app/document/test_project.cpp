@@ -672,11 +672,37 @@ class TestProject : public QObject {
             "has 1 points for 2 times");
         row("end", projectText(kImage + ", 'time': {'end': 0}"),
             "time.end: 0 is out of range: it must be in ]0, ∞[");
+        row("cycle of one time", projectText(kImage + ", 'time': {'cycle': [1]}"),
+            "time.cycle: must be two times, [from, to]");
+        row("cycle reversed", projectText(kImage + ", 'time': {'cycle': [2, 1]}"),
+            "time.cycle: must be two times");
+        row("cycle before the start", projectText(kImage + ", 'time': {'cycle': [-1, 1]}"),
+            "time.cycle: must be two times from 0 on");
+        row("frame rate", projectText(kImage + ", 'time': {'frameRate': 0}"),
+            "time.frameRate: 0 is out of range");
+        row("sound", projectText(kImage + ", 'time': {'audio': 3}"), "time.audio: ");
         row("method", projectText(kImage + ", 'integration': {'method': 'euler'}"),
             "integration.method: unknown value");
         row("tolerance", projectText(kImage + ", 'integration': {'tolerance': 0}"),
             "integration.tolerance: 0 is out of range");
     }
+    void timeIsKept() {
+        const std::string text =
+            projectText(kImage + ", 'time': {'frameRate': 12.5, 'cycle': [0.5, 1.5], 'audio': 'a/song.ogg'}");
+        const LoadedProject loaded = parseProject(text, "p.wend");
+        QVERIFY(loaded.warnings.empty());
+        const Project& project = *loaded.project;
+        QCOMPARE(project.frameRate, 12.5);
+        QVERIFY((*project.cycle == std::array{0.5, 1.5}));
+        QCOMPARE(project.audio, std::string("a/song.ogg"));
+        QVERIFY(!project.endIsGiven);
+        const auto again = parseProject(toJson(project), "p.wend").project;
+        QVERIFY(!again->endIsGiven && again->cycle == project.cycle && again->audio == project.audio &&
+                again->frameRate == project.frameRate);
+        const std::string plain = toJson(*parseProject(projectText(kImage), "p.wend").project);
+        for (const char* key : {"frameRate", "cycle", "audio"}) QVERIFY(plain.find(key) == std::string::npos);
+    }
+
     void badInput() {
         QFETCH(QString, text);
         QFETCH(QString, reason);

@@ -60,7 +60,8 @@ class TestExportDialog : public QObject {
 
 namespace {
 
-const ExportKind kKinds[] = {ExportKind::Picture, ExportKind::Frames, ExportKind::StMap, ExportKind::Mesh};
+const ExportKind kKinds[] = {ExportKind::Picture, ExportKind::Film, ExportKind::Frames, ExportKind::StMap,
+                             ExportKind::Mesh};
 
 OptionValues with(const std::string& flag, const std::string& value) {
     OptionValues values;
@@ -355,19 +356,18 @@ void TestExportDialog::framesAreNumbered() {
 void TestExportDialog::filmIsOneFile() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
-    const auto asked = dialog(ExportKind::Frames);
-    auto* format = asked->findChild<QComboBox*>(QStringLiteral("format"));
-    choose(*asked, ".webp");  // a sequence
-    QVERIFY(!asked->form().isFilm() && asked->form().field("--depth")->isVisible());
-    format->setCurrentIndex(format->findText(QStringLiteral("Animated WebP")));
+    const auto asked = dialog(ExportKind::Film);
+    QVERIFY(asked->form().isFilm());
+    QCOMPARE(asked->form().extension(), QStringLiteral(".mp4"));
+    choose(*asked, ".webp");
     const ExportForm& form = asked->form();
-    QVERIFY(form.isFilm());
-    for (const char* flag : {"--count", "--fps", "--webp", "--canvas", "--outside", "--filter"})
+    for (const char* flag :
+         {"--fps", "--loop", "--webp", "--canvas", "--scale", "--width", "--outside", "--filter"})
         QVERIFY2(form.field(flag)->isVisible(), flag);
-    QVERIFY(!form.field("--depth")->isVisible());
-    form.field("--count")->setNumber(9);
-    emit form.field("--count")->changed();
-    QVERIFY(written(ExportKind::Frames, file("film.webp"), form.values()));
+    for (const char* flag : {"--depth", "--count"}) QVERIFY(!form.field(flag)->isVisible());
+    form.field("--fps")->setNumber(8 / session().playback().end());
+    emit form.field("--fps")->changed();
+    QVERIFY(written(ExportKind::Film, file("film.webp"), form.values()));
     QVERIFY(written(ExportKind::Frames, file("f_#.png"), with("--count", "9")));
     const WebpFrames film = webpFrames(file("film.webp"));
     QCOMPARE(film.pictures.size(), std::size_t(9));

@@ -148,8 +148,8 @@ void TestExportPanel::kindsAreThoseOfTheShape() {
     QVERIFY(open(solid));
     toExport();
     QTRY_VERIFY(panel().isVisible());
-    for (const char* name : {"Picture", "ST Map"}) QCOMPARE(kind(name)->isVisible(), !solid);
-    QCOMPARE(button("View…")->isVisible(), solid);
+    for (const char* name : {"Picture", "Film", "ST Map"}) QCOMPARE(kind(name)->isVisible(), !solid);
+    for (const char* name : {"View…", "Film…"}) QCOMPARE(button(name)->isVisible(), solid);
     QVERIFY(kind("Mesh")->isEnabled());
     QVERIFY(!kind("Sequence")->isEnabled() && kind("Sequence")->toolTip().contains("drag a pin"));
     QVERIFY(kind(solid ? "Mesh" : "Picture")->isChecked());

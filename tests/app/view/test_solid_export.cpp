@@ -351,22 +351,33 @@ void TestSolidExport::filmIsCancelled() {
 }
 
 void TestSolidExport::filmIsAtChoiceWhereThereIsMotion() {
-    const QString name = QStringLiteral("Animated WebP");
-    PictureDialog still({320, 200}, false, nullptr);
-    QCOMPARE(still.findChild<QComboBox*>()->findText(name), -1);
-    PictureDialog dialog({320, 200}, false, nullptr, {}, 2);
+    PictureDialog still({321, 201}, false, nullptr);
+    still.show();
+    QCOMPARE(still.findChild<QComboBox*>()->findText(QStringLiteral("Animated WebP")), -1);
+    QVERIFY(!still.findChild<QDoubleSpinBox*>()->isVisible());
+    QCOMPARE(still.choice().frames, 0);
+    QCOMPARE(still.choice().size, QSize(321, 201));
+    auto project = copyOf(*m_window->session().document().project());
+    project->cycle = {0.5, 1.5};
+    project->frameRate = 25;
+    PictureDialog dialog({321, 201}, false, nullptr, {}, FilmSubject{project, 2, {}});
     dialog.show();
     auto* format = dialog.findChild<QComboBox*>();
     auto* rate = dialog.findChild<QDoubleSpinBox*>();
-    QVERIFY(!rate->isVisible());
-    QCOMPARE(dialog.choice().frames, 0);
-    format->setCurrentIndex(format->findText(name));
     QVERIFY(rate->isVisible());
-    QCOMPARE(dialog.extension(), QStringLiteral(".webp"));
-    QCOMPARE(dialog.choice().frames, 49);
+    QCOMPARE(dialog.extension(), QStringLiteral(".mp4"));
+    QVERIFY(!dialog.choice().transparent);
+    QCOMPARE(dialog.choice().size, QSize(322, 202));  // even, as the codec asks
+    QCOMPARE(dialog.choice().frames, 51);
     rate->setValue(10);
     QCOMPARE(dialog.choice().frames, 21);
     QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("facts"))->text().contains(QStringLiteral("21")));
+    format->setCurrentIndex(format->findText(QStringLiteral("Animated WebP")));
+    QCOMPARE(dialog.choice().size, QSize(321, 201));
+    QVERIFY(dialog.choice().transparent);
+    dialog.findChild<OptionField*>(QStringLiteral("--loop"))->findChild<QCheckBox*>()->setChecked(true);
+    QCOMPARE(dialog.choice().frames, 10);  // of the cycle, without its end
+    QCOMPARE(dialog.choice().span->from, 0.5);
 }
 
 void TestSolidExport::legendAndMarksAreAtChoice() {

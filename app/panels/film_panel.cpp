@@ -1,0 +1,129 @@
+#include "app/panels/film_panel.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "app/document/edits/setting_edits.h"
+#include "app/document/options/settings.h"
+#include "app/document/project.h"
+#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kShortest = 0.01;  // seconds of a cycle
+
+}  // namespace
+
+FilmPanel::FilmPanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_rate(new OptionField("time.frameRate", this)),
+      m_cycles(new QCheckBox(tr("Cycle"), this)),
+      m_from(new ExactBox(this)),
+      m_to(new ExactBox(this)),
+      m_cycle(new QWidget(this)),
+      m_sound(secondLabel({}, this)),
+      m_choose(new QPushButton(tr("Choose…"), this)),
+      m_remove(new QPushButton(tr("Remove"), this)) {
+    makeCycle();
+    m_sound->setObjectName(QStringLiteral("soundFile"));
+    describe(m_choose, tr("Choose sound"),
+             tr("A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films."));
+    describe(m_remove, tr("Remove sound"), tr("The film has no sound then."));
+    auto* column = sectionColumn(this);
+    column->addWidget(panelTitle(tr("Film"), this));
+    column->addLayout(panelRow(withoutKey(m_rate->label()), m_rate, this));
+    column->addWidget(m_cycles);
+    column->addWidget(m_cycle);
+    column->addLayout(sideBySide({secondLabel(tr("Sound"), this), nullptr, m_choose, m_remove}));
+    column->addWidget(m_sound);
+    connectAll();
+    showProject();
+}
+
+void FilmPanel::makeCycle() {
+    describe(
+        m_cycles, tr("Cycle"),
+        tr("The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and "
+           "no picture twice."));
+    auto* row = bareRow(m_cycle, 6);
+    for (const auto& [box, name] : {std::pair{m_from, tr("from")}, {m_to, tr("to")}}) {
+        box->setDecimals(2);
+        box->setSingleStep(0.1);
+        box->setSuffix(tr(" s"));
+        box->setKeyboardTracking(false);
+        describe(box, name, m_cycles->toolTip());
+        row->addWidget(secondLabel(name, m_cycle));
+        row->addWidget(box, 1);
+    }
+}
+
+void FilmPanel::connectAll() {
+    connect(m_rate, &OptionField::changed, this,
+            [this] { changeSetting(m_session.document(), "time.frameRate", m_rate->number()); });
+    connect(m_cycles, &QCheckBox::toggled, this, [this] { changeCycle({}); });
+    for (ExactBox* box : {m_from, m_to})
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] { changeCycle(QStringLiteral("cycle")); });
+    connect(m_choose, &QPushButton::clicked, this, &FilmPanel::chooseSound);
+    connect(m_remove, &QPushButton::clicked, this, [this] { setSound({}); });
+    connect(&m_session.document(), &Document::projectChanged, this, &FilmPanel::showProject);
+    connect(&m_session.document(), &Document::opened, this, &FilmPanel::showProject);
+}
+
+void FilmPanel::showProject() {
+    const Document& document = m_session.document();
+    setEnabled(!document.isEmpty());
+    if (document.isEmpty()) return;
+    const Project& project = *document.project();
+    m_rate->setNumber(project.frameRate);
+    const auto [from, to] = project.cycle.value_or(std::array{0.0, project.end});
+    const QSignalBlocker quiet(m_cycles), alsoFrom(m_from), alsoTo(m_to);
+    m_cycles->setChecked(project.cycle.has_value());
+    m_cycle->setVisible(project.cycle.has_value());
+    m_from->setRange(0, to - kShortest);
+    m_to->setRange(from + kShortest, std::max(project.end, to));
+    m_from->put(from);
+    m_to->put(to);
+    m_sound->setText(QFileInfo(QString::fromStdString(project.audio)).fileName());
+    m_sound->setVisible(!project.audio.empty());
+    m_remove->setVisible(!project.audio.empty());
+}
+
+/// Changes that have a name merge into one step.
+void FilmPanel::changeCycle(const QString& name) {
+    Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    Project next = *document.project();
+    next.cycle.reset();
+    if (m_cycles->isChecked()) next.cycle = {m_from->exact(), m_to->exact()};
+    document.change(tr("Change cycle"), std::move(next), name);
+}
+
+void FilmPanel::setSound(const QString& path) {
+    Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    Project next = *document.project();
+    next.audio = path.toStdString();
+    document.change(path.isEmpty() ? tr("Remove sound") : tr("Choose sound"), std::move(next), {});
+}
+
+void FilmPanel::chooseSound() {
+    QSettings settings;
+    const QString path = QFileDialog::getOpenFileName(
+        window(), tr("Choose Sound"), settings.value("folder").toString(),
+        tr("Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)"));
+    if (path.isEmpty()) return;
+    settings.setValue("folder", QFileInfo(path).absolutePath());
+    setSound(QFileInfo(path).absoluteFilePath());
+}
+
+}  // namespace wend
