@@ -5,6 +5,7 @@
 #include "app/document/edits/film_time.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/document/edits/pin_edits.h"
+#include "app/document/edits/pose_edits.h"
 #include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/shape_session.h"
@@ -229,6 +230,10 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
     const DragGesture drag(handles, {});
     const double time = m_motion.gestureTime();
     const bool atTheEnd = takesTheEnd(*m_document.project(), time);
+    if (m_poses && motionEnd(*m_document.project()) > 0) {  // each step is a pose of its own, in one undo step
+        const QString pose = QStringLiteral("pose ") + key + QStringLiteral(" %1").arg(time);
+        return push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, pose);
+    }
     // the first of several paths moves the playhead to the end
     const QString earlier = QStringLiteral("earlier ") + key;
     for (const QString& last : {key, earlier})
@@ -300,8 +305,11 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                          m_motion.track().lastTime() <= from && !takesTheEnd(project, from);
     const Gesture gesture{drag.handles(),   drag.grip(),  path.points, from,
                           armOf<Dim>(drag), path.seconds, curve,       endsAll};
+    if (m_poses && !records && curve.empty() && motionEnd(project) > 0 &&
+        pushPose<Dim>(gesture, starts, what.arg(m_pins.nameOf(drag.handles())), key))
+        return;
     const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
-    const bool quickens = !records && takesTheEnd(project, from) && hasOwnTiming(project);
+    const bool lengthens = !records && takesTheEnd(project, from) && hasOwnTiming(project);
     m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture<Dim>(project, gesture, starts),
                       key);
     // Recordings are shown by playing them, and others may be recorded at the same time.
@@ -314,10 +322,30 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                                                "K plays it; draw the paths of other pins from the same "
                                                "time, and they move together.");
     tellReplaced<Dim>(before, endsAll ? std::vector<int>() : drag.handles(), from, next);
-    if (quickens)
+    if (lengthens)
         emit notice(
-            ShapeSession::tr("The film keeps its length: what you had timed goes faster now. Undo, or "
-                             "make the film longer below."));
+            ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
+}
+
+/// False if the handles cannot be posed at that time. At the end of the film a drag makes it longer, and a step
+/// of the arrow keys moves the last pose.
+template <int Dim>
+bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>& starts, const QString& step,
+                            const QString& key) {
+    const Project& project = *m_document.project();
+    const bool appends = key.isEmpty() && takesTheEnd(project, gesture.from);
+    const std::optional<Project> next = appends
+                                            ? withPoseAppended<Dim>(project, gesture, starts)
+                                            : withPose<Dim>(project, gesture, starts);
+    if (!next) return false;
+    m_document.change(step, *next, key);
+    m_playback.setTime(appends ? m_playback.end() : gesture.from);
+    if (appends)
+        emit notice(ShapeSession::tr("The film is longer by a second. At an earlier time a drag sets the pose there."));
+    else
+        emit notice(ShapeSession::tr("Posed at %1 s: what comes before and after stays.")
+                        .arg(gesture.from * Playback::kSecondsPerUnit, 0, 'f', 2));
+    return true;
 }
 
 /// A gesture replaces the later motion of its own handles or, if they have none, of all.

@@ -37,6 +37,7 @@ class ShapeGesture : public QObject {
     std::vector<int> unlocked(std::vector<int> handles);
 
     void setRecording(bool records) { m_records = records; }
+    void setPosing(bool poses) { m_poses = poses; }
     void begin(const Grip& grip, bool records);
     void moveBy(const Amount& amount, double seconds);
     void end(double tolerance);
@@ -76,6 +77,9 @@ class ShapeGesture : public QObject {
     void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
               const std::vector<Amount>& curve = {});
     template <int Dim>
+    bool pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>& starts, const QString& step,
+                  const QString& key);
+    template <int Dim>
     void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& own, double from,
                       const QString& otherwise);
 
@@ -89,6 +93,7 @@ class ShapeGesture : public QObject {
     /// The handles of the gesture, as they were at its start.
     std::tuple<std::vector<PinView<2>>, std::vector<PinView<3>>> m_grabbed;
     bool m_records = false;                    // every drag
+    bool m_poses = false;                      // a drag sets a pose at its time
     QTimer m_goOn;                             // advances the other handles while recording
     QElapsedTimer m_sinceSample, m_sinceLead;  // since the last sample was added; since the last request
     QTimer m_waits;                            // delays the newest sample

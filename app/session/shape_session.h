@@ -138,6 +138,9 @@ class ShapeSession : public QObject {
     void dragBy(const Amount& amount, double seconds = 0) { m_gesture.moveBy(amount, seconds); }
     /// Makes every following drag record.
     void setRecording(bool records) { m_gesture.setRecording(records); }
+    /// Makes every following drag and step of the arrow keys set where the handles are at the shown time,
+    /// while what they do before and after stays (see withPose()); at the end the film becomes longer.
+    void setPosing(bool poses) { m_gesture.setPosing(poses); }
     /// Ends the drag and keeps its path within the tolerance.
     void endDrag(double tolerance) { m_gesture.end(tolerance); }
     /// Ends the drag and keeps the straight path to its end, which was given as a number.

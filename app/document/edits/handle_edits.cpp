@@ -17,6 +17,8 @@ namespace {
 
 // Minimum fraction of the film that a gesture gets, and that it leaves to others.
 constexpr double kMinTimeShare = 0.002;
+// Length of a gesture after motions that the user has timed.
+constexpr double kAppended = 1;
 
 template <int Dim>
 Design<Dim>& design(Project& project) {
@@ -206,7 +208,8 @@ struct Room {
     std::vector<double> times;
 };
 
-/// Appends the gesture: earlier motion shrinks in proportion to the path lengths.
+/// Appends the gesture: earlier motion shrinks in proportion to the path lengths, unless the user has timed it.
+/// Then the film becomes longer.
 template <int Dim>
 Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     const auto timed = [&](Project before, double begin) -> Room {
@@ -215,6 +218,10 @@ Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     if (!hasMotion(designOf<Dim>(project))) return timed(project, 0);
     Project before = endedAt(project, gesture.from);
     if (gesture.from <= 0) return timed(std::move(before), 0);
+    if (hasOwnTiming(before)) {  // what was timed keeps its times
+        before.end = gesture.from + kAppended;
+        return {std::move(before), timesByLength<3>(gesture.path, gesture.from, gesture.from + kAppended)};
+    }
     const double length = pathLength<Dim>(design<Dim>(before).handles, gesture.arm);
     const double breakpoint = breakpointAfter(length, gestureLength(gesture), project.end);
     return timed(withTimesMoved(std::move(before), gesture.from, breakpoint), breakpoint);

@@ -28,7 +28,7 @@ class Actions : public ActionMaker {
     QAction *selectTool, *pinTool;  // tools that others return to
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
-    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
+    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *onionSkin;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;

@@ -29,6 +29,11 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.session.document(), &Document::projectChanged, this, showCycle);
     connect(&m_parts.session.document(), &Document::opened, this, showCycle);
     connect(a.record, &QAction::toggled, &m_parts.session, &ShapeSession::setRecording);
+    const auto pose = [this, &a] {
+        m_parts.session.setPosing(a.poseHere->isChecked() && m_parts.tools.mode() == Mode::Animate);
+    };
+    connect(a.poseHere, &QAction::toggled, this, pose);
+    connect(&m_parts.tools, &Toolbox::changed, this, pose);
     connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {
         playback.setSpeed(chosen->data().toDouble());
         a.setSpeed(playback.speed());

@@ -81,6 +81,17 @@ void TrackView::paintRow(QPainter& painter, int row) const {
                      painter.fontMetrics().elidedText(own.name, Qt::ElideRight, m_way.x() - 36));
     paintHold(painter, own.hold);
     for (const Bar& bar : own.bars) paintBar(painter, bar, own.colour);
+    for (const Bar& bar : own.bars)
+        for (const double time : {timeOf(bar).start, timeOf(bar).end}) paintKey(painter, {xOf(time), rect.center().y()});
+}
+
+/// A key pose: an end of a motion.
+void TrackView::paintKey(QPainter& painter, const QPointF& at) const {
+    constexpr double kHalf = 4.5;
+    painter.setPen(QPen(palette().color(QPalette::Window), 1));
+    painter.setBrush(palette().color(QPalette::WindowText));
+    painter.drawPolygon(QPolygonF({at + QPointF(-kHalf, 0), at + QPointF(0, -kHalf), at + QPointF(kHalf, 0),
+                                   at + QPointF(0, kHalf)}));
 }
 
 /// A line, with a stop at its ends to drag them by.

@@ -103,6 +103,7 @@ class TrackView : public QAbstractScrollArea {
     void paintBand(QPainter& painter) const;
     void paintHold(QPainter& painter, const Bar& hold) const;
     void paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const;
+    void paintKey(QPainter& painter, const QPointF& at) const;
     bool nudge(const QKeyEvent& event);
 
     ShapeSession& m_session;

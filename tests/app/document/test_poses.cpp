@@ -1,0 +1,207 @@
+#include <QTest>
+#include <random>
+
+#include "app/document/edits/pose_edits.h"
+#include "app/document/file/project_reader.h"
+#include "app/document/file/project_writer.h"
+#include "app/document/project.h"
+#include "core/motion/constraints.h"
+
+using namespace wend;
+
+/// Poses at times: a drag at a time sets where a pin is then, and all other times stay as they were.
+class TestPoses : public QObject {
+    Q_OBJECT
+  private slots:
+    void leadsThroughTheNewPose();
+    void movesAKeyPose();
+    void comesFromWhereItHeld();
+    void startsAtRest();
+    void otherKindsAreLeft();
+    void longerFilmKeepsItsTimes();
+    void randomPosesKeepTheRest_data();
+    void randomPosesKeepTheRest();
+};
+
+namespace {
+
+template <int Dim>
+Handle<Dim> pin(const std::string& name) {
+    Handle<Dim> handle;
+    handle.name = name;
+    handle.at = std::vector<Vec<Dim>>{Vec<Dim>::Zero()};
+    return handle;
+}
+
+/// One that moves from 0 to 1 s and from 2 to 3 s in a film of 4 s, and one that does not move.
+template <int Dim>
+Project film() {
+    Design<Dim> design;
+    design.handles = {pin<Dim>("A"), pin<Dim>("B")};
+    design.handles[0].motions = {{Translate<Dim>{Vec<Dim>::Unit(0)}, 0, 1},
+                                 {Translate<Dim>{2 * Vec<Dim>::Unit(1)}, 2, 3}};
+    Project project;
+    project.end = 4;
+    project.design = design;
+    return project;
+}
+
+/// The place of a handle's point that rests at the origin.
+template <int Dim>
+Vec<Dim> placeAt(const Project& project, int handle, double time) {
+    const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[handle]);
+    return timeline.bodyAt(time, Side::Before).position(Vec<Dim>::Zero());
+}
+
+template <int Dim>
+std::optional<Project> posed(const Project& project, int handle, double time, const Vec<Dim>& by) {
+    Gesture gesture;
+    gesture.handles = {handle};
+    gesture.path = {Amount::Zero(), amountOf<Dim>(by)};
+    gesture.from = time;
+    return withPose<Dim>(project, gesture, {placeAt<Dim>(project, handle, time)});
+}
+
+}  // namespace
+
+void TestPoses::leadsThroughTheNewPose() {
+    const Project before = film<2>();
+    const auto after = posed<2>(before, 0, 2.5, {3, 0});
+    QVERIFY(after);
+    QCOMPARE(std::get<Design<2>>(after->design).handles[0].motions.size(), 3U);
+    QCOMPARE(after->end, 4.0);
+    for (const double time : {0.0, 0.3, 1.0, 1.7, 2.0, 3.0, 3.5})
+        QVERIFY((placeAt<2>(*after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 2.5) - Vec<2>(4, 1)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 2.25) - Vec<2>(2.5, 0.5)).norm() < 1e-14);
+}
+
+void TestPoses::movesAKeyPose() {
+    const Project before = film<2>();
+    const auto after = posed<2>(before, 0, 1, {0, 5});  // it holds there until 2
+    QVERIFY(after);
+    QVERIFY((placeAt<2>(*after, 0, 1) - Vec<2>(1, 5)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 0.5) - Vec<2>(0.5, 2.5)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 1.5) - Vec<2>(1, 2.5)).norm() < 1e-14);
+    for (const double time : {0.0, 2.0, 2.5, 3.0, 4.0})
+        QVERIFY((placeAt<2>(*after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
+    const auto last = posed<2>(before, 0, 3, {7, 0});
+    QVERIFY(last);
+    QCOMPARE(std::get<Design<2>>(last->design).handles[0].motions.size(), 2U);
+    QVERIFY((placeAt<2>(*last, 0, 4) - Vec<2>(8, 2)).norm() < 1e-14);
+}
+
+void TestPoses::comesFromWhereItHeld() {
+    const auto after = posed<2>(film<2>(), 1, 1.5, {6, 0});
+    QVERIFY(after);
+    QVERIFY((placeAt<2>(*after, 1, 0.75) - Vec<2>(3, 0)).norm() < 1e-14);
+    for (const double time : {1.5, 2.0, 4.0}) QVERIFY((placeAt<2>(*after, 1, time) - Vec<2>(6, 0)).norm() < 1e-14);
+}
+
+/// Nothing can be posed before a handle acts: that is the shape at rest.
+void TestPoses::startsAtRest() {
+    QVERIFY(!posed<2>(film<2>(), 0, 0, {1, 0}));
+    QVERIFY(!posed<2>(film<2>(), 1, 0, {1, 0}));
+}
+
+void TestPoses::otherKindsAreLeft() {
+    Project project = film<2>();
+    Rotate<2> turn;
+    turn.angle = 1;
+    std::get<Design<2>>(project.design).handles[0].motions[1].kind = turn;
+    QVERIFY(!posed<2>(project, 0, 2.5, {1, 0}));
+    QVERIFY(posed<2>(project, 0, 0.5, {1, 0}));
+}
+
+void TestPoses::longerFilmKeepsItsTimes() {
+    const Project before = film<2>();
+    Gesture gesture;
+    gesture.handles = {1};
+    gesture.path = {Amount::Zero(), Amount(1, 0, 0), Amount(1, 3, 0)};
+    gesture.from = 4;
+    const Project after = withPoseAppended<2>(before, gesture, {Vec<2>::Zero()});
+    QCOMPARE(after.end, 5.0);
+    QVERIFY(placeAt<2>(after, 1, 5) == Vec<2>(1, 3));
+    QVERIFY((placeAt<2>(after, 1, 4.25) - Vec<2>(1, 0)).norm() < 1e-14);
+    for (double time = 0; time <= 4; time += 0.125) {
+        QVERIFY(placeAt<2>(after, 0, time) == placeAt<2>(before, 0, time));
+        QVERIFY(placeAt<2>(after, 1, time) == placeAt<2>(before, 1, time));
+    }
+}
+
+void TestPoses::randomPosesKeepTheRest_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::newRow("picture") << 2;
+    QTest::newRow("solid") << 3;
+}
+
+/// Thousands of poses at random times of random pins with recordings, eased moves and paths: the pin is where it
+/// was put; what lies beyond the neighbouring key poses, and all other pins, stays to the bit; the file reads
+/// back as the same.
+void TestPoses::randomPosesKeepTheRest() {
+    QFETCH(int, dimension);
+    const auto check = [](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        std::mt19937 random(Dim);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const auto vector = [&] {
+            Vec<Dim> v;
+            for (int k = 0; k < Dim; ++k) v[k] = uniform(-5, 5);
+            return v;
+        };
+        int done = 0;
+        Project project = film<Dim>();
+        for (int round = 0; round < 2000; ++round) {
+            auto& handles = std::get<Design<Dim>>(project.design).handles;
+            if (round % 50 == 0) {  // others of each kind
+                project = film<Dim>();
+                auto& motions = std::get<Design<Dim>>(project.design).handles[0].motions;
+                motions[1].ease = static_cast<Ease>(round / 50 % 4);
+                CurveMotion<Dim> curve;
+                for (int k = 0; k < 4; ++k) curve.points.push_back(vector());
+                std::get<Design<Dim>>(project.design).handles[1].motions = {{curve, 0.5, 3}};
+                Recorded<Dim> stroke;
+                for (int k = 0; k < 6; ++k) stroke.times.push_back(k), stroke.points.push_back(vector());
+                if (round % 100 == 0) motions[0].kind = stroke;
+                continue;
+            }
+            const int handle = static_cast<int>(uniform(0, 2));
+            const double time = uniform(0, 4);
+            const Vec<Dim> by = vector();
+            const auto next = posed<Dim>(project, handle, time, by);
+            if (!next) continue;
+            ++done;
+            double before = -1, after = 1e9;  // key poses around
+            double key = time;
+            for (const auto& motion : handles[handle].motions)
+                for (const double t : {motion.start, motion.end}) {
+                    if (std::abs(t - time) < 0.02) {
+                        if (key == time || motion.end == t) key = t;
+                    } else if (t < time) {
+                        before = std::max(before, t);
+                    } else {
+                        after = std::min(after, t);
+                    }
+                }
+            const Vec<Dim> wanted = placeAt<Dim>(project, handle, time) + by;
+            QVERIFY((placeAt<Dim>(*next, handle, key) - wanted).norm() < 1e-9 + (key == time ? 0 : 1.0));
+            for (double t = 0; t <= 4; t += 0.0625) {
+                QVERIFY(placeAt<Dim>(*next, 1 - handle, t) == placeAt<Dim>(project, 1 - handle, t));
+                if (t <= before || t >= after)
+                    QVERIFY((placeAt<Dim>(*next, handle, t) - placeAt<Dim>(project, handle, t)).norm() < 1e-9);
+            }
+            project = *next;
+        }
+        qInfo("%d poses", done);
+        QVERIFY(done > 1000);
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+QTEST_APPLESS_MAIN(TestPoses)
+#include "test_poses.moc"
