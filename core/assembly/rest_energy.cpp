@@ -99,12 +99,12 @@ void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, 
 
 /// ∂²W/∂x_k ∂x_l = V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the modes M_m.
 template <int Dim>
-void RestEnergy<Dim>::linearize(const Points<Dim>& shape, Curvature curvature, WorkerPool& workers) {
+void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, WorkerPool& workers) {
     m_hessian.resize(m_plan->cells.size());
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) {
             auto [values, modes] = restModes<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c));
-            if (curvature == Curvature::Positive) values = values.cwiseMax(0);
+            for (double& value : values.reshaped()) value = std::max(value, negative * value);
             CellHessian onCorners;  // its rows are the modes on the corners 1 …
             for (int m = 0; m < Dim * Dim; ++m) {
                 const Mat<Dim> mode = Eigen::Map<const Mat<Dim>>(modes.col(m).data());

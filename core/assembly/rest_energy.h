@@ -27,11 +27,10 @@ class RestEnergy {
     /// One column per vertex. No cell may be inverted.
     void gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers);
 
-    /// The Hessian of W as it is, or with the negative eigenvalues of every cell's ∂²w/∂F² set to 0, so that
-    /// it is positive semidefinite.
-    enum class Curvature { Exact, Positive };
-    /// Computes the Hessian at a shape, in which no cell may be inverted, for the next two functions.
-    void linearize(const Points<Dim>& shape, Curvature curvature, WorkerPool& workers);
+    /// Computes the Hessian at a shape, in which no cell may be inverted, for the next two functions. The
+    /// negative eigenvalues of every cell's ∂²w/∂F² are multiplied by `negative`: 1 is the exact Hessian, 0 makes
+    /// it positive semidefinite.
+    void linearize(const Points<Dim>& shape, double negative, WorkerPool& workers);
     /// Adds the Hessian to Dim × Dim blocks in the order of the plan's pattern (AssemblyPlan), which has to
     /// list its contributions.
     void addHessian(std::span<double> blocks, WorkerPool& workers) const;

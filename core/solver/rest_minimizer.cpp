@@ -1,6 +1,7 @@
 #include "core/solver/rest_minimizer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +13,8 @@ namespace wend {
 namespace {
 
 constexpr double kArmijo = 1e-4;
+// Parts of the negative curvature that factors have, in the order of trial.
+constexpr std::array<double, 3> kNegative = {1, 0.9, 0};
 constexpr int kMostHalvings = 30;
 // Of the way to the first flat cell that a step may take.
 constexpr double kBeforeFlat = 0.8;
@@ -43,12 +46,12 @@ RestMinimizer<Dim>::RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>
 }
 
 template <int Dim>
-SolveOutcome RestMinimizer<Dim>::factorizeAs(typename RestEnergy<Dim>::Curvature curvature,
-                                             const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>& shape,
+                                             const ProximalTerm<Dim>* proximal,
                                              const std::stop_token& stop) {
     {
         const Stopwatch watch(m_statistics.assemble);
-        m_energy.linearize(shape, curvature, m_workers);
+        m_energy.linearize(shape, negative, m_workers);
         if (proximal) {
             m_blocks.resize(proximal->blocks.size());
             std::ranges::transform(proximal->blocks, m_blocks.begin(),
@@ -82,11 +85,11 @@ SolveOutcome RestMinimizer<Dim>::factorizeAs(typename RestEnergy<Dim>::Curvature
     return {};
 }
 
-/// With the exact Hessian if that is positive definite, else with the positive one.
+/// With the exact Hessian if that is positive definite, else with as much of its negative curvature as serves:
+/// where a shape is about to buckle most of it does, and steps are long.
 template <int Dim>
 SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
                                            const std::stop_token& stop) {
-    using Curvature = typename RestEnergy<Dim>::Curvature;
     if (!m_factor.isAnalyzed()) {
         const Stopwatch watch(m_statistics.analyze);
         const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
@@ -94,16 +97,15 @@ SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const Proxi
                               small ? Ordering::MinimumDegree : Ordering::NestedDissection, stop))
             return {SolveOutcome::Kind::Stopped, -1};
     }
-    m_isExact = m_untilExact == 0;
-    if (m_isExact) {
-        const SolveOutcome outcome = factorizeAs(Curvature::Exact, shape, proximal, stop);
-        if (outcome.kind != SolveOutcome::Kind::NotPositiveDefinite) return outcome;
-        m_isExact = false;
+    std::size_t level = m_untilExact == 0 ? 0 : std::max<std::size_t>(m_level, 1);
+    m_untilExact = std::max(m_untilExact - 1, 0);
+    for (;; ++level) {
+        const SolveOutcome outcome = factorizeAs(kNegative[level], shape, proximal, stop);
+        m_level = level;
+        m_isExact = level == 0;
+        if (outcome.kind != SolveOutcome::Kind::NotPositiveDefinite || level + 1 == kNegative.size()) return outcome;
         m_untilExact = kSteps;
-    } else {
-        --m_untilExact;
     }
-    return factorizeAs(Curvature::Positive, shape, proximal, stop);
 }
 
 template <int Dim>

@@ -23,7 +23,7 @@ struct ProximalTerm {
 
 /// Newton's method for the minimum of W, with or without a proximal term, among the shapes that the
 /// constraints allow (docs/method.md, section 8). A step d solves Zᵀ H Z y = −Zᵀ g with the exact Hessian
-/// where that is positive definite, else with the one that is made so cell by cell; it ends before any cell
+/// where that is positive definite, else with one that has less of the cells' negative curvature; it ends before any cell
 /// is flat, and is halved until W falls by Armijo's condition.
 template <int Dim>
 class RestMinimizer {
@@ -44,8 +44,8 @@ class RestMinimizer {
   private:
     SolveOutcome factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
                            const std::stop_token& stop);
-    SolveOutcome factorizeAs(typename RestEnergy<Dim>::Curvature curvature, const Points<Dim>& shape,
-                             const ProximalTerm<Dim>* proximal, const std::stop_token& stop);
+    SolveOutcome factorizeAs(double negative, const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+                             const std::stop_token& stop);
     double value(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal) const;
     double slope(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal);
     bool nudge(Points<Dim>& shape);
@@ -61,7 +61,8 @@ class RestMinimizer {
     Factor m_factor;
     bool m_isExact = false;  // the Hessian of the factor
     bool m_isMade = false;   // the factor
-    int m_untilExact = 0;    // steps before the exact one is tried again
+    std::size_t m_level = 0;  // of the last factor: how much of the negative curvature it has
+    int m_untilExact = 0;     // steps before the exact one is tried again
     std::vector<double> m_blocks;
     Points<Dim> m_gradient, m_reduced;
 };
