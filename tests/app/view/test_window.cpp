@@ -32,6 +32,7 @@
 #include "app/view/notices/info_banner.h"
 #include "app/view/notices/line_art_offer.h"
 #include "app/view/notices/soft_edge_offer.h"
+#include "app/view/notices/spring_offer.h"
 #include "app/view/properties.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
@@ -61,6 +62,8 @@ class TestWindow : public WindowTest {
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
     void bordersOfPhotographsAreOffered();
+    void springingBackIsOffered();
+    void dragsPoseAtTheShownTime();
     void lineArtIsFilled();
     void softEdgesAreTakenAlong();
     void openingIsToldUntilThePictureIsSeen();
@@ -81,6 +84,12 @@ class TestWindow : public WindowTest {
     void whatIsNotComputedYetIsNotExported();
 
   private:
+    /// Drags what is there, and waits for the shape.
+    void lead(double x, double y, double dx, double dy) {
+        dragPin(x, y, dx, dy);
+        QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(x + dx, y + dy));
+        QVERIFY(settle(m_window->session()));
+    }
     /// As the next dialog proposes it, in that file.
     void exportNextTo(const QString& path) {
         withNext<ExportDialog>(m_window.get(), [](ExportDialog& dialog) { dialog.accept(); });
@@ -333,6 +342,70 @@ void TestWindow::closingAsks() {
     withNext<QMessageBox>(m_window.get(),
                           [](QMessageBox& box) { box.button(QMessageBox::Discard)->click(); });
     QVERIFY(m_window->close());
+}
+
+/// Where a pin is back, or the film loops, and the shape would not be: one click, and it is.
+void TestWindow::springingBackIsOffered() {
+    open();
+    QVERIFY(bend());
+    ShapeSession& session = m_window->session();
+    Document& document = session.document();
+    InfoBanner& banner = m_window->banner();
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    QCOMPARE(settingOf(document, "material.memory"), kFully);
+    m_window->actions().loop->trigger();
+    QVERIFY(!banner.isVisible());  // it springs back
+    m_window->actions().loop->trigger();
+    changeSetting(document, "material.memory", 0);
+    QVERIFY(settle(session) && !banner.isVisible());
+    QVERIFY(!comesBack<2>(document.design<2>().handles.back()));
+    lead(200, 100, 0, -20);
+    QVERIFY(comesBack<2>(document.design<2>().handles.back()));
+    QVERIFY(banner.isVisible() && banner.property("offers").toBool());
+    QTest::mouseClick(banner.findChild<QPushButton*>(), Qt::LeftButton);
+    QVERIFY(settle(session) && !banner.isVisible());
+    QCOMPARE(settingOf(document, "material.memory"), kFully);
+    const auto frame = session.frame<2>();
+    QVERIFY((frame->pose - frame->rest->points).colwise().norm().maxCoeff() < 1e-6);
+    document.undoStack()->undo();
+    QVERIFY(!banner.isVisible());  // it is offered once
+}
+
+/// In the step Animate a drag at a time sets the pose there; the ends stay, and the time shown, too.
+void TestWindow::dragsPoseAtTheShownTime() {
+    open();
+    QVERIFY(bend());
+    ShapeSession& session = m_window->session();
+    const auto motions = [&]() -> const auto& { return session.document().design<2>().handles.back().motions; };
+    const double end = session.playback().end();
+    const Points<2> last = session.frame<2>()->pose;
+    m_window->tools().setMode(Mode::Animate);
+    session.playback().setTime(0.5 * end);
+    QVERIFY(settle(session));
+    lead(200, 90, 15, 0);
+    QCOMPARE(session.playback().time(), 0.5 * end);
+    QCOMPARE(session.playback().end(), end);
+    QCOMPARE(motions().size(), 2U);
+    QCOMPARE(motions()[0].end, 0.5 * end);
+    session.playback().setTime(end);
+    QVERIFY(settle(session));
+    QVERIFY((session.frame<2>()->pose - last).colwise().norm().maxCoeff() < 1e-3);
+    lead(200, 100, 0, -20);  // at the end the film becomes longer
+    QCOMPARE(session.playback().end(), end + 1);
+    QCOMPARE(session.playback().time(), end + 1);
+    QCOMPARE(motions().size(), 3U);
+    QCOMPARE(motions()[1].end, end);
+    const int steps = session.document().undoStack()->index();
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Up);  // moves the last pose
+    QCOMPARE(session.document().undoStack()->index(), steps + 1);
+    QCOMPARE(motions().size(), 3U);
+    QCOMPARE(session.playback().end(), end + 1);
+    m_window->actions().poseHere->trigger();
+    session.playback().setTime(0.25 * end);
+    QVERIFY(settle(session));
+    lead(207.5, 85, -5, 0);  // on to the end of the film, as ever
+    QCOMPARE(motions().size(), 2U);
+    QCOMPARE(motions()[1].end, end + 1);
 }
 
 /// A photograph may have its border held by a click, which is one step; a cut-out has none. The offer goes
