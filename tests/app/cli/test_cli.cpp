@@ -214,10 +214,18 @@ void TestCli::remembersAndSettles() {
     const QJsonObject settled = report({"--settle"});
     QCOMPARE(settled["time"].toDouble(), 2.0);
     QVERIFY(settled["restEnergy"].toDouble() < remembered);
-    // A window lets small deviations decay by e⁻³⁰; what is left is what the tolerance of a step lets stand.
     const double force = report({})["restForce"].toDouble();
-    QVERIFY(settled["restForce"].toDouble() < 1e-2 * force);
-    QVERIFY(report({"--settle", "--tolerance", "1e-6"})["restForce"].toDouble() < 1e-4 * force);
+    QVERIFY(settled["restForce"].toDouble() < 1e-9 * force);
+    const QJsonObject elastic = report({"--memory", "elastic"});
+    QVERIFY(elastic["restForce"].toDouble() < 1e-9 * force);
+    QVERIFY(std::abs(elastic["restEnergy"].toDouble() / settled["restEnergy"].toDouble() - 1) < 1e-9);
+    QVERIFY(elastic["notices"].toArray().isEmpty());
+    const CliResult unknown = run({"run", "bend.wend", "--memory", "elastik", "--report", "-"});
+    QCOMPARE(unknown.code, 2);
+    QVERIFY(unknown.err.contains("\"elastik\" is neither a number nor elastic"));
+    const CliResult large = run({"run", "bend.wend", "--memory", "elastic", "--solver", "multigrid", "--report", "-"});
+    QCOMPARE(large.code, 3);
+    QVERIFY(large.err.contains("needs the direct solver"));
     QVERIFY(settled["constraintError"].toDouble() < 1e-12);
     const std::string bend = readTextFile(file("bend.wend"));
     put(path(), "settled.wend", bend.substr(0, bend.rfind('}')) + ", \"settle\": [{\"time\": [1, 2]}]}");

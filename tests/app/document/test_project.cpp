@@ -230,6 +230,11 @@ class TestProject : public QObject {
         QCOMPARE(material.phi, std::numbers::pi / 2);
         QCOMPARE(material.smoothing.kind, SmoothingKind::Paper);
         QCOMPARE(material.memory, 2.5);
+        Project elastic = project;
+        std::get<Design<2>>(elastic.design).material.memory = std::numeric_limits<double>::infinity();
+        const std::string text = toJson(elastic);
+        QVERIFY(text.find("\"memory\": \"elastic\"") != std::string::npos);
+        QVERIFY(std::isinf(planar(*parseProject(text, "p.wend").project).material.memory));
         QCOMPARE(material.regions.size(), std::size_t(5));
         QCOMPARE(material.regions[0].feather, 12.0);
         QCOMPARE(material.regions[1].stiffness->ratio, 20.0);
@@ -573,6 +578,8 @@ class TestProject : public QObject {
             "in ]0, 1]");
         row("memory", withMaterial("'memory': -1"),
             "material.memory: -1 is out of range: it must be in [0, ∞[");
+        row("memory's word", withMaterial("'memory': 'elastik'"),
+            "material.memory: is neither a number nor \"elastic\"");
         const auto withSettling = [](const std::string& windows) {
             return projectText(kImage + ", 'settle': [" + windows + "]");
         };
