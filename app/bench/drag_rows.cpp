@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -97,10 +98,16 @@ void addDragRows(const Body<Dim>& body, BenchRecorder& recorder) {
     struct Energy {
         const char* name;
         double phi;
+        double memory = 0;
     };
-    for (const Energy& energy : {Energy{"", phi::kMetr}, Energy{", EQUIA", phi::kEquia}}) {
-        const auto material = std::make_shared<const Material<Dim>>(
-            Material<Dim>::uniform(body.rest->cellCount(), energy.phi, {}));
+    constexpr double kElastic = std::numeric_limits<double>::infinity();
+    for (const Energy& energy :
+         {Energy{"", phi::kMetr}, Energy{", EQUIA", phi::kEquia}, Energy{", elastic", phi::kMetr, kElastic},
+          Energy{", elastic, AKVF", phi::kAkvf, kElastic}, Energy{", elastic, EQUIA", phi::kEquia, kElastic},
+          Energy{", elastic, CONF", phi::conformal(Dim), kElastic}}) {
+        auto own = Material<Dim>::uniform(body.rest->cellCount(), energy.phi, {});
+        own.memory = energy.memory;
+        const auto material = std::make_shared<const Material<Dim>>(std::move(own));
         for (int threads : {1, 0}) {
             DragFlow<Dim> flow(body.rest, material, body.handles, makeCpuBackEnd<Dim>, threads);
             const FrameTimes times = dragOnce(flow, body);
