@@ -11,6 +11,7 @@
 namespace wend {
 
 class Document;
+struct Gesture;
 class Playback;
 class Selection;
 class ShapeMotion;

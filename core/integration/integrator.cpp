@@ -174,7 +174,7 @@ StepMethod<Dim>& Deformer<Dim>::Integrator::method() const {
 }
 
 /// Returns the factor of the gradient of W: during relaxation that of the interval, else ρ times the largest
-/// speed of a constrained point in m_prescribed (docs/method.md, (22) and (23)).
+/// speed of a constrained point in m_prescribed (docs/method.md, (22) and (25)).
 template <int Dim>
 double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {
     const double settling = m_settling.rate(t, side);

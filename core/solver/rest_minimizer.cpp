@@ -24,8 +24,9 @@ constexpr int kSteps = 2;
 constexpr double kRounding = 1e-13;
 // A gradient of this norm is rounding: forces are of the order of 1.
 constexpr double kNoForce = 1e-14;
-// Off a saddle, in sizes; where steps are no longer than this and the exact Hessian is indefinite, it is near.
-constexpr double kNudge = 1e-3;
+// Off a saddle, in sizes. It is near where the exact Hessian is indefinite, steps are no longer than that, and
+// they promise no more than this part of W.
+constexpr double kNudge = 1e-3, kNearSaddle = 1e-9;
 constexpr int kMostNudges = 3;
 // A factor serves again while each step is shorter than this part of the one before.
 constexpr double kQuickly = 0.4;
@@ -218,7 +219,9 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         m_system.release(y);
         m_system.expand(y, step);
         const double most = step.colwise().norm().maxCoeff();
-        if (!m_isExact && most <= kNudge && nudges < kMostNudges) {
+        const double decrement = -m_reduced.cwiseProduct(y).sum();
+        if (!m_isExact && most <= kNudge && nudges < kMostNudges &&
+            decrement <= kNearSaddle * std::abs(value(shape, proximal))) {
             result.isStable = false;
             ++nudges;
             if (!nudge(shape)) return result;
@@ -226,7 +229,7 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
             continue;
         }
         if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
-        const double part = lineSearch(shape, step, m_reduced.cwiseProduct(y).sum(), proximal, descent);
+        const double part = lineSearch(shape, step, -decrement, proximal, descent);
         small = part * most <= descent.tolerance;
         serves = descent.reusesFactor && m_isExact && part == 1 && most < kQuickly * std::exchange(last, most);
         if (part == 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/film_time.h"
 #include "app/document/edits/timing_edits.h"
 #include "app/document/project.h"
