@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/film_time.h"
@@ -14,7 +15,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kSamples = 24;  // of a motion that is no polygon in time
+constexpr int kSamples = 48;  // of a motion that is no polygon in time
 
 /// Offsets from the start of a motion, by time; linear in between.
 template <int Dim>
@@ -48,14 +49,16 @@ Vec<Dim> offsetAt(const Recorded<Dim>& stroke, double s) {
     return Way<Dim>{stroke.times, stroke.points}.at(time) - stroke.points.front();
 }
 
-/// The way of a motion that only translates; nothing of another one.
+/// The way of a motion that only translates, exact at one time; nothing of another one.
 template <int Dim>
-std::optional<Way<Dim>> wayOf(const Motion<Dim>& motion) {
+std::optional<Way<Dim>> wayOf(const Motion<Dim>& motion, double time) {
     const auto timeAt = [&](double s) { return std::lerp(motion.start, motion.end, s); };
     Way<Dim> way;
     const auto sample = [&](auto&& offset) {
-        for (int i = 0; i <= kSamples; ++i) {
-            const double s = static_cast<double>(i) / kSamples;
+        std::set<double> parts = {(time - motion.start) / (motion.end - motion.start)};
+        for (int i = 0; i <= kSamples; ++i) parts.insert(static_cast<double>(i) / kSamples);
+        for (const double s : parts) {
+            if (s < 0 || s > 1) continue;
             way.times.push_back(timeAt(s));
             way.offsets.push_back(offset(ease(motion.ease, s)));
         }
@@ -131,7 +134,7 @@ bool pose(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, double
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const Motion<Dim>& own = motions[i];
         if (!(own.start < time && time < own.end) || isNear(own.start) || isNear(own.end)) continue;
-        const auto way = wayOf<Dim>(own);
+        const auto way = wayOf<Dim>(own, time);
         if (!way) return false;
         const auto [before, after] = split<Dim>(*way, time);
         const Vec<Dim> start = place - way->at(time);
@@ -141,13 +144,17 @@ bool pose(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, double
         return true;
     }
     // At a key pose, or while the handle holds still.
-    const auto previous = std::ranges::find_if(motions, [&](const auto& one) { return isNear(one.end); });
+    auto previous = motions.end();  // the one that ends nearest
+    for (auto one = motions.begin(); one != motions.end(); ++one)
+        if (isNear(one->end) &&
+            (previous == motions.end() || std::abs(one->end - time) < std::abs(previous->end - time)))
+            previous = one;
     const auto next = std::find_if(previous == motions.end() ? motions.begin() : previous + 1, motions.end(),
                                    [&](const auto& one) { return one.start >= time || isNear(one.start); });
     std::vector<Motion<Dim>> result(motions.begin(), previous == motions.end() ? next : previous);
     double key = time;
     if (previous != motions.end()) {
-        const auto way = wayOf<Dim>(*previous);
+        const auto way = wayOf<Dim>(*previous, time);
         if (!way) return false;
         key = previous->end;
         result.push_back(motionAlong<Dim>(way->led(by, 0, 1), place - way->offsets.back()));
@@ -159,7 +166,7 @@ bool pose(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, double
     }
     if (next != motions.end()) {
         const bool follows = next->start - key < kShortestMotion;
-        const auto way = follows ? wayOf<Dim>(*next) : std::nullopt;
+        const auto way = follows ? wayOf<Dim>(*next, time) : std::nullopt;
         if (follows && !way) return false;
         if (follows)
             result.push_back(motionAlong<Dim>(way->led(by, 1, 0), place + by));

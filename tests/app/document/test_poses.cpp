@@ -153,7 +153,7 @@ void TestPoses::randomPosesKeepTheRest() {
         };
         int done = 0;
         Project project = film<Dim>();
-        for (int round = 0; round < 2000; ++round) {
+        for (int round = 0; round < 1000; ++round) {
             auto& handles = std::get<Design<Dim>>(project.design).handles;
             if (round % 50 == 0) {  // others of each kind
                 project = film<Dim>();
@@ -174,20 +174,19 @@ void TestPoses::randomPosesKeepTheRest() {
             if (!next) continue;
             ++done;
             double before = -1, after = 1e9;  // key poses around
-            double key = time;
+            double key = time, off = 0.02;
+            for (const auto& motion : handles[handle].motions)  // the nearest end of a motion, else a start
+                if (std::abs(motion.end - time) < off) off = std::abs(motion.end - time), key = motion.end;
+            for (const auto& motion : handles[handle].motions)
+                if (key == time && std::abs(motion.start - time) < 0.02) key = motion.start;
             for (const auto& motion : handles[handle].motions)
                 for (const double t : {motion.start, motion.end}) {
-                    if (std::abs(t - time) < 0.02) {
-                        if (key == time || motion.end == t) key = t;
-                    } else if (t < time) {
-                        before = std::max(before, t);
-                    } else {
-                        after = std::min(after, t);
-                    }
+                    if (t < key) before = std::max(before, t);
+                    if (t > key) after = std::min(after, t);
                 }
-            const Vec<Dim> wanted = placeAt<Dim>(project, handle, time) + by;
-            QVERIFY((placeAt<Dim>(*next, handle, key) - wanted).norm() < 1e-9 + (key == time ? 0 : 1.0));
-            for (double t = 0; t <= 4; t += 0.0625) {
+            const Vec<Dim> wanted = placeAt<Dim>(project, handle, key) + by;
+            QVERIFY((placeAt<Dim>(*next, handle, key) - wanted).norm() < 1e-9);
+            for (double t = 0; t <= 4; t += 0.25) {
                 QVERIFY(placeAt<Dim>(*next, 1 - handle, t) == placeAt<Dim>(project, 1 - handle, t));
                 if (t <= before || t >= after)
                     QVERIFY((placeAt<Dim>(*next, handle, t) - placeAt<Dim>(project, handle, t)).norm() < 1e-9);
@@ -195,7 +194,7 @@ void TestPoses::randomPosesKeepTheRest() {
             project = *next;
         }
         qInfo("%d poses", done);
-        QVERIFY(done > 1000);
+        QVERIFY(done > 500);
     };
     if (dimension == 2)
         check(std::integral_constant<int, 2>());
