@@ -222,10 +222,10 @@ void TestCli::remembersAndSettles() {
     QVERIFY(elastic["notices"].toArray().isEmpty());
     const CliResult unknown = run({"run", "bend.wend", "--memory", "elastik", "--report", "-"});
     QCOMPARE(unknown.code, 2);
-    QVERIFY(unknown.err.contains("\"elastik\" is neither a number nor elastic"));
+    QVERIFY(unknown.error.contains("\"elastik\" is neither a number nor elastic"));
     const CliResult large = run({"run", "bend.wend", "--memory", "elastic", "--solver", "multigrid", "--report", "-"});
     QCOMPARE(large.code, 3);
-    QVERIFY(large.err.contains("needs the direct solver"));
+    QVERIFY(large.error.contains("needs the direct solver"));
     QVERIFY(settled["constraintError"].toDouble() < 1e-12);
     const std::string bend = readTextFile(file("bend.wend"));
     put(path(), "settled.wend", bend.substr(0, bend.rfind('}')) + ", \"settle\": [{\"time\": [1, 2]}]}");

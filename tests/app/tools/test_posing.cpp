@@ -54,7 +54,7 @@ class TestPosing : public QObject {
     void dragsTurnAndScaleAsChosen();
     void pointsAreNeitherTurnedNorScaled();
     void numbersMoveTurnAndGrow();
-    void ownTimingIsNotLostInSilence();
+    void ownTimingIsKept();
     void easeIsThatOfTheTimeShown();
     void pointsHaveADottedRing();
     void menusOfferWhatLiesThere();
@@ -480,10 +480,11 @@ void TestPosing::numbersMoveTurnAndGrow() {
                 .contains(QLocale().toString(pin(1).x(), 'g', 5)));
 }
 
-/// A drag shares the film by the ways; what was timed otherwise goes faster then, which is said.
-void TestPosing::ownTimingIsNotLostInSilence() {
+/// A drag shares the film by the ways; what was timed otherwise keeps its times, and the film becomes longer,
+/// which is said.
+void TestPosing::ownTimingIsKept() {
     const auto told = [&] {
-        return m_window->statusBar()->currentMessage().contains(QStringLiteral("keeps its length"));
+        return m_window->statusBar()->currentMessage().contains(QStringLiteral("keeps its times"));
     };
     drag(pin(1), pin(1) + Vec<2>(0, 20));
     drag(pin(1), pin(1) + Vec<2>(-20, 0));
@@ -499,7 +500,9 @@ void TestPosing::ownTimingIsNotLostInSilence() {
     QVERIFY(settle(session()));
     drag(pin(1), pin(1) + Vec<2>(0, -20));
     QVERIFY(told());
-    QVERIFY(handles()[1].motions[0].end < 0.4 * border);
+    QCOMPARE(handles()[1].motions[0].end, 0.4 * border);
+    QCOMPARE(handles()[1].motions[1].end, timed.end);
+    QCOMPARE(project().end, timed.end + 1);
 }
 
 void TestPosing::easeIsThatOfTheTimeShown() {
