@@ -766,6 +766,14 @@
         <source>has a damaged %1</source>
         <translation>hat eine beschädigte Datei %1</translation>
     </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and %3 times more</source>
+        <translation>zur Zeit %1 springt die Form nahe %2 in ein anderes Gleichgewicht, und noch %3 Mal</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2</source>
+        <translation>zur Zeit %1 springt die Form nahe %2 in ein anderes Gleichgewicht</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -890,6 +898,10 @@
     <message>
         <source>Layers (OpenRaster)</source>
         <translation>Ebenen (OpenRaster)</translation>
+    </message>
+    <message>
+        <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
+        <translation>Diesen Film macht das Programm ffmpeg, das nicht installiert ist (Debian: sudo apt install ffmpeg). Animiertes WebP braucht kein anderes Programm.</translation>
     </message>
 </context>
 <context>
@@ -1496,10 +1508,6 @@
         <translation>Andere Farbe …</translation>
     </message>
     <message>
-        <source>frames per second of a film</source>
-        <translation>Bilder je Sekunde eines Films</translation>
-    </message>
-    <message>
         <source>R&amp;ate</source>
         <translation>Bild&amp;rate</translation>
     </message>
@@ -1554,6 +1562,38 @@
     <message>
         <source>Change solver</source>
         <translation>Löser ändern</translation>
+    </message>
+    <message>
+        <source>frames per second of a film; a unit of time is a second</source>
+        <translation>Bilder pro Sekunde eines Films; eine Zeiteinheit ist eine Sekunde</translation>
+    </message>
+    <message>
+        <source>Change frame rate</source>
+        <translation>Bildrate ändern</translation>
+    </message>
+    <message>
+        <source>leave the last frame out, which is the first one again: for films that repeat; if the project has a cycle, show that</source>
+        <translation>das letzte Bild weglassen, das wieder das erste ist: für Filme, die sich wiederholen; hat das Projekt einen Zyklus, ihn zeigen</translation>
+    </message>
+    <message>
+        <source>Loop: no fra&amp;me twice</source>
+        <translation>Schleife: kein Bild d&amp;oppelt</translation>
+    </message>
+    <message>
+        <source>size of pictures in percent of the canvas; that of frames becomes even</source>
+        <translation>Größe der Bilder in Prozent der Leinwand; die von Filmbildern wird gerade</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>width of pictures, instead of a size in percent</source>
+        <translation>Breite der Bilder, statt einer Größe in Prozent</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
     </message>
 </context>
 <context>
@@ -2771,6 +2811,26 @@
         <source>&amp;Hide Pins and Overlays</source>
         <translation>Pins und Überlagerungen &amp;verbergen</translation>
     </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>&amp;Film …</translation>
+    </message>
+    <message>
+        <source>Write the motion as a film: MP4, WebM, QuickTime, GIF …</source>
+        <translation>Die Bewegung als Film schreiben: MP4, WebM, QuickTime, GIF …</translation>
+    </message>
+    <message>
+        <source>&amp;Pose at This Time</source>
+        <translation>&amp;Pose zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>In the step Animate, a drag sets where pins are at the time shown, and what they do before and after stays; off: it leads them on to the end of the film</source>
+        <translation>Im Schritt Animieren setzt ein Ziehen, wo Pins zur gezeigten Zeit sind, und was sie davor und danach tun, bleibt; aus: Es führt sie weiter bis zum Ende des Films</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -3613,6 +3673,10 @@
         <source>E&amp;xport…</source>
         <translation>E&amp;xportieren …</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Film exportieren</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportForm</name>
@@ -3733,6 +3797,10 @@
         <source>Export…</source>
         <translation>Exportieren …</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPreview</name>
@@ -3840,6 +3908,10 @@
     <message>
         <source>Writing the ST map …</source>
         <translation>Die ST-Map wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>Der Film wird geschrieben …</translation>
     </message>
 </context>
 <context>
@@ -4172,6 +4244,73 @@
     </message>
 </context>
 <context>
+    <name>wend::FilmPanel</name>
+    <message>
+        <source>Cycle</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Choose sound</source>
+        <translation>Ton auswählen</translation>
+    </message>
+    <message>
+        <source>A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films.</source>
+        <translation>Eine Datei, deren Ton mit der Bewegung beginnt und in MP4-, WebM- und QuickTime-Filme kommt.</translation>
+    </message>
+    <message>
+        <source>Remove sound</source>
+        <translation>Ton entfernen</translation>
+    </message>
+    <message>
+        <source>The film has no sound then.</source>
+        <translation>Der Film hat dann keinen Ton.</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and no picture twice.</source>
+        <translation>Der Teil des Films, der sich wiederholt, in Sekunden. Ein Film, der als Schleife exportiert wird, zeigt ihn, und kein Bild doppelt.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>Zyklus ändern</translation>
+    </message>
+    <message>
+        <source>Choose Sound</source>
+        <translation>Ton auswählen</translation>
+    </message>
+    <message>
+        <source>Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</source>
+        <translation>Ton und Filme (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</translation>
+    </message>
+</context>
+<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4188,6 +4327,10 @@
     <message>
         <source>Nothing has moved yet.</source>
         <translation>Noch hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>A shape that springs back fully is always relaxed.</source>
+        <translation>Eine Form, die vollständig zurückfedert, ist immer entspannt.</translation>
     </message>
 </context>
 <context>
@@ -5308,6 +5451,10 @@
         <source>Show the colour overlay first: it has the legend.</source>
         <translation>Erst die Farbüberlagerung zeigen: Zu ihr gehört die Legende.</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Film exportieren</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinActions</name>
@@ -5736,6 +5883,10 @@
         <source>Parts</source>
         <translation>Teile</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6162,10 +6313,6 @@
         <translation>Pin</translation>
     </message>
     <message>
-        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
-        <translation>Der Film behält seine Länge: was zeitlich festgelegt war, läuft jetzt schneller. Rückgängig machen oder den Film unten verlängern.</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>Weg bearbeiten</translation>
     </message>
@@ -6200,6 +6347,18 @@
     <message>
         <source>Pin %1 for the whole animation</source>
         <translation>%1 die ganze Animation lang halten</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second: what you had timed keeps its times.</source>
+        <translation>Der Film ist eine Sekunde länger: Was Sie zeitlich festgelegt hatten, behält seine Zeiten.</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second. At an earlier time a drag sets the pose there.</source>
+        <translation>Der Film ist eine Sekunde länger. Zu einer früheren Zeit setzt ein Ziehen dort die Pose.</translation>
+    </message>
+    <message>
+        <source>Posed at %1 s: what comes before and after stays.</source>
+        <translation>Pose bei %1 s: Davor und danach bleibt alles.</translation>
     </message>
 </context>
 <context>
@@ -6616,8 +6775,19 @@
         <translation>Diese Bilder der Oberfläche sind nicht zu lesen: %1</translation>
     </message>
     <message>
-        <source>Export View</source>
-        <translation>Ansicht exportieren</translation>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>Die Form wird noch berechnet. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SpringOffer</name>
+    <message>
+        <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
+        <translation>Was zurückkehrt, hinterlässt die Form etwas anders, sodass eine Schleife springt. Federt die Form vollständig zurück, ist sie wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Spring Back Fully</source>
+        <translation>Vollständig zurückfedern</translation>
     </message>
 </context>
 <context>

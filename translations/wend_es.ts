@@ -766,6 +766,14 @@
         <source>has a damaged %1</source>
         <translation>tiene dañado %1</translation>
     </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and %3 times more</source>
+        <translation>en el tiempo %1 la forma salta a otro equilibrio cerca de %2, y %3 veces más</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2</source>
+        <translation>en el tiempo %1 la forma salta a otro equilibrio cerca de %2</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -890,6 +898,10 @@
     <message>
         <source>Layers (OpenRaster)</source>
         <translation>Capas (OpenRaster)</translation>
+    </message>
+    <message>
+        <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
+        <translation>Esta película la hace el programa ffmpeg, que no está instalado (Debian: sudo apt install ffmpeg). WebP animado no necesita otro programa.</translation>
     </message>
 </context>
 <context>
@@ -1496,10 +1508,6 @@
         <translation>Otro color …</translation>
     </message>
     <message>
-        <source>frames per second of a film</source>
-        <translation>fotogramas por segundo de una película</translation>
-    </message>
-    <message>
         <source>R&amp;ate</source>
         <translation>C&amp;adencia</translation>
     </message>
@@ -1554,6 +1562,38 @@
     <message>
         <source>Change solver</source>
         <translation>Cambiar solucionador</translation>
+    </message>
+    <message>
+        <source>frames per second of a film; a unit of time is a second</source>
+        <translation>imágenes por segundo de una película; una unidad de tiempo es un segundo</translation>
+    </message>
+    <message>
+        <source>Change frame rate</source>
+        <translation>Cambiar la frecuencia de imágenes</translation>
+    </message>
+    <message>
+        <source>leave the last frame out, which is the first one again: for films that repeat; if the project has a cycle, show that</source>
+        <translation>omitir la última imagen, que es otra vez la primera: para películas que se repiten; si el proyecto tiene un ciclo, mostrarlo</translation>
+    </message>
+    <message>
+        <source>Loop: no fra&amp;me twice</source>
+        <translation>Bucle: ninguna imagen dos &amp;veces</translation>
+    </message>
+    <message>
+        <source>size of pictures in percent of the canvas; that of frames becomes even</source>
+        <translation>tamaño de las imágenes en porcentaje del lienzo; el de los fotogramas se hace par</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Tamaño</translation>
+    </message>
+    <message>
+        <source>width of pictures, instead of a size in percent</source>
+        <translation>anchura de las imágenes, en lugar de un tamaño en porcentaje</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Anchura</translation>
     </message>
 </context>
 <context>
@@ -2771,6 +2811,26 @@
         <source>&amp;Hide Pins and Overlays</source>
         <translation>&amp;Ocultar alfileres y superposiciones</translation>
     </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>&amp;Película…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a film: MP4, WebM, QuickTime, GIF …</source>
+        <translation>Escribir el movimiento como película: MP4, WebM, QuickTime, GIF…</translation>
+    </message>
+    <message>
+        <source>&amp;Pose at This Time</source>
+        <translation>&amp;Pose en este tiempo</translation>
+    </message>
+    <message>
+        <source>In the step Animate, a drag sets where pins are at the time shown, and what they do before and after stays; off: it leads them on to the end of the film</source>
+        <translation>En el paso Animar, arrastrar fija dónde están los pines en el tiempo mostrado, y lo que hacen antes y después se conserva; desactivado: los lleva hasta el final de la película</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -3613,6 +3673,10 @@
         <source>E&amp;xport…</source>
         <translation>E&amp;xportar…</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Exportar película</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportForm</name>
@@ -3733,6 +3797,10 @@
         <source>Export…</source>
         <translation>Exportar…</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>Película</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPreview</name>
@@ -3840,6 +3908,10 @@
     <message>
         <source>Writing the ST map …</source>
         <translation>Exportando el mapa ST…</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>Escribiendo la película…</translation>
     </message>
 </context>
 <context>
@@ -4172,6 +4244,73 @@
     </message>
 </context>
 <context>
+    <name>wend::FilmPanel</name>
+    <message>
+        <source>Cycle</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Choose sound</source>
+        <translation>Elegir sonido</translation>
+    </message>
+    <message>
+        <source>A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films.</source>
+        <translation>Un archivo cuyo sonido empieza con el movimiento y pasa a las películas MP4, WebM y QuickTime.</translation>
+    </message>
+    <message>
+        <source>Remove sound</source>
+        <translation>Quitar el sonido</translation>
+    </message>
+    <message>
+        <source>The film has no sound then.</source>
+        <translation>Entonces la película no tiene sonido.</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Sonido</translation>
+    </message>
+    <message>
+        <source>The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and no picture twice.</source>
+        <translation>La parte de la película que se repite, en segundos. Una película exportada como bucle la muestra, y ninguna imagen dos veces.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>Cambiar el ciclo</translation>
+    </message>
+    <message>
+        <source>Choose Sound</source>
+        <translation>Elegir sonido</translation>
+    </message>
+    <message>
+        <source>Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</source>
+        <translation>Sonido y películas (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</translation>
+    </message>
+</context>
+<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4188,6 +4327,10 @@
     <message>
         <source>Nothing has moved yet.</source>
         <translation>Todavía no se ha movido nada.</translation>
+    </message>
+    <message>
+        <source>A shape that springs back fully is always relaxed.</source>
+        <translation>Una forma que se recupera del todo está siempre relajada.</translation>
     </message>
 </context>
 <context>
@@ -5308,6 +5451,10 @@
         <source>Show the colour overlay first: it has the legend.</source>
         <translation>Muestre primero la superposición de color: la leyenda es suya.</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Exportar película</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinActions</name>
@@ -5736,6 +5883,10 @@
         <source>Parts</source>
         <translation>Partes</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>Película</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6162,10 +6313,6 @@
         <translation>Alfiler</translation>
     </message>
     <message>
-        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
-        <translation>La película conserva su duración: lo que tenía su tiempo va ahora más deprisa. Deshaga, o alargue la película abajo.</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>Editar trayectoria</translation>
     </message>
@@ -6200,6 +6347,18 @@
     <message>
         <source>Pin %1 for the whole animation</source>
         <translation>Fijar %1 toda la animación</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second: what you had timed keeps its times.</source>
+        <translation>La película dura un segundo más: lo que tenía tiempos los conserva.</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second. At an earlier time a drag sets the pose there.</source>
+        <translation>La película dura un segundo más. En un tiempo anterior, arrastrar fija allí la pose.</translation>
+    </message>
+    <message>
+        <source>Posed at %1 s: what comes before and after stays.</source>
+        <translation>Pose en %1 s: lo anterior y lo posterior se conserva.</translation>
     </message>
 </context>
 <context>
@@ -6600,10 +6759,6 @@
         <translation>No se pueden leer estas imágenes de la superficie: %1</translation>
     </message>
     <message>
-        <source>Export View</source>
-        <translation>Exportar vista</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Exportado: %1</translation>
     </message>
@@ -6618,6 +6773,21 @@
     <message>
         <source>Area</source>
         <translation>Zona</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>La forma aún se está calculando. Inténtelo de nuevo en un momento.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SpringOffer</name>
+    <message>
+        <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
+        <translation>Lo que vuelve deja la forma algo distinta, y un bucle da un salto. Si la forma se recupera del todo, queda como estaba.</translation>
+    </message>
+    <message>
+        <source>Spring Back Fully</source>
+        <translation>Recuperar del todo</translation>
     </message>
 </context>
 <context>

@@ -766,6 +766,14 @@
         <source>has a damaged %1</source>
         <translation>a un fichier %1 endommagé</translation>
     </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and %3 times more</source>
+        <translation>au temps %1 la forme saute vers un autre équilibre près de %2, et %3 fois encore</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2</source>
+        <translation>au temps %1 la forme saute vers un autre équilibre près de %2</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -890,6 +898,10 @@
     <message>
         <source>Layers (OpenRaster)</source>
         <translation>Calques (OpenRaster)</translation>
+    </message>
+    <message>
+        <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
+        <translation>Ce film est fait par le programme ffmpeg, qui n’est pas installé (Debian : sudo apt install ffmpeg). Le WebP animé n’a besoin d’aucun autre programme.</translation>
     </message>
 </context>
 <context>
@@ -1496,10 +1508,6 @@
         <translation>Autre couleur …</translation>
     </message>
     <message>
-        <source>frames per second of a film</source>
-        <translation>images par seconde d’un film</translation>
-    </message>
-    <message>
         <source>R&amp;ate</source>
         <translation>&amp;Cadence</translation>
     </message>
@@ -1554,6 +1562,38 @@
     <message>
         <source>Change solver</source>
         <translation>Changer le solveur</translation>
+    </message>
+    <message>
+        <source>frames per second of a film; a unit of time is a second</source>
+        <translation>images par seconde d’un film ; une unité de temps est une seconde</translation>
+    </message>
+    <message>
+        <source>Change frame rate</source>
+        <translation>Changer la fréquence d’images</translation>
+    </message>
+    <message>
+        <source>leave the last frame out, which is the first one again: for films that repeat; if the project has a cycle, show that</source>
+        <translation>omettre la dernière image, qui est à nouveau la première : pour les films qui se répètent ; si le projet a un cycle, le montrer</translation>
+    </message>
+    <message>
+        <source>Loop: no fra&amp;me twice</source>
+        <translation>Boucle : aucune image deu&amp;x fois</translation>
+    </message>
+    <message>
+        <source>size of pictures in percent of the canvas; that of frames becomes even</source>
+        <translation>taille des images en pourcentage du canevas ; celle des images d’un film devient paire</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Taille</translation>
+    </message>
+    <message>
+        <source>width of pictures, instead of a size in percent</source>
+        <translation>largeur des images, au lieu d’une taille en pourcentage</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
     </message>
 </context>
 <context>
@@ -2771,6 +2811,26 @@
         <source>&amp;Hide Pins and Overlays</source>
         <translation>Mas&amp;quer épingles et incrustations</translation>
     </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>&amp;Film…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a film: MP4, WebM, QuickTime, GIF …</source>
+        <translation>Écrire le mouvement sous forme de film : MP4, WebM, QuickTime, GIF…</translation>
+    </message>
+    <message>
+        <source>&amp;Pose at This Time</source>
+        <translation>&amp;Pose à ce moment</translation>
+    </message>
+    <message>
+        <source>In the step Animate, a drag sets where pins are at the time shown, and what they do before and after stays; off: it leads them on to the end of the film</source>
+        <translation>À l’étape Animer, un glissement fixe où sont les épingles au temps affiché, et ce qu’elles font avant et après reste ; désactivé : il les mène jusqu’à la fin du film</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -3613,6 +3673,10 @@
         <source>E&amp;xport…</source>
         <translation>E&amp;xporter…</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Exporter le film</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportForm</name>
@@ -3733,6 +3797,10 @@
         <source>Export…</source>
         <translation>Exporter…</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPreview</name>
@@ -3840,6 +3908,10 @@
     <message>
         <source>Writing the ST map …</source>
         <translation>Export de la carte ST…</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>Écriture du film…</translation>
     </message>
 </context>
 <context>
@@ -4172,6 +4244,73 @@
     </message>
 </context>
 <context>
+    <name>wend::FilmPanel</name>
+    <message>
+        <source>Cycle</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Choose sound</source>
+        <translation>Choisir le son</translation>
+    </message>
+    <message>
+        <source>A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films.</source>
+        <translation>Un fichier dont le son commence avec le mouvement et va dans les films MP4, WebM et QuickTime.</translation>
+    </message>
+    <message>
+        <source>Remove sound</source>
+        <translation>Retirer le son</translation>
+    </message>
+    <message>
+        <source>The film has no sound then.</source>
+        <translation>Le film n’a alors pas de son.</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Son</translation>
+    </message>
+    <message>
+        <source>The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and no picture twice.</source>
+        <translation>La partie du film qui se répète, en secondes. Un film exporté en boucle la montre, sans image en double.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>Changer le cycle</translation>
+    </message>
+    <message>
+        <source>Choose Sound</source>
+        <translation>Choisir le son</translation>
+    </message>
+    <message>
+        <source>Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</source>
+        <translation>Son et films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</translation>
+    </message>
+</context>
+<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4188,6 +4327,10 @@
     <message>
         <source>Nothing has moved yet.</source>
         <translation>Rien n’a encore bougé.</translation>
+    </message>
+    <message>
+        <source>A shape that springs back fully is always relaxed.</source>
+        <translation>Une forme qui revient entièrement est toujours détendue.</translation>
     </message>
 </context>
 <context>
@@ -5308,6 +5451,10 @@
         <source>Show the colour overlay first: it has the legend.</source>
         <translation>Affichez d’abord l’incrustation couleur : la légende lui appartient.</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Exporter le film</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinActions</name>
@@ -5736,6 +5883,10 @@
         <source>Parts</source>
         <translation>Parties</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6162,10 +6313,6 @@
         <translation>Épingle</translation>
     </message>
     <message>
-        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
-        <translation>Le film garde sa durée&#x202f;: ce qui était minuté va maintenant plus vite. Annulez, ou allongez le film en bas.</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>Modifier la trajectoire</translation>
     </message>
@@ -6200,6 +6347,18 @@
     <message>
         <source>Pin %1 for the whole animation</source>
         <translation>Épingler %1 toute l’animation</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second: what you had timed keeps its times.</source>
+        <translation>Le film dure une seconde de plus : ce que vous aviez réglé garde ses temps.</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second. At an earlier time a drag sets the pose there.</source>
+        <translation>Le film dure une seconde de plus. À un temps antérieur, un glissement y fixe la pose.</translation>
+    </message>
+    <message>
+        <source>Posed at %1 s: what comes before and after stays.</source>
+        <translation>Pose à %1 s : ce qui précède et ce qui suit reste.</translation>
     </message>
 </context>
 <context>
@@ -6600,10 +6759,6 @@
         <translation>Impossible de lire ces images de la surface&#x202f;: %1</translation>
     </message>
     <message>
-        <source>Export View</source>
-        <translation>Exporter la vue</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Exporté&#x202f;: %1</translation>
     </message>
@@ -6618,6 +6773,21 @@
     <message>
         <source>Area</source>
         <translation>Zone</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>La forme est encore en cours de calcul. Réessayez dans un instant.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SpringOffer</name>
+    <message>
+        <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
+        <translation>Ce qui revient laisse la forme un peu différente, et une boucle saute. Si la forme revient entièrement, elle est comme avant.</translation>
+    </message>
+    <message>
+        <source>Spring Back Fully</source>
+        <translation>Revenir entièrement</translation>
     </message>
 </context>
 <context>

@@ -766,6 +766,14 @@
         <source>has a damaged %1</source>
         <translation>の中の %1 が壊れています</translation>
     </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and %3 times more</source>
+        <translation>時刻 %1 に形が %2 付近で別の釣り合いへ飛び移り、さらに %3 回飛び移ります</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2</source>
+        <translation>時刻 %1 に形が %2 付近で別の釣り合いへ飛び移ります</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -890,6 +898,10 @@
     <message>
         <source>Layers (OpenRaster)</source>
         <translation>レイヤー (OpenRaster)</translation>
+    </message>
+    <message>
+        <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
+        <translation>このフィルムはプログラム ffmpeg で作られますが、インストールされていません（Debian：sudo apt install ffmpeg）。アニメーション WebP には他のプログラムは要りません。</translation>
     </message>
 </context>
 <context>
@@ -1496,10 +1508,6 @@
         <translation>ほかの色…</translation>
     </message>
     <message>
-        <source>frames per second of a film</source>
-        <translation>映像の 1 秒あたりのフレーム数</translation>
-    </message>
-    <message>
         <source>R&amp;ate</source>
         <translation>フレームレート(&amp;S)</translation>
     </message>
@@ -1554,6 +1562,38 @@
     <message>
         <source>Change solver</source>
         <translation>ソルバーを変更</translation>
+    </message>
+    <message>
+        <source>frames per second of a film; a unit of time is a second</source>
+        <translation>フィルムの 1 秒あたりのフレーム数。時間の単位は 1 秒です</translation>
+    </message>
+    <message>
+        <source>Change frame rate</source>
+        <translation>フレームレートを変更</translation>
+    </message>
+    <message>
+        <source>leave the last frame out, which is the first one again: for films that repeat; if the project has a cycle, show that</source>
+        <translation>最初と同じになる最後のフレームを省きます。繰り返すフィルム用です。プロジェクトにサイクルがあれば、それを表示します</translation>
+    </message>
+    <message>
+        <source>Loop: no fra&amp;me twice</source>
+        <translation>ループ：同じフレームを繰り返さない(&amp;M)</translation>
+    </message>
+    <message>
+        <source>size of pictures in percent of the canvas; that of frames becomes even</source>
+        <translation>キャンバスに対する画像の大きさ（パーセント）。フレームの大きさは偶数になります</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>大きさ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>width of pictures, instead of a size in percent</source>
+        <translation>パーセントの代わりに指定する画像の幅</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>幅(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2810,26 @@
         <source>&amp;Hide Pins and Overlays</source>
         <translation>ピンとオーバーレイを隠す(&amp;H)</translation>
     </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>フィルム(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a film: MP4, WebM, QuickTime, GIF …</source>
+        <translation>動きをフィルムとして書き出します：MP4、WebM、QuickTime、GIF など</translation>
+    </message>
+    <message>
+        <source>&amp;Pose at This Time</source>
+        <translation>この時刻のポーズ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>In the step Animate, a drag sets where pins are at the time shown, and what they do before and after stays; off: it leads them on to the end of the film</source>
+        <translation>「アニメート」の段階では、ドラッグで表示時刻のピンの位置が決まり、前後の動きはそのままです。オフのときはフィルムの終わりまで動かし続けます</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -3610,6 +3670,10 @@
         <source>E&amp;xport…</source>
         <translation>書き出し(&amp;X)…</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>フィルムを書き出す</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportForm</name>
@@ -3728,6 +3792,10 @@
         <source>Export…</source>
         <translation>書き出し…</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>フィルム</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPreview</name>
@@ -3833,6 +3901,10 @@
     <message>
         <source>Writing the ST map …</source>
         <translation>ST マップを書き出しています…</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>フィルムを書き出しています…</translation>
     </message>
 </context>
 <context>
@@ -4165,6 +4237,73 @@
     </message>
 </context>
 <context>
+    <name>wend::FilmPanel</name>
+    <message>
+        <source>Cycle</source>
+        <translation>サイクル</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Choose sound</source>
+        <translation>音声を選択</translation>
+    </message>
+    <message>
+        <source>A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films.</source>
+        <translation>動きと同時に始まる音声のファイル。MP4、WebM、QuickTime のフィルムに入ります。</translation>
+    </message>
+    <message>
+        <source>Remove sound</source>
+        <translation>音声を取り除く</translation>
+    </message>
+    <message>
+        <source>The film has no sound then.</source>
+        <translation>フィルムは無音になります。</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>フィルム</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>音声</translation>
+    </message>
+    <message>
+        <source>The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and no picture twice.</source>
+        <translation>繰り返される部分（秒）。ループとして書き出したフィルムはこの部分を、同じ画像を重ねずに表示します。</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>サイクルを変更</translation>
+    </message>
+    <message>
+        <source>Choose Sound</source>
+        <translation>音声を選択</translation>
+    </message>
+    <message>
+        <source>Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</source>
+        <translation>音声とフィルム (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</translation>
+    </message>
+</context>
+<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4181,6 +4320,10 @@
     <message>
         <source>Nothing has moved yet.</source>
         <translation>まだ何も動いていません。</translation>
+    </message>
+    <message>
+        <source>A shape that springs back fully is always relaxed.</source>
+        <translation>完全に元へ戻る形は常に緩んでいます。</translation>
     </message>
 </context>
 <context>
@@ -5297,6 +5440,10 @@
         <source>Show the colour overlay first: it has the legend.</source>
         <translation>先にカラーオーバーレイを表示してください。凡例はそこにあります。</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>フィルムを書き出す</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinActions</name>
@@ -5725,6 +5872,10 @@
         <source>Parts</source>
         <translation>パーツ</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>フィルム</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6148,10 +6299,6 @@
         <translation>ピン</translation>
     </message>
     <message>
-        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
-        <translation>フィルムの長さは変わらないため、決めてあったタイミングは速くなりました。元に戻すか、下でフィルムを長くしてください。</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>パスを編集</translation>
     </message>
@@ -6186,6 +6333,18 @@
     <message>
         <source>Pin %1 for the whole animation</source>
         <translation>%1 をアニメーション全体で固定</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second: what you had timed keeps its times.</source>
+        <translation>フィルムが 1 秒長くなりました。決めた時刻はそのままです。</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second. At an earlier time a drag sets the pose there.</source>
+        <translation>フィルムが 1 秒長くなりました。それより前の時刻でドラッグすると、その時刻のポーズになります。</translation>
+    </message>
+    <message>
+        <source>Posed at %1 s: what comes before and after stays.</source>
+        <translation>%1 秒のポーズです。前後はそのままです。</translation>
     </message>
 </context>
 <context>
@@ -6586,10 +6745,6 @@
         <translation>サーフェスの次の画像を読み込めません：%1</translation>
     </message>
     <message>
-        <source>Export View</source>
-        <translation>ビューを書き出し</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>書き出しました：%1</translation>
     </message>
@@ -6604,6 +6759,21 @@
     <message>
         <source>Area</source>
         <translation>範囲</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>形はまだ計算中です。少ししてからもう一度お試しください。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SpringOffer</name>
+    <message>
+        <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
+        <translation>ピンが元に戻っても形は少し変わり、ループがつながりません。完全に元へ戻すと、形は元のままです。</translation>
+    </message>
+    <message>
+        <source>Spring Back Fully</source>
+        <translation>完全に元へ戻す</translation>
     </message>
 </context>
 <context>

@@ -766,6 +766,14 @@
         <source>has a damaged %1</source>
         <translation>其中的 %1 已损坏</translation>
     </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and %3 times more</source>
+        <translation>在时间 %1，形状在 %2 附近跳到另一个平衡，之后还有 %3 次</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2</source>
+        <translation>在时间 %1，形状在 %2 附近跳到另一个平衡</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -890,6 +898,10 @@
     <message>
         <source>Layers (OpenRaster)</source>
         <translation>图层 (OpenRaster)</translation>
+    </message>
+    <message>
+        <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
+        <translation>此影片由程序 ffmpeg 生成，但尚未安装（Debian：sudo apt install ffmpeg）。动画 WebP 不需要其他程序。</translation>
     </message>
 </context>
 <context>
@@ -1496,10 +1508,6 @@
         <translation>其他颜色…</translation>
     </message>
     <message>
-        <source>frames per second of a film</source>
-        <translation>影片每秒的帧数</translation>
-    </message>
-    <message>
         <source>R&amp;ate</source>
         <translation>帧速率(&amp;S)</translation>
     </message>
@@ -1554,6 +1562,38 @@
     <message>
         <source>Change solver</source>
         <translation>更改求解器</translation>
+    </message>
+    <message>
+        <source>frames per second of a film; a unit of time is a second</source>
+        <translation>影片每秒的帧数；一个时间单位是一秒</translation>
+    </message>
+    <message>
+        <source>Change frame rate</source>
+        <translation>更改帧率</translation>
+    </message>
+    <message>
+        <source>leave the last frame out, which is the first one again: for films that repeat; if the project has a cycle, show that</source>
+        <translation>省去与第一帧相同的最后一帧：用于重复播放的影片；如果项目有循环段，则显示该段</translation>
+    </message>
+    <message>
+        <source>Loop: no fra&amp;me twice</source>
+        <translation>循环：没有重复的帧(&amp;M)</translation>
+    </message>
+    <message>
+        <source>size of pictures in percent of the canvas; that of frames becomes even</source>
+        <translation>图片大小占画布的百分比；帧的大小会变为偶数</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>大小(&amp;S)</translation>
+    </message>
+    <message>
+        <source>width of pictures, instead of a size in percent</source>
+        <translation>图片宽度，代替百分比大小</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>宽度(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2810,26 @@
         <source>&amp;Hide Pins and Overlays</source>
         <translation>隐藏图钉和叠加层(&amp;H)</translation>
     </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>影片(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a film: MP4, WebM, QuickTime, GIF …</source>
+        <translation>将运动写成影片：MP4、WebM、QuickTime、GIF 等</translation>
+    </message>
+    <message>
+        <source>&amp;Pose at This Time</source>
+        <translation>此刻的姿势(&amp;P)</translation>
+    </message>
+    <message>
+        <source>In the step Animate, a drag sets where pins are at the time shown, and what they do before and after stays; off: it leads them on to the end of the film</source>
+        <translation>在“动画”步骤中，拖动会设定固定点在所示时间的位置，前后的动作保持不变；关闭时则一直带到影片结尾</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -3610,6 +3670,10 @@
         <source>E&amp;xport…</source>
         <translation>导出(&amp;X)…</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>导出影片</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportForm</name>
@@ -3728,6 +3792,10 @@
         <source>Export…</source>
         <translation>导出…</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>影片</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPreview</name>
@@ -3833,6 +3901,10 @@
     <message>
         <source>Writing the ST map …</source>
         <translation>正在导出 ST 贴图…</translation>
+    </message>
+    <message>
+        <source>Writing the film …</source>
+        <translation>正在写入影片…</translation>
     </message>
 </context>
 <context>
@@ -4165,6 +4237,73 @@
     </message>
 </context>
 <context>
+    <name>wend::FilmPanel</name>
+    <message>
+        <source>Cycle</source>
+        <translation>循环段</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Choose sound</source>
+        <translation>选择声音</translation>
+    </message>
+    <message>
+        <source>A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films.</source>
+        <translation>其声音随运动开始的文件，会进入 MP4、WebM 和 QuickTime 影片。</translation>
+    </message>
+    <message>
+        <source>Remove sound</source>
+        <translation>移除声音</translation>
+    </message>
+    <message>
+        <source>The film has no sound then.</source>
+        <translation>影片将没有声音。</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>影片</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>声音</translation>
+    </message>
+    <message>
+        <source>The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and no picture twice.</source>
+        <translation>影片中重复的部分，以秒为单位。作为循环导出的影片只显示这一段，且没有重复的画面。</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>更改循环段</translation>
+    </message>
+    <message>
+        <source>Choose Sound</source>
+        <translation>选择声音</translation>
+    </message>
+    <message>
+        <source>Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</source>
+        <translation>声音和影片 (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)</translation>
+    </message>
+</context>
+<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Relax</source>
@@ -4181,6 +4320,10 @@
     <message>
         <source>Nothing has moved yet.</source>
         <translation>还没有任何运动。</translation>
+    </message>
+    <message>
+        <source>A shape that springs back fully is always relaxed.</source>
+        <translation>完全回弹的形状始终是松弛的。</translation>
     </message>
 </context>
 <context>
@@ -5297,6 +5440,10 @@
         <source>Show the colour overlay first: it has the legend.</source>
         <translation>请先显示颜色叠加：图例属于它。</translation>
     </message>
+    <message>
+        <source>Export Film</source>
+        <translation>导出影片</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinActions</name>
@@ -5725,6 +5872,10 @@
         <source>Parts</source>
         <translation>部件</translation>
     </message>
+    <message>
+        <source>Film</source>
+        <translation>影片</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6148,10 +6299,6 @@
         <translation>图钉</translation>
     </message>
     <message>
-        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
-        <translation>影片长度不变：您设定的节奏现在变快了。请撤销，或在下方延长影片。</translation>
-    </message>
-    <message>
         <source>Edit path</source>
         <translation>编辑路径</translation>
     </message>
@@ -6186,6 +6333,18 @@
     <message>
         <source>Pin %1 for the whole animation</source>
         <translation>在整个动画中固定 %1</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second: what you had timed keeps its times.</source>
+        <translation>影片延长了一秒：已设定的时间保持不变。</translation>
+    </message>
+    <message>
+        <source>The film is longer by a second. At an earlier time a drag sets the pose there.</source>
+        <translation>影片延长了一秒。在更早的时间拖动会设定那里的姿势。</translation>
+    </message>
+    <message>
+        <source>Posed at %1 s: what comes before and after stays.</source>
+        <translation>%1 秒处的姿势：前后保持不变。</translation>
     </message>
 </context>
 <context>
@@ -6586,10 +6745,6 @@
         <translation>无法读取表面的这些图片：%1</translation>
     </message>
     <message>
-        <source>Export View</source>
-        <translation>导出视图</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>已导出：%1</translation>
     </message>
@@ -6604,6 +6759,21 @@
     <message>
         <source>Area</source>
         <translation>范围</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>形状仍在计算中。请稍后再试。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SpringOffer</name>
+    <message>
+        <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
+        <translation>固定点回到原处后形状会略有不同，循环会跳动。若完全回弹，形状便与原来一样。</translation>
+    </message>
+    <message>
+        <source>Spring Back Fully</source>
+        <translation>完全回弹</translation>
     </message>
 </context>
 <context>
