@@ -87,7 +87,7 @@ class Run {
               m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape), integrationOf(project),
               backEndFactory<Dim>(options.backEnd, {}, m_watch.notice, m_device), options.solvers.of<Dim>()) {
         for (const FileNames* names : {&options.outputs.mesh, &options.outputs.frames})
-            for (const std::string& path : *names) requireHeldBy<Dim>(path, m_shape);
+            for (const std::string& name : *names) requireHeldBy<Dim>(name, m_shape);
         readPoints();
     }
 
