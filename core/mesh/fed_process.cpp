@@ -96,7 +96,8 @@ bool FedProcess::finish(const std::stop_token& stop) {
     }
     const int status = wait();
     if (WIFSIGNALED(status) && m_output.empty())
-        m_output = "ended by signal " + std::to_string(WTERMSIG(status));
+        m_output = WTERMSIG(status) == SIGXFSZ ? std::strerror(EFBIG)
+                                               : "ended by signal " + std::to_string(WTERMSIG(status));
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
