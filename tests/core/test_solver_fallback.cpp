@@ -17,8 +17,9 @@ class Impatient final : public IterativeSolver<3> {
 
     BackEnd<3>& backEnd() override { return m_solver->backEnd(); }
     void analyze(std::vector<double> epsilon) override { m_solver->analyze(std::move(epsilon)); }
-    BuildStatus build(Nodal<3> shape, const std::stop_token& stop) override {
-        return m_solver->build(std::move(shape), stop);
+    BuildStatus build(Nodal<3> shape, const std::stop_token& stop,
+                      const WorkerPool::Progress& progress) override {
+        return m_solver->build(std::move(shape), stop, progress);
     }
     Result run(const Goal& goal, const Points<3>* load, Points<3>& v) override {
         Goal short_ = goal;
