@@ -9,6 +9,22 @@ endif()
 if(WEND_HAS_OPENCL)
     install(TARGETS wend-clprobe DESTINATION lib/wend)
 endif()
+# libwend and what find_package(wend) needs.
+if(WEND_LIBRARY)
+    include(CMakePackageConfigHelpers)
+    include(GNUInstallDirs)
+    set(wend_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/wend)
+    install(TARGETS libwend libwend_warp EXPORT wend_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT wend_targets NAMESPACE wend:: FILE wend-targets.cmake DESTINATION ${wend_cmake})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/wend DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+    file(WRITE ${CMAKE_BINARY_DIR}/wend-config.cmake "include(\${CMAKE_CURRENT_LIST_DIR}/wend-targets.cmake)\n")
+    write_basic_package_version_file(${CMAKE_BINARY_DIR}/wend-config-version.cmake VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+    install(FILES ${CMAKE_BINARY_DIR}/wend-config.cmake ${CMAKE_BINARY_DIR}/wend-config-version.cmake DESTINATION ${wend_cmake})
+endif()
+if(WEND_HAS_PYTHON)  # where Python of Debian looks below /usr
+    install(TARGETS wend_python DESTINATION lib/python3/dist-packages)
+    install(FILES ${PROJECT_SOURCE_DIR}/python/wend.pyi DESTINATION lib/python3/dist-packages)
+endif()
 install(DIRECTORY ${resources}/samples/ DESTINATION share/wend/samples
     FILES_MATCHING PATTERN art EXCLUDE PATTERN "*.wend" PATTERN "*.png" PATTERN "*.obj" PATTERN "*.mtl")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/wend/manual

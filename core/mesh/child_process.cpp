@@ -1,10 +1,12 @@
 #include "core/mesh/child_process.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -12,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "core/mesh/child_parts.h"
 
@@ -153,10 +156,21 @@ ChildResult runChild(const std::string& path, const std::string& input, double s
 
 std::string siblingProgram(const std::string& name) {
     std::error_code error;
-    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    const auto installed = folder / ".." / "lib" / "wend" / name;
-    const auto beside = folder / name;
-    return (std::filesystem::exists(beside, error) ? beside : installed).string();
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const auto installed = program / ".." / "lib" / "wend" / name;
+    std::vector<std::filesystem::path> places{program / name, installed};
+    Dl_info own{};  // of the library that contains this function, or the program itself
+    // The name of a program may be relative to a folder that has changed since.
+    if (dladdr(reinterpret_cast<const void*>(&siblingProgram), &own) != 0 && own.dli_fname &&
+        own.dli_fname[0] == '/') {
+        const auto library = std::filesystem::path(own.dli_fname).parent_path();
+        // In lib, in lib/TRIPLE, and as a module of Python in lib/python3/dist-packages.
+        for (const char* way : {".", "wend", "../wend", "../../wend"}) places.push_back(library / way / name);
+    }
+    const auto found = std::ranges::find_if(places, [&](const std::filesystem::path& place) {
+        return std::filesystem::is_regular_file(place, error);
+    });
+    return (found != places.end() ? *found : installed).string();
 }
 
 }  // namespace wend

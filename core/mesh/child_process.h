@@ -20,7 +20,8 @@ struct ChildResult {
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
                      const std::stop_token& stop, double processorSeconds = 0, double idleSeconds = 0);
 
-/// Returns the path of an installed helper: beside this program, or in ../lib/wend.
+/// Returns the path of an installed helper: beside this program, in ../lib/wend, or, for a library in another
+/// program, near the library.
 std::string siblingProgram(const std::string& name);
 
 }  // namespace wend

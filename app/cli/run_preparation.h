@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/document/project_fwd.h"
+#include "app/session/run/run.h"
+
+namespace wend {
+
+/// What a line of `wend run` asks for. Throws UsageError.
+RunOptions runOptionsOf(const Arguments& arguments);
+
+/// Lets the line win over what the project says that was read from `path`, and checks that both fit. Returns
+/// notices. Throws UsageError and InputError.
+std::vector<std::string> takeLine(const Arguments& arguments, const std::string& path, RunOptions& options,
+                                  Project& project);
+
+}  // namespace wend

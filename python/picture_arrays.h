@@ -1,0 +1,17 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include "wend/warp.h"
+
+namespace wend::python {
+
+namespace py = pybind11;
+
+/// A picture of an array (height, width) or (height, width, channels) of uint8, uint16, float16 or float32.
+/// Throws InvalidInput.
+Picture pictureFrom(const py::array& image, bool premultiplied);
+/// The other way round; one channel without an axis of its own.
+py::array arrayOf(Picture picture);
+
+}  // namespace wend::python
