@@ -23,7 +23,6 @@ class TestFlow : public QObject {
     void runGoesOn();
     void equalsTheProgram();
     void rotationInSpace();
-    void analysisIsKept();
     void stopsAndGoesOn();
     void twoFlowsInTwoThreads();
     void elasticLoopCloses();
@@ -236,20 +235,6 @@ void TestFlow::rotationInSpace() {
     }
     QVERIFY(std::abs(flow.minDet() - 1) < 1e-5);
     QVERIFY(flow.worst() >= 0);
-}
-
-void TestFlow::analysisIsKept() {
-    Flow<2> flow = bentStrip();
-    flow.prepare();
-    const double analyzed = flow.statistics().analyze;
-    for (int k = 0; k < 3; ++k) {
-        flow.reset();
-        flow.setMovement(1, Movement<2>().rotate({2, 0.5}, 0.1 * k));
-        QVERIFY(flow.run().done());
-    }
-    QVERIFY(flow.statistics().factorizations > 0);
-    // Nothing is analyzed again: comparing rows with those that are set takes no time to speak of.
-    QVERIFY(flow.statistics().analyze <= 2 * analyzed + 1e-3);
 }
 
 void TestFlow::stopsAndGoesOn() {
