@@ -30,7 +30,7 @@ struct Conversion {
 };
 
 bool isMesh(const std::string& path) {
-    return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0;
+    return std::ranges::count(readableMeshExtensions(), lowerExtension(path)) > 0;
 }
 
 /// Files that exist as names only for now: what is written along with the input or the output.
@@ -55,6 +55,7 @@ void convertMesh(const Conversion& conversion, OutputSet& files) {
     }
     requireShapeFormat(conversion.to, extension, 3);
     const auto mesh = sharedMeshFile(conversion.from);
+    if (extension == ".stl" && conversion.options.binary()) conversion.tell(roundingText(pointsOf(*mesh)));
     std::string missing;
     for (const std::string& notice : mesh->notices) missing += (missing.empty() ? "" : ", ") + notice;
     if (!missing.empty()) conversion.terminal.warn(conversion.from + ": is read without " + missing);

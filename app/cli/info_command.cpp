@@ -296,7 +296,7 @@ Json projectInfo(const std::string& path) {
 Json infoOf(const std::string& path, const std::string& problemsFile) {
     const std::string extension = lowerExtension(path);
     if (extension == ".wend" && problemsFile.empty()) return projectInfo(path);
-    for (const std::string& known : meshFileExtensions())
+    for (const std::string& known : readableMeshExtensions())
         if (extension == known) return meshInfo(path, problemsFile);
     if (!problemsFile.empty()) throw UsageError("--problems is for meshes and surfaces");
     return pictureInfo(path);

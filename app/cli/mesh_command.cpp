@@ -26,7 +26,7 @@ namespace wend {
 namespace {
 
 bool isMeshName(const std::string& path) {
-    return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0;
+    return std::ranges::count(readableMeshExtensions(), lowerExtension(path)) > 0;
 }
 
 /// What contradicts what.

@@ -146,7 +146,7 @@ QString pictureExtensions() {
 }
 
 QString meshExtensions() {
-    return patternsOf(meshFileExtensions());
+    return patternsOf(readableMeshExtensions());
 }
 
 bool mayBeOpened(const QString& path) {

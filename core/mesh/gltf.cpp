@@ -204,14 +204,32 @@ GltfScene gltfScene(const Skin& skin, const Points<3>& points) {
     return gltfScene(skin, std::vector<Points<3>>{points}, {});
 }
 
+namespace {
+
+/// Where the node of a shape far from the origin is: floats hold seven digits, which would be those of the
+/// place alone. It is itself a float, so that readers lose nothing of it; zero if the shape is near the
+/// origin.
+Vec<3> nodePlace(const Points<3>& points) {
+    if (points.cols() == 0) return Vec<3>::Zero();
+    const Vec<3> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff(),
+                 middle = low + (high - low) / 2;
+    if (middle.norm() <= (high - low).norm()) return Vec<3>::Zero();
+    return middle.cast<float>().cast<double>();
+}
+
+}  // namespace
+
 void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     if (scene.times.size() != scene.poses.size()) throw InputError(path, "one time per pose is needed");
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "Wend"}}},
                  {"scene", 0},
                  {"scenes", Json::array({{{"nodes", {0}}}})},
                  {"nodes", Json::array({{{"mesh", 0}, {"name", scene.name}}})}};
+    const Vec<3> place = nodePlace(scene.points);
+    if (place != Vec<3>::Zero()) gltf["nodes"][0]["translation"] = flatten(place, zUp);
     Buffer buffer(gltf);
-    Json attributes = {{"POSITION", buffer.floats(flatten(scene.points, zUp), 3, kArrayBuffer, true)}};
+    const Points<3> relative = scene.points.colwise() - place;
+    Json attributes = {{"POSITION", buffer.floats(flatten(relative, zUp), 3, kArrayBuffer, true)}};
     if (scene.uv.cols() > 0)
         attributes["TEXCOORD_0"] = buffer.floats(flattenUv(scene.uv), 2, kArrayBuffer, false);
     if (scene.smooth)

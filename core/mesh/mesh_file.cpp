@@ -9,6 +9,7 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/number_text.h"
 #include "core/mesh/plane_frame.h"
 #include "core/mesh/safe_file.h"
 
@@ -63,6 +64,9 @@ void putAll(const std::vector<std::string>& paths, const std::vector<std::string
 }  // namespace
 
 MeshFile readMeshFile(const std::string& path, MeshNeeds needs) {
+    for (const auto& format : formats::inputFormats())
+        if (formats::sameWord(fs::path(path).extension().string(), format.extension))
+            return formats::readSource(format, {path, bytesOf(path)}, needs);
     const auto& format = formats::formatOf(path);
     std::vector<MeshSource> sources;
     for (const auto& part : pathsOf(format, path)) sources.push_back({part, bytesOf(part)});
@@ -91,6 +95,16 @@ bool holdsPointsAlone(const std::string& path) {
     return formats::formatOf(path).holdsPointsAlone();
 }
 
+std::string roundingText(const Eigen::Matrix3Xd& points) {
+    constexpr double kNoticed = 1e-6;
+    if (points.cols() == 0) return {};
+    const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(),
+                 off = (points - points.cast<float>().cast<double>()).colwise().norm().maxCoeff();
+    if (!(off > kNoticed * size)) return {};
+    return "single precision moves vertices by up to " + numberText(off) +
+           ", because they are far from the origin; --encoding text keeps all digits";
+}
+
 std::vector<MeshFormatFacts> meshFormatFacts() {
     const auto& formats = formats::meshFormats();
     return {formats.begin(), formats.end()};
@@ -100,6 +114,12 @@ std::vector<std::string> meshFileExtensions() {
     std::vector<std::string> extensions;
     for (const auto& format : formats::meshFormats())
         extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+    return extensions;
+}
+
+std::vector<std::string> readableMeshExtensions() {
+    std::vector<std::string> extensions = meshFileExtensions();
+    for (const auto& format : formats::inputFormats()) extensions.emplace_back(format.extension);
     return extensions;
 }
 

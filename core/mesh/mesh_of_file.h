@@ -32,6 +32,9 @@ std::vector<std::string> meshFileExtensions();
 /// for an unknown format.
 bool holdsPointsAlone(const std::string& path);
 
+/// These, and the extensions of files that are read only.
+std::vector<std::string> readableMeshExtensions();
+
 /// Returns the result of readMeshFile, shared.
 std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path);
 /// A file of cells that were made here, with their boundary.
@@ -59,6 +62,10 @@ SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 /// orientation.
 template <int Dim>
 std::vector<std::array<int, 2>> foldedPairs(const SimplicialMesh<Dim>& mesh);
+
+/// How far single precision moves points that are written with it, in one line; empty up to a millionth of
+/// their extent.
+std::string roundingText(const Eigen::Matrix3Xd& points);
 
 /// What of a mesh that was read would not be in a file of that name, in one line as "2 lines are not in an
 /// STL file". Empty if all would be.

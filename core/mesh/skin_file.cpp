@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/mesh/error.h"
+#include "core/mesh/formats/gltf_read.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/obj_skin.h"
@@ -69,7 +70,9 @@ Skin readSkin(const std::string& path, MeshNeeds needs) {
         formats::addObjLook(readInput(path), file, skin);
         return skin;
     }
-    if (file.uv.cols() > 0) {
+    if (hasExtension(path, ".glb")) {
+        formats::addGltfLook(readInput(path), skin);
+    } else if (file.uv.cols() > 0) {
         skin.uv = file.uv;
         skin.uvCorners = file.triangles;
     }

@@ -36,7 +36,8 @@ void addVertexCells(MeshFile& file) {
 
 std::string knownFormats(bool isOutput) {
     std::string list = " .csv .tsv .txt .xyz .dat";
-    for (const std::string& one : meshFileExtensions()) list += " " + one;
+    for (const std::string& one : isOutput ? meshFileExtensions() : readableMeshExtensions())
+        list += " " + one;
     return list + (isOutput ? " .glb" : "");
 }
 
@@ -44,7 +45,7 @@ std::string knownFormats(bool isOutput) {
 
 void requirePointFormat(const std::string& path, bool isOutput) {
     const std::string extension = lowerExtension(path);
-    const std::vector<std::string> meshes = meshFileExtensions();
+    const std::vector<std::string> meshes = isOutput ? meshFileExtensions() : readableMeshExtensions();
     const bool isKnown =
         isTable(path) || std::ranges::find(meshes, extension) != meshes.end() || (isOutput && isGlb(path));
     if (!isKnown)

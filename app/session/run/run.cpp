@@ -313,9 +313,13 @@ class Run {
 
     /// The numbers that are written are those that were checked, but for the one format that rounds them.
     void warnOfRounding(const std::string& path, const Points<Dim>& pose) const {
-        const bool rounds = Dim == 2 && lowerExtension(path) == ".stl" &&
-                            m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
+        const bool rounds =
+            lowerExtension(path) == ".stl" && m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
         if (!rounds) return;
+        Points<3> points = Points<3>::Zero(3, pose.cols());
+        points.topRows<Dim>() = pose;
+        if (const std::string text = roundingText(points); !text.empty()) m_watch.notice(path + ": " + text);
+        if (Dim == 3) return;
         const Points<Dim> rounded = pose.template cast<float>().template cast<double>();
         if (const int flips = distortion<Dim>(*m_shape.rest, rounded).flips; flips > 0)
             m_watch.notice(

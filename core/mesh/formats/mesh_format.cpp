@@ -258,6 +258,21 @@ MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files
     }
 }
 
+const std::vector<InputFormat>& inputFormats() {
+    static const std::vector<InputFormat> formats = {{".glb", readGltf}, {".3mf", readThreeMf}};
+    return formats;
+}
+
+MeshFile readSource(const InputFormat& format, const MeshSource& source, MeshNeeds needs) {
+    try {
+        MeshFile file = format.read(std::span(&source, 1));
+        requireSound(file, needs);
+        return file;
+    } catch (const InputError& error) {
+        throw error.named(source.path);
+    }
+}
+
 std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options) {
     requireSound(mesh, format.holdsPointsAlone() ? MeshNeeds::Points : MeshNeeds::Cells);

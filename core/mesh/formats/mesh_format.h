@@ -69,6 +69,17 @@ std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
 /// What of a mesh that was read a file of the format does not hold, in one line; empty if it holds all.
 std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options);
 
+/// A format that is read, but not written as a mesh.
+struct InputFormat {
+    std::string_view extension;
+    MeshFile (*read)(std::span<const MeshSource> files);
+};
+const std::vector<InputFormat>& inputFormats();
+/// readMeshFile of such a format without the file system. Throws InputError(file, reason).
+MeshFile readSource(const InputFormat& format, const MeshSource& file, MeshNeeds needs);
+
+MeshFile readGltf(std::span<const MeshSource> files);
+MeshFile readThreeMf(std::span<const MeshSource> files);
 MeshFile readObj(std::span<const MeshSource> files);
 MeshFile readPly(std::span<const MeshSource> files);
 MeshFile readOff(std::span<const MeshSource> files);

@@ -117,6 +117,7 @@ class TestPointsCli : public QObject {
     void anyPlane_data();
     void anyPlane();
     void noPlane();
+    void singlePrecision();
     void carriedDetail_data();
     void carriedDetail();
     void bad_data();
@@ -466,6 +467,24 @@ void TestPointsCli::noPlane() {
     QCOMPARE(result.code, 3);
     QVERIFY2(result.error.contains("bumpy.obj: the triangles do not lie in a plane"),
              qPrintable(result.error));
+}
+
+/// At 2^23 floats are 1 apart, so that a quarter is lost.
+void TestPointsCli::singlePrecision() {
+    SimplicialMesh<2> strip = stripMesh(10, 2);
+    strip.points.row(0).array() += 8388608.25;
+    writeMesh<2>(file("far.obj"), strip);
+    putProject(path(), "far.wend", "'domain': {'mesh': 'far.obj'}, 'handles': [{'at': {'vertices': [0]}}]");
+    const CliResult binary = run({"run", "far.wend", "--mesh", "far.stl", "--encoding", "binary"});
+    QVERIFY2(binary.error.contains("far.stl: single precision moves vertices by up to 0.25, because"),
+             qPrintable(binary.error));
+    const CliResult written = run({"run", "far.wend", "--mesh", "far-text.stl"});
+    QVERIFY2(!written.error.contains("single precision"), qPrintable(written.error));
+    const CliResult near = run({"run", "bend2.wend", "--mesh", "near.stl", "--encoding", "binary"});
+    QVERIFY2(!near.error.contains("single precision"), qPrintable(near.error));
+    const CliResult converted = run({"convert", "far.obj", "converted.stl", "--encoding", "binary"});
+    QVERIFY2(converted.error.contains("converted.stl: single precision moves vertices by up to 0.25"),
+             qPrintable(converted.error));
 }
 
 void TestPointsCli::carriedDetail_data() {
