@@ -42,8 +42,9 @@ void FlowPanel::showProject() {
     if (m_session.document().isEmpty()) return;
     const double memory = settingOf(*m_session.document().project(), "material.memory");
     const bool isElastic = std::isinf(memory);
-    allow(m_settle, canSettle(m_session.document()),
-          isElastic ? tr("A shape that springs back fully is always relaxed.") : tr("Nothing has moved yet."));
+    allow(
+        m_settle, canSettle(m_session.document()),
+        isElastic ? tr("A shape that springs back fully is always relaxed.") : tr("Nothing has moved yet."));
     m_memory->setMemory(memory);
 }
 

@@ -230,7 +230,8 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
     const DragGesture drag(handles, {});
     const double time = m_motion.gestureTime();
     const bool atTheEnd = takesTheEnd(*m_document.project(), time);
-    if (m_poses && motionEnd(*m_document.project()) > 0) {  // each step is a pose of its own, in one undo step
+    if (m_poses &&
+        motionEnd(*m_document.project()) > 0) {  // each step is a pose of its own, in one undo step
         const QString pose = QStringLiteral("pose ") + key + QStringLiteral(" %1").arg(time);
         return push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, pose);
     }
@@ -323,25 +324,24 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                                                "time, and they move together.");
     tellReplaced<Dim>(before, endsAll ? std::vector<int>() : drag.handles(), from, next);
     if (lengthens)
-        emit notice(
-            ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
+        emit notice(ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
 }
 
-/// False if the handles cannot be posed at that time. At the end of the film a drag makes it longer, and a step
-/// of the arrow keys moves the last pose.
+/// False if the handles cannot be posed at that time. At the end of the film a drag makes it longer, and a
+/// step of the arrow keys moves the last pose.
 template <int Dim>
 bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>& starts, const QString& step,
                             const QString& key) {
     const Project& project = *m_document.project();
     const bool appends = key.isEmpty() && takesTheEnd(project, gesture.from);
-    const std::optional<Project> next = appends
-                                            ? withPoseAppended<Dim>(project, gesture, starts)
-                                            : withPose<Dim>(project, gesture, starts);
+    const std::optional<Project> next =
+        appends ? withPoseAppended<Dim>(project, gesture, starts) : withPose<Dim>(project, gesture, starts);
     if (!next) return false;
     m_document.change(step, *next, key);
     m_playback.setTime(appends ? m_playback.end() : gesture.from);
     if (appends)
-        emit notice(ShapeSession::tr("The film is longer by a second. At an earlier time a drag sets the pose there."));
+        emit notice(ShapeSession::tr(
+            "The film is longer by a second. At an earlier time a drag sets the pose there."));
     else
         emit notice(ShapeSession::tr("Posed at %1 s: what comes before and after stays.")
                         .arg(gesture.from * Playback::kSecondsPerUnit, 0, 'f', 2));

@@ -15,13 +15,15 @@ using Bernstein = std::array<double, Dim + 1>;
 
 /// Of det(E + s D). The mixed coefficients are means over the columns that are taken from E + D.
 Bernstein<2> determinants(const Mat<2>& E, const Mat<2>& end) {
-    const double mixed = E(0, 0) * end(1, 1) + end(0, 0) * E(1, 1) - E(0, 1) * end(1, 0) - end(0, 1) * E(1, 0);
+    const double mixed =
+        E(0, 0) * end(1, 1) + end(0, 0) * E(1, 1) - E(0, 1) * end(1, 0) - end(0, 1) * E(1, 0);
     return {E.determinant(), 0.5 * mixed, end.determinant()};
 }
 Bernstein<3> determinants(const Mat<3>& E, const Mat<3>& end) {
     const auto mixed = [](const Mat<3>& twice, const Mat<3>& once) {
         double sum = 0;
-        for (int k = 0; k < 3; ++k) sum += once.col(k).dot(twice.col((k + 1) % 3).cross(twice.col((k + 2) % 3)));
+        for (int k = 0; k < 3; ++k)
+            sum += once.col(k).dot(twice.col((k + 1) % 3).cross(twice.col((k + 2) % 3)));
         return sum / 3;
     };
     return {E.determinant(), mixed(E, end), mixed(end, E), end.determinant()};
@@ -111,8 +113,7 @@ void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, Worke
                 const Mat<Dim> moved = mode * m_restInverse[c].transpose();
                 onCorners.row(m) = Eigen::Map<const Eigen::Matrix<double, 1, Dim * Dim>>(moved.data());
             }
-            m_hessian[c].noalias() =
-                onCorners.transpose() * (m_measure[c] * values).asDiagonal() * onCorners;
+            m_hessian[c].noalias() = onCorners.transpose() * (m_measure[c] * values).asDiagonal() * onCorners;
         }
     });
 }
@@ -158,8 +159,7 @@ double RestEnergy<Dim>::unfoldedPart(const Points<Dim>& shape, const Points<Dim>
     constexpr int kHalvings = 7;
     double part = 1;
     for (int c = 0; c < m_plan->cellCount(); ++c) {
-        const Mat<Dim> E = mapOf(shape, c),
-                       D = edgeMatrix<Dim>(step, m_plan->cells[c]) * m_restInverse[c];
+        const Mat<Dim> E = mapOf(shape, c), D = edgeMatrix<Dim>(step, m_plan->cells[c]) * m_restInverse[c];
         part = std::min(part, part * beforeFirstRoot<Dim>(determinants(E, E + part * D), kHalvings));
     }
     return part;

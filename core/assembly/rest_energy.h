@@ -28,8 +28,8 @@ class RestEnergy {
     void gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers);
 
     /// Computes the Hessian at a shape, in which no cell may be inverted, for the next two functions. The
-    /// negative eigenvalues of every cell's ∂²w/∂F² are multiplied by `negative`: 1 is the exact Hessian, 0 makes
-    /// it positive semidefinite.
+    /// negative eigenvalues of every cell's ∂²w/∂F² are multiplied by `negative`: 1 is the exact Hessian, 0
+    /// makes it positive semidefinite.
     void linearize(const Points<Dim>& shape, double negative, WorkerPool& workers);
     /// Adds the Hessian to Dim × Dim blocks in the order of the plan's pattern (AssemblyPlan), which has to
     /// list its contributions.

@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
-#include <numbers>
 #include <limits>
+#include <numbers>
 
 namespace wend {
 namespace {
@@ -155,9 +155,9 @@ RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F)
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-#define WEND_INSTANTIATE(Dim)                                                            \
-    template double restDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);   \
-    template Mat<Dim> restStress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);  \
+#define WEND_INSTANTIATE(Dim)                                                           \
+    template double restDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);  \
+    template Mat<Dim> restStress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&); \
     template RestModes<Dim> restModes<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)

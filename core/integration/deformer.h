@@ -52,7 +52,7 @@ struct Statistics {
     double errorEstimate = 0;
     double needed = 0;        // bytes of the largest factor
     std::vector<Snap> snaps;  // of an elastic shape, in the order of time
-    CopiedBytes copied;  // to and from a device, since the deformer was made
+    CopiedBytes copied;       // to and from a device, since the deformer was made
 
     template <class Archive>
     void archive(Archive& archive) {

@@ -14,8 +14,8 @@ namespace wend {
 /// The flow of a drag: a preview at the rate of a display. As a rule it solves one velocity field per target,
 /// by the midpoint rule with the midpoint predicted from earlier fields: v̂ is linear in the handles'
 /// velocities, so the combination of earlier fields that moves the handles as wanted is off by no more than
-/// the field's change in a step, and the step is of second order. Factors are reused. An elastic shape follows
-/// its minimum by Newton's method, to 1e-4 of its size. Coordinates are the domain's.
+/// the field's change in a step, and the step is of second order. Factors are reused. An elastic shape
+/// follows its minimum by Newton's method, to 1e-4 of its size. Coordinates are the domain's.
 template <int Dim>
 class DragFlow {
   public:

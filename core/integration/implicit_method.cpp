@@ -49,7 +49,8 @@ void ImplicitMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
 template <int Dim>
 Points<Dim> ImplicitMethod<Dim>::at(double t, const Points<Dim>&) const {
     const double rate = m_rate(m_from), part = (t - m_from) / (m_to - m_from),
-                 done = rate > 0 ? std::expm1(-rate * (t - m_from)) / std::expm1(-rate * (m_to - m_from)) : part;
+                 done =
+                     rate > 0 ? std::expm1(-rate * (t - m_from)) / std::expm1(-rate * (m_to - m_from)) : part;
     return *m_start + done * (*m_result - *m_start);
 }
 

@@ -14,8 +14,8 @@ class ImplicitMethod final : public StepMethod<Dim> {
   public:
     /// Computes the shape at a step's end from the one at its start, and its error relative to what is
     /// allowed. Returns false if there is none.
-    using Solve = std::function<bool(double t, double to, const Nodal<Dim>& x, Points<Dim>& result,
-                                     double& error)>;
+    using Solve =
+        std::function<bool(double t, double to, const Nodal<Dim>& x, Points<Dim>& result, double& error)>;
     /// Returns the rate at which the shape approaches the end of a step from t within it; 0: evenly.
     using Rate = std::function<double(double t)>;
     ImplicitMethod(Solve solve, Rate rate) : m_solve(std::move(solve)), m_rate(std::move(rate)) {}

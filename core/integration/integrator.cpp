@@ -54,8 +54,9 @@ Deformer<Dim>::Integrator::Integrator(std::shared_ptr<const SimplicialMesh<Dim>>
     m_solver = std::make_unique<VelocitySolver<Dim>>(m_makeSolver(m_rest, m_options.solver));
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     if (std::isinf(m_memory) && m_solver->solver() == SolverKind::Multigrid)
-        throw InputError("an elastic shape needs the direct solver, for which this one is too large: use fewer "
-                         "vertices, or a memory that is a number");
+        throw InputError(
+            "an elastic shape needs the direct solver, for which this one is too large: use fewer "
+            "vertices, or a memory that is a number");
     collectStatistics();
 }
 
@@ -350,8 +351,7 @@ Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
     watch.stop = stop;
     m_watch = &watch;
     const auto evaluateExactly = [&] {
-        if (relaxation(state.time, side) == Relaxation::Elastic)
-            return elasticVelocity(state.time, side, v);
+        if (relaxation(state.time, side) == Relaxation::Elastic) return elasticVelocity(state.time, side, v);
         m_solver->setVelocityTolerance(0);
         m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
         return evaluate(state.time, side, v);

@@ -120,7 +120,7 @@ struct Deformer<Dim>::Integrator {
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;
     Settling m_settling;
-    double m_memory;  // ρ; infinite: elastic
+    double m_memory;                                              // ρ; infinite: elastic
     std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;  // the latter with multigrid
     std::unique_ptr<StepMethod<Dim>> m_implicit;
     // In the pace: memory makes explicit steps too short up to the next breakpoint.

@@ -159,7 +159,8 @@ bool Deformer<Dim>::Integrator::track(double from, double to, const Points<Dim>&
     result = start;
     if (!predict(to, result)) return false;
     const Points<Dim> predicted = result;
-    const Descended descended = descend(to, result, kMinimumTolerance, isLeast ? kMostToMinimum : kMostTracked);
+    const Descended descended =
+        descend(to, result, kMinimumTolerance, isLeast ? kMostToMinimum : kMostTracked);
     if (!descended.outcome.done()) return false;
     const double moved = largestColumn<Dim>(result - predicted), way = largestColumn<Dim>(predicted - start);
     error = moved / std::max(kTracked, kTrackedPart * way);
@@ -197,7 +198,8 @@ void Deformer<Dim>::Integrator::relaxFrame(double t, Points<Dim>& shape) {
     if (!std::isinf(m_memory)) return;
     const Points<Dim> before = shape;
     m_solver->setStop({});
-    if (!descend(t, shape, kMinimumTolerance, kMostTracked).outcome.done() || firstInverted(shape) >= 0) shape = before;
+    if (!descend(t, shape, kMinimumTolerance, kMostTracked).outcome.done() || firstInverted(shape) >= 0)
+        shape = before;
     m_failure = {};
 }
 

@@ -38,8 +38,10 @@ double Deformer<Dim>::Integrator::startStep(double to) const {
     const Relaxation kind = relaxation(state.time, Side::After);
     if (kind == Relaxation::Settling)
         return std::max(kFirstDecay / m_settling.rate(state.time, Side::After), smallestStep());
-    const double settling = m_settling.rate(state.time, Side::After),
-                 rate = kind == Relaxation::Elastic ? 0 : settling > 0 ? settling : m_memory * fastest;
+    const double settling = m_settling.rate(state.time, Side::After), rate = kind == Relaxation::Elastic ? 0
+                                                                             : settling > 0
+                                                                                 ? settling
+                                                                                 : m_memory * fastest;
     const double step = fastest > 0 ? method().firstStep(fastest) : to - state.time;
     return rate > 0 ? std::min(step, 1 / rate) : step;
 }

@@ -45,7 +45,8 @@ std::string snapMessage(const std::vector<Snap>& snaps, int dimension) {
     const Snap& first = snaps.front();
     const Vec<3> place(first.place[0], first.place[1], first.place[2]);
     const std::string where = dimension == 2 ? placeName<2>(place.head<2>()) : placeName<3>(place);
-    const std::string text = "at time " + numberText(first.time) + " the shape snaps to another equilibrium near " + where;
+    const std::string text =
+        "at time " + numberText(first.time) + " the shape snaps to another equilibrium near " + where;
     return snaps.size() == 1 ? text : text + ", and " + std::to_string(snaps.size() - 1) + " times more";
 }
 

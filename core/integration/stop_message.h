@@ -16,8 +16,8 @@ StopReason reasonOf(const SolveOutcome& outcome);
 /// a point of the domain as it is printed; the cell counts for CellInverted alone, −1: none to name.
 std::string stopMessage(StopReason reason, const std::string& place, int cell);
 
-/// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if it
-/// did not. The place has `dimension` coordinates.
+/// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if
+/// it did not. The place has `dimension` coordinates.
 std::string snapMessage(const std::vector<Snap>& snaps, int dimension);
 
 }  // namespace wend

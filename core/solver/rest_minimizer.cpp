@@ -24,8 +24,8 @@ constexpr int kSteps = 2;
 constexpr double kRounding = 1e-13;
 // A gradient of this norm is rounding: forces are of the order of 1.
 constexpr double kNoForce = 1e-14;
-// Off a saddle, in sizes. It is near where the exact Hessian is indefinite, steps are no longer than that, and
-// they promise no more than this part of W.
+// Off a saddle, in sizes. It is near where the exact Hessian is indefinite, steps are no longer than that,
+// and they promise no more than this part of W.
 constexpr double kNudge = 1e-3, kNearSaddle = 1e-9;
 constexpr int kMostNudges = 3;
 // A factor serves again while each step is shorter than this part of the one before.
@@ -48,8 +48,7 @@ RestMinimizer<Dim>::RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>
 
 template <int Dim>
 SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>& shape,
-                                             const ProximalTerm<Dim>* proximal,
-                                             const std::stop_token& stop) {
+                                             const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
     {
         const Stopwatch watch(m_statistics.assemble);
         m_energy.linearize(shape, negative, m_workers);
@@ -86,8 +85,8 @@ SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>&
     return {};
 }
 
-/// With the exact Hessian if that is positive definite, else with as much of its negative curvature as serves:
-/// where a shape is about to buckle most of it does, and steps are long.
+/// With the exact Hessian if that is positive definite, else with as much of its negative curvature as
+/// serves: where a shape is about to buckle most of it does, and steps are long.
 template <int Dim>
 SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
                                            const std::stop_token& stop) {
@@ -104,7 +103,8 @@ SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const Proxi
         const SolveOutcome outcome = factorizeAs(kNegative[level], shape, proximal, stop);
         m_level = level;
         m_isExact = level == 0;
-        if (outcome.kind != SolveOutcome::Kind::NotPositiveDefinite || level + 1 == kNegative.size()) return outcome;
+        if (outcome.kind != SolveOutcome::Kind::NotPositiveDefinite || level + 1 == kNegative.size())
+            return outcome;
         m_untilExact = kSteps;
     }
 }
@@ -154,7 +154,8 @@ SolveOutcome RestMinimizer<Dim>::predict(const Points<Dim>& shape, const Points<
     y.resize(Dim, right.cols());
     ++m_statistics.iterations;
     const Stopwatch watch(m_statistics.solve);
-    if (!m_factor.solve(flat<Dim>(right), flat<Dim>(y), m_workers)) return {SolveOutcome::Kind::NotFinite, -1};
+    if (!m_factor.solve(flat<Dim>(right), flat<Dim>(y), m_workers))
+        return {SolveOutcome::Kind::NotFinite, -1};
     m_system.release(y);
     m_system.expand(y, step);
     return step.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
@@ -181,7 +182,8 @@ double RestMinimizer<Dim>::lineSearch(Points<Dim>& shape, const Points<Dim>& ste
 template <int Dim>
 bool RestMinimizer<Dim>::nudge(Points<Dim>& shape) {
     Points<Dim> load(Dim, m_reduced.cols()), y(Dim, m_reduced.cols());
-    for (Eigen::Index i = 0; i < load.size(); ++i) load(i) = std::sin(1.0 + 7.3 * static_cast<double>(i % 101));
+    for (Eigen::Index i = 0; i < load.size(); ++i)
+        load(i) = std::sin(1.0 + 7.3 * static_cast<double>(i % 101));
     m_system.release(load);
     if (!m_factor.solve(flat<Dim>(load), flat<Dim>(y), m_workers)) return false;
     m_system.release(y);
@@ -231,7 +233,8 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
         const double part = lineSearch(shape, step, -decrement, proximal, descent);
         small = part * most <= descent.tolerance;
-        serves = descent.reusesFactor && m_isExact && part == 1 && most < kQuickly * std::exchange(last, most);
+        serves =
+            descent.reusesFactor && m_isExact && part == 1 && most < kQuickly * std::exchange(last, most);
         if (part == 0) {
             if (m_isExact && most > descent.tolerance) {  // far from the minimum
                 m_untilExact = 1;

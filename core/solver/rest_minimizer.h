@@ -23,8 +23,8 @@ struct ProximalTerm {
 
 /// Newton's method for the minimum of W, with or without a proximal term, among the shapes that the
 /// constraints allow (docs/method.md, section 8). A step d solves Zᵀ H Z y = −Zᵀ g with the exact Hessian
-/// where that is positive definite, else with one that has less of the cells' negative curvature; it ends before any cell
-/// is flat, and is halved until W falls by Armijo's condition.
+/// where that is positive definite, else with one that has less of the cells' negative curvature; it ends
+/// before any cell is flat, and is halved until W falls by Armijo's condition.
 template <int Dim>
 class RestMinimizer {
   public:
@@ -59,8 +59,8 @@ class RestMinimizer {
     SolverStatistics& m_statistics;
     std::vector<double> m_mass;  // per vertex, that keeps free parts in place
     Factor m_factor;
-    bool m_isExact = false;  // the Hessian of the factor
-    bool m_isMade = false;   // the factor
+    bool m_isExact = false;   // the Hessian of the factor
+    bool m_isMade = false;    // the factor
     std::size_t m_level = 0;  // of the last factor: how much of the negative curvature it has
     int m_untilExact = 0;     // steps before the exact one is tried again
     std::vector<double> m_blocks;

@@ -141,11 +141,11 @@ class VelocitySolver {
     /// ‖∇W‖ of a shape, without what the constraints hold: 0 where it has settled.
     double restForce(const Points<Dim>& shape) const;
 
-    /// Newton's method for the minimum of W under the constraints, for direct solvers only. `predict` computes
-    /// the first Newton step from a shape that displaces the constrained points by `prescribed` (as for
-    /// solve()): near a minimum the derivative of the minimizer with respect to the constraints. `descend`
-    /// moves a shape that satisfies the constraints to a minimum; after an outcome that is not done the shape
-    /// is the best one so far.
+    /// Newton's method for the minimum of W under the constraints, for direct solvers only. `predict`
+    /// computes the first Newton step from a shape that displaces the constrained points by `prescribed` (as
+    /// for solve()): near a minimum the derivative of the minimizer with respect to the constraints.
+    /// `descend` moves a shape that satisfies the constraints to a minimum; after an outcome that is not done
+    /// the shape is the best one so far.
     SolveOutcome predict(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& step);
     Descended descend(Points<Dim>& shape, const Descent<Dim>& descent = {});
     /// Adds weight · (x − x₀)ᵀ A (x − x₀) to W for both, A at the shape x₀ = `origin`; with weight 0 nothing,

@@ -41,8 +41,8 @@ struct VelocitySolver<Dim>::Impl {
         ReducedSystem<Dim> system;
         std::optional<RestMinimizer<Dim>> minimizer;
     };
-    std::unique_ptr<Tracking> tracking;             // these three for the constraints that are set
-    std::optional<RestMinimizer<Dim>> descending;   // with the proximal term
+    std::unique_ptr<Tracking> tracking;            // these three for the constraints that are set
+    std::optional<RestMinimizer<Dim>> descending;  // with the proximal term
     std::optional<ProximalTerm<Dim>> proximal;
     std::vector<double> massRegularization;  // per cell, or empty
 

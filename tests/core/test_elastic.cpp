@@ -249,8 +249,8 @@ void bucklesAndComesBack() {
     QVERIFY(distance(deformer.state().points, mesh->points) < 1e-8);
 }
 
-/// The ends of a strip come together, so that it buckles, and then turn: one way it bends further, the other way
-/// it snaps to the other side.
+/// The ends of a strip come together, so that it buckles, and then turn: one way it bends further, the other
+/// way it snaps to the other side.
 void snapsAreReported() {
     const auto mesh = std::make_shared<SimplicialMesh<2>>(samples::strip<2>(48, 4, 4));
     for (int v = 0; v < mesh->vertexCount(); ++v) mesh->points(1, v) *= 0.3;  // slender
@@ -277,8 +277,8 @@ void snapsAreReported() {
             QVERIFY(snap.place[0] > 0.2 && snap.place[0] < 3.2);
             snaps[way] += snap.time > 1;
         }
-        qInfo("%d steps, %d rejected, %d factors", deformer.statistics().steps, deformer.statistics().rejected,
-              deformer.statistics().factorizations);
+        qInfo("%d steps, %d rejected, %d factors", deformer.statistics().steps,
+              deformer.statistics().rejected, deformer.statistics().factorizations);
     }
     QCOMPARE(std::min(snaps[0], snaps[1]), 0);
     QCOMPARE(std::max(snaps[0], snaps[1]), 1);

@@ -201,7 +201,9 @@ void noMoveLowersEnergy(const Bend<Dim>& bend, Deformer<Dim>& deformer) {
             if (const double along = bend.mesh->points(0, v); along < 1e-9 || along > 4 - 1e-9)
                 u.col(v).setZero();
         QVERIFY(W.energy(x + h * u) + W.energy(x - h * u) > 2 * here);
-        const auto slope = [&](double by) { return (W.energy(x + by * u) - W.energy(x - by * u)) / (2 * by); };
+        const auto slope = [&](double by) {
+            return (W.energy(x + by * u) - W.energy(x - by * u)) / (2 * by);
+        };
         const double extrapolated = (4 * slope(h / 2) - slope(h)) / 3;
         QVERIFY(std::abs(extrapolated) <= 1.01 * force * u.norm() + 1e-9 * here);
     }

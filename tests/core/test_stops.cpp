@@ -157,8 +157,8 @@ class TestStops : public QObject {
         }
     }
 
-    /// With multigrid settling takes explicit steps, which are stiff near EQUIA: where they must not be as short
-    /// as that takes, it stops at a good shape and says so. With factors it arrives all the same.
+    /// With multigrid settling takes explicit steps, which are stiff near EQUIA: where they must not be as
+    /// short as that takes, it stops at a good shape and says so. With factors it arrives all the same.
     template <int Dim>
     void settlingSaysThatItIsTooStiff() {
         Press<Dim> press(along<Dim>(-1.2));

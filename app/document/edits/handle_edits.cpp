@@ -208,8 +208,8 @@ struct Room {
     std::vector<double> times;
 };
 
-/// Appends the gesture: earlier motion shrinks in proportion to the path lengths, unless the user has timed it.
-/// Then the film becomes longer.
+/// Appends the gesture: earlier motion shrinks in proportion to the path lengths, unless the user has timed
+/// it. Then the film becomes longer.
 template <int Dim>
 Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
     const auto timed = [&](Project before, double begin) -> Room {

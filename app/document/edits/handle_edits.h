@@ -64,11 +64,12 @@ struct Gesture {
 };
 /// Adds a gesture from a time of the motion; the film keeps its length. If it starts when all motion is over
 /// (or ends with it), it is appended, and earlier motions shrink in proportion to their lengths without
-/// changing a pose; motions that the user has timed (see hasOwnTiming()) stay, and the film becomes longer by 1. Otherwise it lasts until the end of the film and replaces the later motion of its own
-/// handles only. It becomes a Recorded motion if it translates, the curve itself if it was drawn, and one
-/// motion per path segment if it rotates or scales. `starts` are the handles' places at its beginning. A
-/// recording is added in parallel, too, keeps its duration, and lengthens the film if necessary. The first
-/// motion of all gives the film the recording's length.
+/// changing a pose; motions that the user has timed (see hasOwnTiming()) stay, and the film becomes longer
+/// by 1. Otherwise it lasts until the end of the film and replaces the later motion of its own handles only.
+/// It becomes a Recorded motion if it translates, the curve itself if it was drawn, and one motion per path
+/// segment if it rotates or scales. `starts` are the handles' places at its beginning. A recording is added
+/// in parallel, too, keeps its duration, and lengthens the film if necessary. The first motion of all gives
+/// the film the recording's length.
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts);
 /// A move at the end of the motion, by offsets of which the first is zero.

@@ -159,7 +159,8 @@ bool pose(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, double
         key = previous->end;
         result.push_back(motionAlong<Dim>(way->led(by, 0, 1), place - way->offsets.back()));
     } else {
-        const double from = std::max(result.empty() ? 0 : result.back().end, std::max(handle.activeFrom, 0.0));
+        const double from =
+            std::max(result.empty() ? 0 : result.back().end, std::max(handle.activeFrom, 0.0));
         if (next != motions.end() && isNear(next->start)) key = next->start;
         if (key - from < kShortestMotion) return false;
         result.push_back(motionAlong<Dim>({{from, key}, {Vec<Dim>::Zero(), by}}, place));
@@ -187,8 +188,8 @@ std::optional<Project> withPose(const Project& project, const Gesture& gesture,
     Project next = project;
     const Vec<Dim> by = gesture.path.back().template head<Dim>();
     for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
-        auto& handle = std::get<Design<Dim>>(next.design).handles.at(
-            static_cast<std::size_t>(gesture.handles[i]));
+        auto& handle =
+            std::get<Design<Dim>>(next.design).handles.at(static_cast<std::size_t>(gesture.handles[i]));
         if (!pose<Dim>(handle, starts[i], by, gesture.from)) return {};
     }
     return next;
@@ -212,10 +213,11 @@ Project withPoseAppended(const Project& project, const Gesture& gesture, const s
     return withGesture<Dim>(project, added, starts);
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                   \
-    template std::optional<Project> withPose<Dim>(const Project&, const Gesture&,               \
-                                                  const std::vector<Vec<Dim>>&);                \
-    template Project withPoseAppended<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&, double)
+#define WEND_INSTANTIATE(Dim)                                                                            \
+    template std::optional<Project> withPose<Dim>(const Project&, const Gesture&,                        \
+                                                  const std::vector<Vec<Dim>>&);                         \
+    template Project withPoseAppended<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&, \
+                                           double)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

@@ -81,7 +81,8 @@ ShapeEngine::Sink ComputeThread::sink() {
         m_out.call([this, time, end] { emit within(time, end); });
     };
     sink.finished = [this](double time, const std::string& problem, const std::string& remark) {
-        m_out.call([this, time, why = said(problem), note = said(remark)] { emit finished(time, why, note); });
+        m_out.call(
+            [this, time, why = said(problem), note = said(remark)] { emit finished(time, why, note); });
     };
     return sink;
 }

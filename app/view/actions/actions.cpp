@@ -126,10 +126,11 @@ void Actions::makeMotion() {
     record = addToggle(
         {tr("&Record"), tr("Record every drag as it happens, in real time; Ctrl does so for one drag")},
         QKeySequence(tr("Ctrl+R")), "record");
-    poseHere = addToggle({tr("&Pose at This Time"),
-                          tr("In the step Animate, a drag sets where pins are at the time shown, and what they do "
-                             "before and after stays; off: it leads them on to the end of the film")},
-                         QKeySequence(tr("Shift+T")), "pose-here");
+    poseHere =
+        addToggle({tr("&Pose at This Time"),
+                   tr("In the step Animate, a drag sets where pins are at the time shown, and what they do "
+                      "before and after stays; off: it leads them on to the end of the film")},
+                  QKeySequence(tr("Shift+T")), "pose-here");
     poseHere->setChecked(true);
     onionSkin = addToggle(
         {tr("&Onion Skin"), tr("Show the shape as it was a little before and as it is a little after")},

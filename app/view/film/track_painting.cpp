@@ -82,7 +82,8 @@ void TrackView::paintRow(QPainter& painter, int row) const {
     paintHold(painter, own.hold);
     for (const Bar& bar : own.bars) paintBar(painter, bar, own.colour);
     for (const Bar& bar : own.bars)
-        for (const double time : {timeOf(bar).start, timeOf(bar).end}) paintKey(painter, {xOf(time), rect.center().y()});
+        for (const double time : {timeOf(bar).start, timeOf(bar).end})
+            paintKey(painter, {xOf(time), rect.center().y()});
 }
 
 /// A key pose: an end of a motion.
@@ -90,8 +91,8 @@ void TrackView::paintKey(QPainter& painter, const QPointF& at) const {
     constexpr double kHalf = 4.5;
     painter.setPen(QPen(palette().color(QPalette::Window), 1));
     painter.setBrush(palette().color(QPalette::WindowText));
-    painter.drawPolygon(QPolygonF({at + QPointF(-kHalf, 0), at + QPointF(0, -kHalf), at + QPointF(kHalf, 0),
-                                   at + QPointF(0, kHalf)}));
+    painter.drawPolygon(QPolygonF(
+        {at + QPointF(-kHalf, 0), at + QPointF(0, -kHalf), at + QPointF(kHalf, 0), at + QPointF(0, kHalf)}));
 }
 
 /// A line, with a stop at its ends to drag them by.

@@ -78,10 +78,11 @@ void SpringOffer::follow() {
     const auto take = [this] {
         changeSetting(m_session.document(), "material.memory", std::numeric_limits<double>::infinity());
     };
-    m_banner.tell(InfoBanner::Topic::Spring,
-                  tr("What comes back leaves the shape a little different, so that a loop jumps. If the shape "
-                     "springs back fully, it is as it was."),
-                  {{tr("Spring Back Fully"), take}});
+    m_banner.tell(
+        InfoBanner::Topic::Spring,
+        tr("What comes back leaves the shape a little different, so that a loop jumps. If the shape "
+           "springs back fully, it is as it was."),
+        {{tr("Spring Back Fully"), take}});
 }
 
 }  // namespace wend

@@ -223,7 +223,8 @@ void TestCli::remembersAndSettles() {
     const CliResult unknown = run({"run", "bend.wend", "--memory", "elastik", "--report", "-"});
     QCOMPARE(unknown.code, 2);
     QVERIFY(unknown.error.contains("\"elastik\" is neither a number nor elastic"));
-    const CliResult large = run({"run", "bend.wend", "--memory", "elastic", "--solver", "multigrid", "--report", "-"});
+    const CliResult large =
+        run({"run", "bend.wend", "--memory", "elastic", "--solver", "multigrid", "--report", "-"});
     QCOMPARE(large.code, 3);
     QVERIFY(large.error.contains("needs the direct solver"));
     QVERIFY(settled["constraintError"].toDouble() < 1e-12);

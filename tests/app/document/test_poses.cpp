@@ -95,7 +95,8 @@ void TestPoses::comesFromWhereItHeld() {
     const auto after = posed<2>(film<2>(), 1, 1.5, {6, 0});
     QVERIFY(after);
     QVERIFY((placeAt<2>(*after, 1, 0.75) - Vec<2>(3, 0)).norm() < 1e-14);
-    for (const double time : {1.5, 2.0, 4.0}) QVERIFY((placeAt<2>(*after, 1, time) - Vec<2>(6, 0)).norm() < 1e-14);
+    for (const double time : {1.5, 2.0, 4.0})
+        QVERIFY((placeAt<2>(*after, 1, time) - Vec<2>(6, 0)).norm() < 1e-14);
 }
 
 /// Nothing can be posed before a handle acts: that is the shape at rest.
@@ -135,9 +136,9 @@ void TestPoses::randomPosesKeepTheRest_data() {
     QTest::newRow("solid") << 3;
 }
 
-/// Thousands of poses at random times of random pins with recordings, eased moves and paths: the pin is where it
-/// was put; what lies beyond the neighbouring key poses, and all other pins, stays to the bit; the file reads
-/// back as the same.
+/// Thousands of poses at random times of random pins with recordings, eased moves and paths: the pin is where
+/// it was put; what lies beyond the neighbouring key poses, and all other pins, stays to the bit; the file
+/// reads back as the same.
 void TestPoses::randomPosesKeepTheRest() {
     QFETCH(int, dimension);
     const auto check = [](auto dim) {
@@ -189,7 +190,8 @@ void TestPoses::randomPosesKeepTheRest() {
             for (double t = 0; t <= 4; t += 0.25) {
                 QVERIFY(placeAt<Dim>(*next, 1 - handle, t) == placeAt<Dim>(project, 1 - handle, t));
                 if (t <= before || t >= after)
-                    QVERIFY((placeAt<Dim>(*next, handle, t) - placeAt<Dim>(project, handle, t)).norm() < 1e-9);
+                    QVERIFY((placeAt<Dim>(*next, handle, t) - placeAt<Dim>(project, handle, t)).norm() <
+                            1e-9);
             }
             project = *next;
         }

@@ -234,7 +234,7 @@ void TestMaterialPictures::projectsNameTheirPictures() {
     QCOMPARE(toJson(read), toJson(*readProject(path).project));
     RunOutputs outputs;
     outputs.image = {folder.filePath("ramp.png").toStdString()};
-    QVERIFY(!overwriting(inputsOf(read.domain, read.design, path, folderOf(path)), outputs).empty());
+    QVERIFY(!overwriting(inputsOf(read, path, folderOf(path)), outputs).empty());
     const auto refused = [&](const std::string& from, const std::string& to) {
         std::string text = readTextFile(path);
         text.replace(text.find(from), from.size(), to);

@@ -376,7 +376,9 @@ void TestWindow::dragsPoseAtTheShownTime() {
     open();
     QVERIFY(bend());
     ShapeSession& session = m_window->session();
-    const auto motions = [&]() -> const auto& { return session.document().design<2>().handles.back().motions; };
+    const auto motions = [&]() -> const auto& {
+        return session.document().design<2>().handles.back().motions;
+    };
     const double end = session.playback().end();
     const Points<2> last = session.frame<2>()->pose;
     m_window->tools().setMode(Mode::Animate);
