@@ -1666,8 +1666,12 @@
         <translation>Auf eine Farbe klicken, die sich biegen soll; Strg nimmt sie weg, [ und ] nehmen weniger oder mehr Farben</translation>
     </message>
     <message>
-        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
-        <translation>Umrisse werden für ein Bild gezeichnet, das ein einziger Teil ist: öffnen Sie es reduziert.</translation>
+        <source>Mark what becomes a part of its own, up to where it hangs on the rest; Esc cancels</source>
+        <translation>Umfahren, was ein eigenes Teil wird, bis dahin, wo es am Rest hängt; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>This picture has parts: choose Make a Part to cut another one out.</source>
+        <translation>Dieses Bild hat Teile: „Teil machen“ schneidet ein weiteres aus.</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1774,29 @@
     <message>
         <source>Drag to move the view; the wheel zooms</source>
         <translation>Ziehen verschiebt die Ansicht; das Rad zoomt</translation>
+    </message>
+</context>
+<context>
+    <name>PartMaking</name>
+    <message>
+        <source>There is nothing of the picture in this area.</source>
+        <translation>In diesem Bereich ist nichts vom Bild.</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>Make a part</source>
+        <translation>Teil machen</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, joined to “%2” where it hangs on it. What is behind it is being filled.</source>
+        <translation>„%1“ ist nun ein Teil, mit „%2“ verbunden, wo es daran hängt. Was dahinter liegt, wird gefüllt.</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
+        <translation>„%1“ ist nun ein Teil, aus „%2“ ausgeschnitten. Was dahinter liegt, wird gefüllt. Heften Sie es an, oder verbinden Sie es unter Teile.</translation>
     </message>
 </context>
 <context>
@@ -2830,6 +2857,18 @@
     <message>
         <source>Shift+T</source>
         <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>&amp;Teil machen</translation>
+    </message>
+    <message>
+        <source>What is drawn as the outline becomes a part that bends by itself, or what you draw next; what is behind it is filled</source>
+        <translation>Was als Umriss gezeichnet ist, oder als Nächstes gezeichnet wird, wird ein Teil, das sich allein biegt; was dahinter liegt, wird gefüllt</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
     </message>
 </context>
 <context>
@@ -5343,6 +5382,14 @@
     <message>
         <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>Wie weit Farben auseinander liegen dürfen, auch für den letzten Klick; auch [ und ]</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>&amp;Teil machen</translation>
+    </message>
+    <message>
+        <source>What you draw becomes a part that bends by itself; what is behind it is filled</source>
+        <translation>Was Sie zeichnen, wird ein Teil, das sich allein biegt; was dahinter liegt, wird gefüllt</translation>
     </message>
 </context>
 <context>

@@ -1666,8 +1666,12 @@
         <translation>Haga clic en un color que deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
     </message>
     <message>
-        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
-        <translation>Los contornos se dibujan en una imagen de una sola parte: ábrala acoplada.</translation>
+        <source>Mark what becomes a part of its own, up to where it hangs on the rest; Esc cancels</source>
+        <translation>Marca lo que será una parte propia, hasta donde se une al resto; Esc cancela</translation>
+    </message>
+    <message>
+        <source>This picture has parts: choose Make a Part to cut another one out.</source>
+        <translation>Esta imagen tiene partes: elige «Crear una parte» para recortar otra.</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1774,29 @@
     <message>
         <source>Drag to move the view; the wheel zooms</source>
         <translation>Arrastre para mover la vista; la rueda acerca o aleja</translation>
+    </message>
+</context>
+<context>
+    <name>PartMaking</name>
+    <message>
+        <source>There is nothing of the picture in this area.</source>
+        <translation>En esta zona no hay nada de la imagen.</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>Parte %1</translation>
+    </message>
+    <message>
+        <source>Make a part</source>
+        <translation>Crear una parte</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, joined to “%2” where it hangs on it. What is behind it is being filled.</source>
+        <translation>«%1» es ahora una parte, unida a «%2» donde cuelga de ella. Lo que hay detrás se está rellenando.</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
+        <translation>«%1» es ahora una parte, recortada de «%2». Lo que hay detrás se está rellenando. Fíjala o únela en Partes.</translation>
     </message>
 </context>
 <context>
@@ -2830,6 +2857,18 @@
     <message>
         <source>Shift+T</source>
         <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>Crear una &amp;parte</translation>
+    </message>
+    <message>
+        <source>What is drawn as the outline becomes a part that bends by itself, or what you draw next; what is behind it is filled</source>
+        <translation>Lo que está dibujado como contorno, o lo que dibujes ahora, será una parte que se dobla por sí sola; lo de detrás se rellena</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
     </message>
 </context>
 <context>
@@ -5343,6 +5382,14 @@
     <message>
         <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>Cuánto pueden diferir los colores, también los del último clic; también [ y ]</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>Crear una &amp;parte</translation>
+    </message>
+    <message>
+        <source>What you draw becomes a part that bends by itself; what is behind it is filled</source>
+        <translation>Lo que dibujes será una parte que se dobla por sí sola; lo de detrás se rellena</translation>
     </message>
 </context>
 <context>

@@ -1666,8 +1666,12 @@
         <translation>Cliquez sur une couleur qui doit se déformer&#x202f;; Ctrl la retire, [ et ] prennent moins ou plus de couleurs</translation>
     </message>
     <message>
-        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
-        <translation>Les contours se dessinent pour une image d’une seule partie : ouvrez-la aplatie.</translation>
+        <source>Mark what becomes a part of its own, up to where it hangs on the rest; Esc cancels</source>
+        <translation>Délimitez ce qui devient une partie à part, jusqu’à son attache au reste ; Échap annule</translation>
+    </message>
+    <message>
+        <source>This picture has parts: choose Make a Part to cut another one out.</source>
+        <translation>Cette image a des parties : choisissez « Créer une partie » pour en découper une autre.</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1774,29 @@
     <message>
         <source>Drag to move the view; the wheel zooms</source>
         <translation>Tirez pour déplacer la vue ; la molette zoome</translation>
+    </message>
+</context>
+<context>
+    <name>PartMaking</name>
+    <message>
+        <source>There is nothing of the picture in this area.</source>
+        <translation>Il n’y a rien de l’image dans cette zone.</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>Partie %1</translation>
+    </message>
+    <message>
+        <source>Make a part</source>
+        <translation>Créer une partie</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, joined to “%2” where it hangs on it. What is behind it is being filled.</source>
+        <translation>« %1 » est maintenant une partie, jointe à « %2 » là où elle s’y attache. Ce qui est derrière est en cours de remplissage.</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
+        <translation>« %1 » est maintenant une partie, découpée dans « %2 ». Ce qui est derrière est en cours de remplissage. Épinglez-la ou joignez-la sous Parties.</translation>
     </message>
 </context>
 <context>
@@ -2830,6 +2857,18 @@
     <message>
         <source>Shift+T</source>
         <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>Créer une &amp;partie</translation>
+    </message>
+    <message>
+        <source>What is drawn as the outline becomes a part that bends by itself, or what you draw next; what is behind it is filled</source>
+        <translation>Ce qui est dessiné comme contour, ou ce que vous dessinez ensuite, devient une partie qui se plie seule ; ce qui est derrière est rempli</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
     </message>
 </context>
 <context>
@@ -5343,6 +5382,14 @@
     <message>
         <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>L’écart permis entre couleurs, aussi pour le dernier clic ; aussi [ et ]</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>Créer une &amp;partie</translation>
+    </message>
+    <message>
+        <source>What you draw becomes a part that bends by itself; what is behind it is filled</source>
+        <translation>Ce que vous dessinez devient une partie qui se plie seule ; ce qui est derrière est rempli</translation>
     </message>
 </context>
 <context>

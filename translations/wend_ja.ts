@@ -1665,8 +1665,12 @@
         <translation>変形させる色をクリックします。Ctrl で除外、[ と ] で色の範囲を狭く、または広く</translation>
     </message>
     <message>
-        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
-        <translation>輪郭は 1 つのパーツからなる画像に描きます。統合して開いてください。</translation>
+        <source>Mark what becomes a part of its own, up to where it hangs on the rest; Esc cancels</source>
+        <translation>独立したパーツにする部分を、残りとつながる所まで囲みます。Esc で取り消し</translation>
+    </message>
+    <message>
+        <source>This picture has parts: choose Make a Part to cut another one out.</source>
+        <translation>この画像にはパーツがあります。「パーツにする」を選ぶと、さらに切り出せます。</translation>
     </message>
 </context>
 <context>
@@ -1769,6 +1773,29 @@
     <message>
         <source>Drag to move the view; the wheel zooms</source>
         <translation>ドラッグで表示を移動、ホイールでズーム</translation>
+    </message>
+</context>
+<context>
+    <name>PartMaking</name>
+    <message>
+        <source>There is nothing of the picture in this area.</source>
+        <translation>この範囲には画像がありません。</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>パーツ %1</translation>
+    </message>
+    <message>
+        <source>Make a part</source>
+        <translation>パーツにする</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, joined to “%2” where it hangs on it. What is behind it is being filled.</source>
+        <translation>「%1」はパーツになり、「%2」につながる所で結合されました。背後を補完しています。</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
+        <translation>「%1」は「%2」から切り出されたパーツになりました。背後を補完しています。ピンで留めるか、「パーツ」で結合してください。</translation>
     </message>
 </context>
 <context>
@@ -2829,6 +2856,18 @@
     <message>
         <source>Shift+T</source>
         <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>パーツにする(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What is drawn as the outline becomes a part that bends by itself, or what you draw next; what is behind it is filled</source>
+        <translation>輪郭として描いた部分、または次に描く部分が、単独で曲がるパーツになります。背後は補完されます</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
     </message>
 </context>
 <context>
@@ -5332,6 +5371,14 @@
     <message>
         <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>色がどれだけ離れてよいか。最後のクリックにも効きます。[ と ] でも</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>パーツにする(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What you draw becomes a part that bends by itself; what is behind it is filled</source>
+        <translation>描いた部分が単独で曲がるパーツになります。背後は補完されます</translation>
     </message>
 </context>
 <context>

@@ -1665,8 +1665,12 @@
         <translation>单击要变形的颜色；按住 Ctrl 减去，[ 和 ] 缩小或扩大颜色范围</translation>
     </message>
     <message>
-        <source>Outlines are drawn for a picture that is one part: open it flattened.</source>
-        <translation>只有单一部件的图片才能绘制轮廓:请将其合并打开。</translation>
+        <source>Mark what becomes a part of its own, up to where it hangs on the rest; Esc cancels</source>
+        <translation>圈出要成为独立部件的区域，直到与其余部分相连处；Esc 取消</translation>
+    </message>
+    <message>
+        <source>This picture has parts: choose Make a Part to cut another one out.</source>
+        <translation>此图片已有部件：选择“制作部件”可再裁出一个。</translation>
     </message>
 </context>
 <context>
@@ -1769,6 +1773,29 @@
     <message>
         <source>Drag to move the view; the wheel zooms</source>
         <translation>拖动可移动视图；滚轮缩放</translation>
+    </message>
+</context>
+<context>
+    <name>PartMaking</name>
+    <message>
+        <source>There is nothing of the picture in this area.</source>
+        <translation>此区域内没有图像内容。</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>部件 %1</translation>
+    </message>
+    <message>
+        <source>Make a part</source>
+        <translation>制作部件</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, joined to “%2” where it hangs on it. What is behind it is being filled.</source>
+        <translation>“%1”现在是一个部件，在相连处与“%2”连接。正在填充其后方。</translation>
+    </message>
+    <message>
+        <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
+        <translation>“%1”现在是一个部件，裁自“%2”。正在填充其后方。请固定它，或在“部件”中连接。</translation>
     </message>
 </context>
 <context>
@@ -2829,6 +2856,18 @@
     <message>
         <source>Shift+T</source>
         <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>制作部件(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What is drawn as the outline becomes a part that bends by itself, or what you draw next; what is behind it is filled</source>
+        <translation>已绘制的轮廓或接下来绘制的区域将成为独立弯曲的部件；其后方会被填充</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
     </message>
 </context>
 <context>
@@ -5332,6 +5371,14 @@
     <message>
         <source>How much colours may differ; this also changes the last click. Also [ and ]</source>
         <translation>颜色可以相差多少，对最后一次单击也有效；也可用 [ 和 ]</translation>
+    </message>
+    <message>
+        <source>Make a &amp;Part</source>
+        <translation>制作部件(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What you draw becomes a part that bends by itself; what is behind it is filled</source>
+        <translation>您绘制的区域将成为独立弯曲的部件；其后方会被填充</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,7 @@ struct PicturePart {
     std::string cutFrom;  // the part that it is cut out of
     Outline cut;
     double feather = 0;                  // width of the soft edge of the cut
+    bool fill = false;                   // what the cut hides at rest is inpainted
     std::optional<PartOutline> outline;  // without: the domain's
     int vertices = 0;                    // 0: its share of the domain's
     std::optional<Vec<2>> at;            // of its first pixel; without: where its layer is, or the origin

@@ -4,9 +4,12 @@
 
 namespace wend {
 
+/// What becomes of an area that is drawn: Ctrl exchanges the first two.
+enum class OutlineUse { Add, TakeAway, MakePart };
+
 /// Settings shared by the outline tools.
 struct OutlineSettings {
-    bool takesAway = false;   // else adds; Ctrl inverts it
+    OutlineUse use = OutlineUse::Add;
     double radius = 22;       // of the brush, in pixels of the screen
     double tolerance = 0.12;  // of colours, of full scale
     bool operator==(const OutlineSettings&) const = default;

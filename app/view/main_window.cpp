@@ -20,6 +20,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/pin_list.h"
 #include "app/panels/region_list.h"
+#include "app/session/part_making.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/appearance_choice.h"
 #include "app/view/actions/brush_actions.h"
@@ -268,6 +269,11 @@ void MainWindow::connectEdit() {
         for (const auto& pin : m_session.pins<3>()) all.push_back(pin.handle);
         m_session.selection().set(std::move(all));
     });
+    connect(a.makePart, &QAction::triggered, this, [this] {
+        if (makePartOfOutline(m_session)) return;
+        m_pictureActions->makesPart->setChecked(true);
+        m_actions->lassoTool->trigger();
+    });
     connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
     connect(&m_properties->pins(), &PinList::menuWanted, this,
             [this](const QPoint& at) { m_menu->popUp(at, MenuPlace::Pin); });
@@ -338,6 +344,7 @@ void MainWindow::showDocument() {
     const bool solid = m_session.document().dimension() == 3;
     m_actions->resetView();
     m_solidActions->resetView();
+    m_pictureActions->adds->setChecked(true);
     m_solids->setActive(solid);
     if (solid && m_pages->indexOf(m_solids->page()) < 0) addSolidPage();
     QWidget* shape = solid ? m_solids->page() : m_canvas;

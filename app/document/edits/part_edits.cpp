@@ -1,11 +1,19 @@
 #include "app/document/edits/part_edits.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
 
 namespace wend {
+
+namespace {
+
+constexpr int kGroundVertices = 200;  // of a part that does not bend
+constexpr double kSoftEdge = 0.02;    // of full opacity: what of a soft edge is still drawn
+
+}  // namespace
 
 std::vector<PicturePart> withPartMoved(std::vector<PicturePart> parts, int from, int to) {
     const auto begin = parts.begin();
@@ -30,6 +38,33 @@ std::shared_ptr<const Project> withPartName(const Project& project, int part, co
         for (Joint& joint : one.joints) rename(joint.to);
     }
     for (Handle<2>& handle : designOf<2>(*next).handles) rename(handle.part);
+    return next;
+}
+
+std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart& made) {
+    auto next = copyOf(project);
+    Domain& domain = domainOf(*next);
+    if (domain.parts.empty()) {
+        PicturePart& whole = domain.parts.emplace_back();
+        whole.name = made.from;
+        whole.path = std::exchange(domain.path, {});
+        if (made.heldGround) whole.vertices = kGroundVertices;
+    }
+    PicturePart part;
+    part.name = made.name;
+    part.cutFrom = made.from;
+    part.cut = made.cut;
+    part.feather = made.feather;
+    part.fill = true;
+    part.outline = PartOutline{OutlineKind::Alpha, {}, {}};
+    part.outline->alpha.threshold = kSoftEdge;
+    if (made.joint) part.joints.push_back({made.from, *made.joint});
+    domain.parts.insert(std::ranges::find(domain.parts, made.from, &PicturePart::name), std::move(part));
+    if (made.heldGround) {
+        Handle<2>& ground = designOf<2>(*next).handles.emplace_back();
+        ground.name = ground.part = made.from;
+        ground.at = Region<2>(*made.heldGround);
+    }
     return next;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/document/part.h"
 #include "app/document/project_fwd.h"
+#include "core/mesh/region.h"
 
 namespace wend {
 
@@ -14,6 +16,19 @@ std::vector<PicturePart> withPartMoved(std::vector<PicturePart> parts, int from,
 
 /// A project in which a part has another name, wherever it is named: by joints, riders, cuts and handles.
 std::shared_ptr<const Project> withPartName(const Project& project, int part, const std::string& name);
+
+/// An area of a part that becomes a part of its own.
+struct NewPart {
+    std::string name;
+    std::string from;  // the part, or the name that the whole picture gets if it has no parts yet
+    Outline cut;
+    double feather = 0;                // of its edge
+    std::optional<Vec<2>> joint;       // where it is welded to the other one
+    std::optional<Box<2>> heldGround;  // what a new handle holds of the other one
+};
+
+/// A project with a new part in front of the one that it is cut from, which is filled behind it.
+std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart& made);
 
 /// A project of the picture in that file in the place of its parts.
 std::shared_ptr<const Project> withoutParts(const Project& project, const std::string& path);

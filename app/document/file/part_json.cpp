@@ -66,6 +66,7 @@ void readCut(const JsonValue& value, PicturePart& part) {
     part.cutFrom = object.require("from").text();
     part.cut = readPolygons(object.require("polygons"));
     if (auto feather = object.find("feather")) part.feather = feather->number("material.regions[].feather");
+    if (auto fill = object.find("fill")) part.fill = fill->boolean();
     object.finish();
 }
 
@@ -163,6 +164,7 @@ Json sourceJson(const PicturePart& part) {
     if (!part.cutFrom.empty()) {
         Json cut{{"from", part.cutFrom}, {"polygons", polygonsJson(part.cut)}};
         if (part.feather != 0) cut["feather"] = numberJson(part.feather);
+        if (part.fill) cut["fill"] = true;
         return {{"cut", cut}};
     }
     if (part.layer.empty()) return {{"image", part.path}};

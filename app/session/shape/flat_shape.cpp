@@ -74,7 +74,7 @@ bool isInOutline(const Outline& outline, const Vec<2>& p) {
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
                                          std::vector<std::string>* notices) {
     if (!domain.parts.empty()) {
-        const PartPictures pictures = loadParts(domain.parts, folder, {}, notices);
+        const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, notices);
         return std::make_shared<const Image>(flattened(pictures.sheets, pictures.width, pictures.height));
     }
     const std::string& file = domain.kind == DomainKind::Image ? domain.path : domain.texture;

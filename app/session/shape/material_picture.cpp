@@ -203,7 +203,7 @@ PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest) 
 
 PictureFrame pictureFrame(const Domain& domain, const std::string& folder) {
     if (!domain.parts.empty()) {
-        const PartPictures pictures = loadParts(domain.parts, folder, {}, nullptr);
+        const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, nullptr);
         return pictureFrame(pictures.width, pictures.height, {});
     }
     const std::string path = pathIn(folder, domain.path);

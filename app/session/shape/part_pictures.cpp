@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include "app/document/file/named_files.h"
 #include "core/mesh/error.h"
-#include "core/mesh/region.h"
 #include "warp/layered_file.h"
 #include "warp/picture_metadata.h"
 
@@ -25,21 +24,18 @@ class PartReader {
     PartReader(const std::string& folder, std::vector<std::string>* notices)
         : m_folder(folder), m_notices(notices) {}
 
-    Sheet read(const PicturePart& part) {
-        Sheet sheet;
+    std::shared_ptr<const Image> read(const PicturePart& part) {
         const std::string path = pathIn(m_folder, part.path);
-        if (part.layer.empty()) {
-            sheet.picture = std::make_shared<const Image>(readImage(path, kMaxMegapixels, m_notices));
-            return sheet;
-        }
+        if (part.layer.empty())
+            return std::make_shared<const Image>(readImage(path, kMaxMegapixels, m_notices));
         const LayersOfFile& file = layersOf(path);
         const PictureLayer& layer = named(file, path, part.layer);
-        sheet.picture = std::make_shared<const Image>(readLayer(path, part.layer, m_notices));
+        auto picture = std::make_shared<const Image>(readLayer(path, part.layer, m_notices));
         const bool isPlain = layer.blend.empty() || layer.blend == "normal" || layer.blend == "src-over";
         if (!isPlain && m_notices)
             m_notices->push_back(path + ": the layer \"" + layer.name + "\" has the blend mode " +
                                  layer.blend + ": it is shown as normal");
-        return sheet;
+        return picture;
     }
 
     const LayersOfFile& layersOf(const std::string& path) {
@@ -75,46 +71,6 @@ class PartReader {
     std::map<std::string, LayersOfFile> m_files;
 };
 
-/// How far a point is inside the cut, in [0, 1].
-float cutAt(const PicturePart& part, const Vec<2>& p) {
-    double inside = 0;
-    for (const auto& loop : part.cut.loops) {
-        const double own = membership<2>(Polygon{loop}, p, part.feather);
-        inside += own - 2 * inside * own;  // even and odd
-    }
-    return static_cast<float>(inside);
-}
-
-/// The mean of the cut over a pixel, by 4 × 4 places where its border is near.
-float cutOver(const PicturePart& part, const Vec<2>& centre) {
-    constexpr int kPlaces = 4;
-    double nearest = INFINITY;
-    for (const auto& loop : part.cut.loops)
-        nearest = std::min(nearest, std::abs(signedDistance<2>(Polygon{loop}, centre)));
-    if (nearest > 1 + part.feather) return cutAt(part, centre);
-    float sum = 0;
-    for (int j = 0; j < kPlaces; ++j)
-        for (int i = 0; i < kPlaces; ++i)
-            sum += cutAt(part, centre + Vec<2>(i + 0.5 - kPlaces / 2, j + 0.5 - kPlaces / 2) / kPlaces);
-    return sum / (kPlaces * kPlaces);
-}
-
-/// Moves a region from one sheet to a new one. Pixels that the new one does not hide at rest remain below it.
-void cutOut(const PicturePart& part, Sheet& from, Sheet& sheet) {
-    const Image whole = *from.picture;
-    const auto share = [&](int y, std::vector<float>& factors) {
-        for (std::size_t x = 0; x < factors.size(); ++x)
-            factors[x] = cutOver(part, from.at + Vec<2>(static_cast<double>(x) + 0.5, y + 0.5));
-    };
-    sheet.picture = std::make_shared<const Image>(faded(whole, share));
-    sheet.at = from.at;
-    const auto rest = [&](int y, std::vector<float>& factors) {
-        share(y, factors);
-        for (float& factor : factors) factor = factor < 1 ? 1 : 0;
-    };
-    from.picture = std::make_shared<const Image>(faded(whole, rest));
-}
-
 /// Colours are compared, and laid over one another, as the numbers that they are.
 void tellOfProfiles(const std::vector<Sheet>& sheets, std::vector<std::string>& notices) {
     const auto colours = [](const Sheet& sheet) {
@@ -131,24 +87,6 @@ void tellOfProfiles(const std::vector<Sheet>& sheets, std::vector<std::string>& 
 
 std::size_t placeOf(const std::vector<PicturePart>& parts, const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(parts, name, &PicturePart::name) - parts.begin());
-}
-
-bool isSameCut(const PicturePart& a, const PicturePart& b) {
-    return a.name == b.name && a.path == b.path && a.layer == b.layer && a.cutFrom == b.cutFrom &&
-           a.cut == b.cut && a.feather == b.feather && a.at == b.at;
-}
-
-/// The sheet of a part's file that is known. Where anything is cut out, only if all is cut as before.
-const Sheet* knownSheet(const PartPictures& known, const std::vector<PicturePart>& parts,
-                        const PicturePart& part) {
-    const auto isCut = [](const PicturePart& one) { return !one.cutFrom.empty(); };
-    const bool hasCuts = std::ranges::any_of(parts, isCut) || std::ranges::any_of(known.parts, isCut);
-    if (hasCuts && !std::ranges::equal(parts, known.parts, isSameCut)) return nullptr;
-    for (std::size_t i = 0; i < known.parts.size(); ++i)
-        if (const PicturePart& one = known.parts[i];
-            one.path == part.path && one.layer == part.layer && (!hasCuts || one.name == part.name))
-            return &known.sheets[i];
-    return nullptr;
 }
 
 void takeCanvas(PartReader& reader, const std::string& folder, PartPictures& pictures) {
@@ -169,36 +107,93 @@ void takeCanvas(PartReader& reader, const std::string& folder, PartPictures& pic
         throw InputError("domain.parts: all parts are left of or above the picture");
 }
 
+/// Makes the sheets of parts from what is known and what has to be read or cut.
+class SheetMaker {
+  public:
+    SheetMaker(PartPictures& pictures, const PartPictures& known, PartReader& reader,
+               std::vector<std::string>* notices, std::stop_token stop)
+        : m_pictures(pictures), m_known(known), m_reader(reader), m_notices(notices), m_stop(stop) {}
+
+    void make() {
+        const std::vector<PicturePart>& parts = m_pictures.parts;
+        std::vector<bool> isDone(parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (!parts[i].cutFrom.empty()) continue;
+            m_pictures.sheets[i].picture = sourceOf(parts[i]);
+            m_reader.place(parts[i], m_pictures.sheets[i]);
+            isDone[i] = true;
+        }
+        // A cut may be cut from, too: those that are cut from what is there come first.
+        while (std::ranges::find(isDone, false) != isDone.end())
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                const std::size_t from = isDone[i] ? i : placeOf(parts, parts[i].cutFrom);
+                if (isDone[i] || !isDone[from]) continue;
+                cut(i, m_pictures.sheets[from]);
+                isDone[i] = true;
+            }
+    }
+
+  private:
+    std::shared_ptr<const Image> sourceOf(const PicturePart& part) {
+        const auto in = [&](const std::vector<PartSource>& sources) {
+            return std::ranges::find_if(sources, [&](const PartSource& one) {
+                return one.path == part.path && one.layer == part.layer;
+            });
+        };
+        std::vector<PartSource>& sources = m_pictures.sources;
+        if (const auto read = in(sources); read != sources.end()) return read->picture;
+        const auto known = in(m_known.sources);
+        sources.push_back(
+            known != m_known.sources.end() ? *known : PartSource{part.path, part.layer, m_reader.read(part)});
+        return sources.back().picture;
+    }
+
+    void cut(std::size_t i, Sheet& from) {
+        const PicturePart& part = m_pictures.parts[i];
+        const auto isSame = [&](const PartCut& one) {
+            return one.whole == from.picture && one.at == from.at && one.cut == part.cut &&
+                   one.feather == part.feather && one.fill == part.fill;
+        };
+        const auto known = std::ranges::find_if(m_known.cuts, isSame);
+        try {
+            m_pictures.cuts.push_back(known != m_known.cuts.end()
+                                          ? *known
+                                          : PartCut{from.picture, from.at, part.cut, part.feather, part.fill,
+                                                    cutOut(part, from, m_notices, m_stop)});
+        } catch (const InputError& error) {
+            throw error.named("domain.parts[" + std::to_string(i) + "]");
+        }
+        m_pictures.sheets[i] = m_pictures.cuts.back().pictures.taken;
+        m_pictures.sheets[i].opacity = part.opacity;
+        m_pictures.sheets[i].hidden = part.hidden;
+        from.picture = m_pictures.cuts.back().pictures.left;
+    }
+
+    PartPictures& m_pictures;
+    const PartPictures& m_known;
+    PartReader& m_reader;
+    std::vector<std::string>* m_notices;
+    std::stop_token m_stop;
+};
+
 }  // namespace
 
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
-                       const PartPictures& known, std::vector<std::string>* notices) {
+                       const PartPictures& known, std::vector<std::string>* notices,
+                       const std::stop_token& stop) {
     PartPictures pictures;
     pictures.parts = parts;
     pictures.sheets.resize(parts.size());
     PartReader reader(folder, notices);
-    std::vector<bool> isDone(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Sheet* sheet = knownSheet(known, parts, parts[i]);
-        if (sheet) pictures.sheets[i] = *sheet;
-        if (!sheet && parts[i].cutFrom.empty()) pictures.sheets[i] = reader.read(parts[i]);
-        if (parts[i].cutFrom.empty()) reader.place(parts[i], pictures.sheets[i]);
-        isDone[i] = sheet || parts[i].cutFrom.empty();
-        if (parts[i].cutFrom.empty()) continue;
-        pictures.sheets[i].opacity = parts[i].opacity;
-        pictures.sheets[i].hidden = parts[i].hidden;
-    }
-    // A cut may be cut from, too: those that are cut from what is there come first.
-    while (std::ranges::find(isDone, false) != isDone.end())
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const std::size_t from = isDone[i] ? i : placeOf(parts, parts[i].cutFrom);
-            if (isDone[i] || !isDone[from]) continue;
-            cutOut(parts[i], pictures.sheets[from], pictures.sheets[i]);
-            isDone[i] = true;
-        }
+    SheetMaker(pictures, known, reader, notices, stop).make();
     takeCanvas(reader, folder, pictures);
     if (notices) tellOfProfiles(pictures.sheets, *notices);
     return pictures;
+}
+
+std::vector<PicturePart> atRest(std::vector<PicturePart> parts) {
+    for (PicturePart& part : parts) part.fill = false;
+    return parts;
 }
 
 }  // namespace wend

@@ -1,24 +1,47 @@
 #pragma once
 
-#include <map>
+#include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "app/document/part.h"
-#include "warp/atlas.h"
+#include "app/session/shape/part_cut.h"
 
 namespace wend {
 
-/// The pictures of a project's parts.
-struct PartPictures {
-    std::vector<PicturePart> parts;  // that they are of
-    std::vector<Sheet> sheets;       // of each
-    int width = 0, height = 0;       // of the files with layers, or of all sheets together
+/// A picture or layer that parts are made of.
+struct PartSource {
+    std::string path, layer;
+    std::shared_ptr<const Image> picture;
 };
 
-/// Reads the pictures of parts, as far as `known` does not have them. Notices are those of reading, and tell
-/// of blend modes that layers are not shown with. Throws InputError that names the file.
+/// A cut that has been made, and what it was made of.
+struct PartCut {
+    std::shared_ptr<const Image> whole;
+    Vec<2> at;
+    Outline cut;
+    double feather = 0;
+    bool fill = false;
+    CutPictures pictures;
+};
+
+/// The pictures of a project's parts.
+struct PartPictures {
+    std::vector<PicturePart> parts;
+    std::vector<Sheet> sheets;  // of each
+    int width = 0, height = 0;  // of the files with layers, or of all sheets together
+    std::vector<PartSource> sources;
+    std::vector<PartCut> cuts;
+};
+
+/// Reads the pictures of parts and makes the cuts, as far as `known` does not have them. Notices are those of
+/// reading, and tell of blend modes that layers are not shown with. Throws InputError that names the file,
+/// and Cancelled.
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
-                       const PartPictures& known, std::vector<std::string>* notices);
+                       const PartPictures& known, std::vector<std::string>* notices,
+                       const std::stop_token& stop = {});
+
+/// The parts without what is seen only in motion and takes time: the grounds that are filled behind cuts.
+std::vector<PicturePart> atRest(std::vector<PicturePart> parts);
 
 }  // namespace wend

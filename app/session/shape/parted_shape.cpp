@@ -34,7 +34,7 @@ Domain domainOf(const Domain& whole, const PicturePart& part) {
     return own;
 }
 
-double areaOf(const Outline& outline) {
+double enclosedArea(const Outline& outline) {
     double area = 0;
     for (const auto& loop : outline.loops) area += loopArea(loop);
     return std::abs(area);
@@ -47,7 +47,7 @@ class PartedShape {
         : m_domain(domain), m_design(design), m_folder(folder), m_cache(cache) {}
 
     Shape<2> make(std::stop_token stop) {
-        m_cache.pictures = loadParts(m_domain.parts, m_folder, m_cache.pictures, &m_shape.notices);
+        m_cache.pictures = loadParts(m_domain.parts, m_folder, m_cache.pictures, &m_shape.notices, stop);
         findOutlines();
         shareVertices();
         meshParts(stop);
@@ -103,9 +103,9 @@ class PartedShape {
     void shareVertices() {
         double area = 0;
         for (std::size_t i = 0; i < parts().size(); ++i)
-            if (parts()[i].vertices == 0) area += areaOf(m_cache.outlines[i]);
+            if (parts()[i].vertices == 0) area += enclosedArea(m_cache.outlines[i]);
         for (std::size_t i = 0; i < parts().size(); ++i) {
-            const double share = areaOf(m_cache.outlines[i]) / area;
+            const double share = enclosedArea(m_cache.outlines[i]) / area;
             m_vertices.push_back(
                 parts()[i].vertices > 0
                     ? parts()[i].vertices

@@ -10,6 +10,7 @@
 #include "app/document/project.h"
 #include "app/session/colours.h"
 #include "app/session/mark_size.h"
+#include "app/session/part_making.h"
 #include "app/session/shape/flat_shape.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/in_steps.h"
@@ -41,10 +42,15 @@ OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
 /// Returns true while the whole picture is deformed, without an outline of the user.
 bool OutlineTool::isFirst() const {
     const Document& document = session().document();
-    return document.picture() && document.domain().outline == OutlineKind::Frame && !m_pen.now().takesAway;
+    return document.picture() && document.domain().outline == OutlineKind::Frame &&
+           m_pen.now().use == OutlineUse::Add;
 }
 
 QString OutlineTool::hint() const {
+    if (makesPart())
+        return QCoreApplication::translate(
+            "OutlineTool",
+            "Mark what becomes a part of its own, up to where it hangs on the rest; Esc cancels");
     if (isLive())
         return QCoreApplication::translate("OutlineTool",
                                            "The tolerance, or [ and ], changes what was taken; click another "
@@ -90,9 +96,9 @@ bool OutlineTool::isReady() {
     const Document& document = session().document();
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
-    if (!document.domain().parts.empty()) {
+    if (!document.domain().parts.empty() && !makesPart()) {
         emit session().notice(QCoreApplication::translate(
-            "OutlineTool", "Outlines are drawn for a picture that is one part: open it flattened."));
+            "OutlineTool", "This picture has parts: choose Make a Part to cut another one out."));
         return false;
     }
     Playback& playback = session().playback();
@@ -114,7 +120,12 @@ void OutlineTool::dismiss() {
 }
 
 bool OutlineTool::takesAway(Qt::KeyboardModifiers modifiers) const {
-    return m_shape == Shape::Cut || m_pen.now().takesAway != bool(modifiers & Qt::ControlModifier);
+    if (m_shape == Shape::Cut || makesPart()) return m_shape == Shape::Cut;
+    return (m_pen.now().use == OutlineUse::TakeAway) != bool(modifiers & Qt::ControlModifier);
+}
+
+bool OutlineTool::makesPart() const {
+    return m_shape != Shape::Cut && m_pen.now().use == OutlineUse::MakePart;
 }
 
 /// Shift constrains the next side of a polygon to eight directions.
@@ -283,11 +294,19 @@ void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
     if (isLine)
         return emit session().notice(QCoreApplication::translate(
             "OutlineTool", "That was a line. Draw around a part of the picture."));
-    if (!drawn.loops.empty()) apply(*session().document().project(), drawn, takesAway(modifiers));
+    if (drawn.loops.empty()) return;
+    if (makesPart()) return makePart(session(), drawn);
+    apply(*session().document().project(), drawn, takesAway(modifiers));
 }
 
 void OutlineTool::takeColour(const QMouseEvent& event) {
     Document& document = session().document();
+    if (makesPart()) {
+        const Outline found =
+            outlineOfColour(*document.picture(), surface().toShape(event.position()), m_pen.now().tolerance);
+        if (!found.loops.empty()) makePart(session(), found);
+        return;
+    }
     m_taken = Taken{surface().toShape(event.position()), takesAway(event.modifiers()),
                     QStringLiteral("wand %1").arg(document.undoStack()->index()), document.project(),
                     document.project()};
@@ -369,10 +388,11 @@ void OutlineTool::paintOutline(QPainter& painter) const {
 /// Draws the document's outline, even before it is meshed, and the one being drawn.
 void OutlineTool::paint(QPainter& painter) const {
     const Document& document = session().document();
-    if (!document.picture() || document.domain().kind != DomainKind::Image ||
-        !document.domain().parts.empty())
+    if (!document.picture() || document.domain().kind != DomainKind::Image) return;
+    if (document.domain().parts.empty())
+        paintOutline(painter);
+    else if (!makesPart())
         return;
-    paintOutline(painter);
     m_cross.paint(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
     painter.setPen(QPen(colour, marked(1.5)));

@@ -14,7 +14,8 @@ namespace wend {
 
 /// Draws the outline of a picture. Lasso, polygon and brush add or subtract; so does the magic wand with the
 /// colour under the pointer, whose tolerance can be changed until something else happens; a cut separates
-/// touching parts. If the whole picture is deformed, the first drawing becomes the outline. Works on the rest
+/// touching parts. With OutlineUse::MakePart the drawn area becomes a part of its own, also of a picture that
+/// has parts. If the whole picture is deformed, the first drawing becomes the outline. Works on the rest
 /// shape: the tool moves to its time, and back when another tool is activated.
 class OutlineTool : public ShapeTool<2> {
   public:
@@ -44,6 +45,7 @@ class OutlineTool : public ShapeTool<2> {
     bool isFirst() const;
     void takePointer(const QMouseEvent& event);
     bool takesAway(Qt::KeyboardModifiers modifiers) const;
+    bool makesPart() const;
     bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
     QPainterPath area() const;
     Outline piece() const;

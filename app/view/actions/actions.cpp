@@ -16,6 +16,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
     : ActionMaker(parent),
       selectTool(tools.action(QStringLiteral("select"))),
       pinTool(tools.action(QStringLiteral("pin"))),
+      lassoTool(tools.action(QStringLiteral("outlineLasso"))),
       recent(std::make_unique<QMenu>()),
       samples(std::make_unique<QMenu>()),
       exports(std::make_unique<QMenu>()),
@@ -72,6 +73,11 @@ void Actions::makeEdit(QUndoStack& stack) {
     selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
     remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
                  QKeySequence::Delete, "remove");
+    makePart =
+        add({tr("Make a &Part"),
+             tr("What is drawn as the outline becomes a part that bends by itself, or what you draw next; "
+                "what is behind it is filled")},
+            QKeySequence(tr("Ctrl+J")), "make-part");
 }
 
 void Actions::makeView() {
@@ -182,7 +188,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
     edit->addActions({undo, redo, history});
     edit->addSeparator();
-    edit->addActions({selectAll, selectNone, remove});
+    edit->addActions({selectAll, selectNone, remove, makePart});
     for (QMenu* menu : edits) edit->addMenu(menu);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     view->addActions({showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare});
@@ -232,7 +238,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportView, has && isSolid, has ? tr("For a picture, export the picture itself.") : why);
     enable(exportFrames, has, why);
     enable(exportFilm, has && (hasPicture || isSolid), has ? noPicture : why);
-    enable(exportStMap, has && hasPicture, has ? noPicture : why);
+    for (QAction* action : {exportStMap, makePart}) enable(action, has && hasPicture, has ? noPicture : why);
     const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // exports the shown view
     setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);
     setKeysOf(exportView, isSolid ? key : QList<QKeySequence>());

@@ -24,8 +24,8 @@ class Actions : public ActionMaker {
 
     QAction *open, *save, *saveAs, *closeFile, *quit;
     QAction *exportPicture, *exportMesh, *exportFilm, *exportFrames, *exportStMap, *exportView;
-    QAction *undo, *redo, *selectAll, *selectNone, *remove;
-    QAction *selectTool, *pinTool;  // tools that others return to
+    QAction *undo, *redo, *selectAll, *selectNone, *remove, *makePart;
+    QAction *selectTool, *pinTool, *lassoTool;  // tools that others return to, or begin with
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *onionSkin;

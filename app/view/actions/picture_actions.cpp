@@ -9,9 +9,22 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
     adds = addToggle({tr("&Add"), tr("What you draw will bend, too; Ctrl takes it away instead")}, {}, "add");
     takesAway = addToggle({tr("&Take Away"), tr("What you draw will not bend; Ctrl adds it instead")}, {},
                           "take-away");
+    makesPart =
+        addToggle({tr("Make a &Part"),
+                   tr("What you draw becomes a part that bends by itself; what is behind it is filled")},
+                  {}, "make-part");
     auto* group = new QActionGroup(this);
-    group->addAction(adds);
-    group->addAction(takesAway);
+    const auto addUse = [&](QAction* action, OutlineUse use) {
+        group->addAction(action);
+        connect(action, &QAction::toggled, this, [this, use](bool on) {
+            OutlineSettings next = m_pen.now();
+            next.use = use;
+            if (on) m_pen.set(next);
+        });
+    };
+    addUse(adds, OutlineUse::Add);
+    addUse(takesAway, OutlineUse::TakeAway);
+    addUse(makesPart, OutlineUse::MakePart);
     size = new NumberAction(tr("Size"), tr("Diameter of the brush on the screen; also [ and ]"), tr(" px"),
                             this);
     size->box().setRange(static_cast<int>(2 * OutlinePen::kSmallest),
@@ -25,7 +38,6 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
         change(next);
         m_pen.set(next);
     };
-    connect(takesAway, &QAction::toggled, this, [set](bool on) { set([on](auto& s) { s.takesAway = on; }); });
     connect(&size->box(), &QSpinBox::valueChanged, this,
             [set](int px) { set([px](auto& s) { s.radius = px / 2.0; }); });
     connect(&tolerance->box(), &QSpinBox::valueChanged, this,
@@ -36,7 +48,8 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
 
 void PictureActions::showPen() {
     const OutlineSettings& now = m_pen.now();
-    (now.takesAway ? takesAway : adds)->setChecked(true);
+    QAction* const uses[] = {adds, takesAway, makesPart};
+    uses[static_cast<int>(now.use)]->setChecked(true);
     size->put(2 * now.radius);
     tolerance->put(100 * now.tolerance);
 }

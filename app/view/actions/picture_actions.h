@@ -13,7 +13,7 @@ class PictureActions : public ActionMaker {
   public:
     explicit PictureActions(QObject* parent);
 
-    QAction *adds, *takesAway;
+    QAction *adds, *takesAway, *makesPart;
     NumberAction *size, *tolerance;
 
     OutlinePen& pen() { return m_pen; }

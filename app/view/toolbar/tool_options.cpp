@@ -26,7 +26,7 @@ QList<QAction*> ToolOptions::of(ToolOption option) const {
         case ToolOption::Snap:
             return {pins.snap};
         case ToolOption::AddsOrTakes:
-            return {outline.adds, outline.takesAway};
+            return {outline.adds, outline.takesAway, outline.makesPart};
         case ToolOption::PenSize:
             return {outline.size};
         case ToolOption::Tolerance:

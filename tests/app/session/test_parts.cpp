@@ -6,17 +6,24 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
+#include <cmath>
 #include <fstream>
+#include <numbers>
+#include <random>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/session/run/run.h"
+#include "app/session/shape/part_seam.h"
 #include "app/session/shape/shape_builder.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
+#include "core/meshing/outline_combination.h"
 #include "tests/support/pictures.h"
+#include "warp/inpaint.h"
+#include "warp/matte.h"
 #include "warp/open_raster.h"
 
 using namespace wend;
@@ -65,6 +72,9 @@ class TestParts : public QObject {
     void limbTurnsAtItsJoint();
     void ridersFollow();
     void cutsBecomeParts();
+    void groundsAreFilled();
+    void mattesAddUp();
+    void limbsHangOnSeams();
     void layersAreWritten();
 
   private:
@@ -246,6 +256,107 @@ void TestParts::cutsBecomeParts() {
         {"at": {"part": "piece", "points": [[25, 30], [45, 30]]}, "motion": [{"kind": "translate", "by": [200, 0]}]}])"));
     QVERIFY(isNear(pixelOf(moved, 35, 30), kNothing));
     QVERIFY(isNear(pixelOf(moved, 10, 30), kGreen));
+}
+
+/// A blue disc before stripes. At rest nothing is seen of the cut; when it has moved, the ground is striped
+/// as around it, without a hole and without blue.
+void TestParts::groundsAreFilled() {
+    if (!canInpaint()) QSKIP("gmic is not installed");
+    constexpr int kSize = 96;
+    const auto isDisc = [](int x, int y) { return std::hypot(x - 47.5, y - 47.5) < 14; };
+    const auto striped = [&](int x, int y, bool withDisc) {
+        if (withDisc && isDisc(x, y)) return std::array<std::uint8_t, 3>{20, 40, 230};
+        return y / 8 % 2 == 0 ? std::array<std::uint8_t, 3>{240, 220, 60}
+                              : std::array<std::uint8_t, 3>{120, 60, 20};
+    };
+    Image picture = plainPicture(kSize, kSize, {0, 0, 0});
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x)
+            std::ranges::copy(striped(x, y, true), reinterpret_cast<std::uint8_t*>(picture.row(y)) + 3 * x);
+    writeImage(at("stripes.png").toStdString(), picture);
+    std::string corners;
+    for (int k = 0; k < 24; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 24;
+        corners += (k > 0 ? ", [" : "[") + std::to_string(48 + 18 * std::cos(angle)) + ", " +
+                   std::to_string(48 + 18 * std::sin(angle)) + "]";
+    }
+    const std::string parts =
+        R"({"name": "disc", "cut": {"from": "stripes", "feather": 3, "fill": true, "polygons": [[)" +
+        corners + R"(]]}}, {"name": "stripes", "image": "stripes.png"})";
+    const QImage rest = run(project(parts));
+    const auto expected = [&](int x, int y, bool withDisc) {
+        const auto c = striped(x, y, withDisc);
+        return Rgba{c[0] / 255.0, c[1] / 255.0, c[2] / 255.0, 1};
+    };
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x)
+            QVERIFY2(isNear(pixelOf(rest, x, y), expected(x, y, true), 2.6 / 255),
+                     qPrintable(QString("%1 %2").arg(x).arg(y)));
+    const QImage moved = run(project(parts, R"(, "handles": [
+        {"at": {"part": "stripes", "points": [[2, 2], [90, 90]]}},
+        {"at": {"part": "disc", "points": [[42, 48], [54, 48]]}, "motion": [{"kind": "translate", "by": [300, 0]}]}])"));
+    int wrong = 0;
+    for (int y = 28; y < 68; ++y)
+        for (int x = 28; x < 68; ++x) {
+            QCOMPARE(moved.pixelColor(x, y).alpha(), 255);
+            QVERIFY(moved.pixelColor(x, y).blue() < 150);
+            wrong += !isNear(pixelOf(moved, x, y), expected(x, y, false), 0.2);
+        }
+    QVERIFY2(wrong < 40 * 40 / 20, qPrintable(QString::number(wrong)));
+}
+
+/// C = T + (1 − t) G for random pictures, grounds and shares; T is a colour, and has its share at least.
+void TestParts::mattesAddUp() {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> unit(0, 1);
+    Image picture = plainPicture(64, 64, {0, 0, 0, 0});
+    picture.type = PixelType::Float, picture.unassociated = false;
+    picture.makePixels();
+    Image ground = picture;
+    std::vector<float> share(64 * 64);
+    const auto at = [](const Image& image, std::size_t i) {
+        return reinterpret_cast<const float*>(image.data.data()) + 4 * i;
+    };
+    const auto fill = [&](Image& image, std::size_t i, bool opaque) {
+        float* pixel = const_cast<float*>(at(image, i));
+        pixel[3] = opaque ? 1 : unit(random);
+        for (int c = 0; c < 3; ++c) pixel[c] = pixel[3] * unit(random);
+    };
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        fill(picture, i, i % 2 == 0);
+        fill(ground, i, true);
+        share[i] = i % 5 == 0 ? 0 : i % 5 == 1 ? 1 : unit(random);
+    }
+    const Matte matte = separated(picture, ground, share);
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        const float *whole = at(picture, i), *top = at(matte.top, i), *below = at(matte.ground, i);
+        QVERIFY(top[3] >= share[i] * whole[3] - 1e-6F && top[3] <= 1);
+        // Where the picture is not opaque, its alpha is kept exactly, and colours as far as they are colours.
+        for (int c = 3; c >= (i % 2 == 0 ? 0 : 3); --c) {
+            QVERIFY(top[c] >= 0 && top[c] <= top[3] + 1e-5F);
+            QVERIFY(std::abs(top[c] + (1 - top[3]) * below[c] - whole[c]) < 1e-5F);
+        }
+    }
+}
+
+/// A bar on a block hangs on its end; the middle of the block hangs on nothing in particular.
+void TestParts::limbsHangOnSeams() {
+    Image picture = plainPicture(100, 60, {0, 0, 0, 0});
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 100; ++x)
+            if (x < 40 || (x < 90 && y >= 20 && y < 32)) picture.row(y)[4 * x + 3] = std::byte(255);
+    const Sheet sheet{std::make_shared<const Image>(picture)};
+    const auto box = [](double x, double y, double right, double bottom) {
+        return Outline{{{{x, y}, {right, y}, {right, bottom}, {x, bottom}}}};
+    };
+    const auto seam = seamOf(box(44, 10, 96, 44), sheet);
+    QVERIFY(seam);
+    QVERIFY2((seam->middle - Vec<2>(44, 26)).norm() < 1, qPrintable(QString::number(seam->middle.y())));
+    QVERIFY(std::abs(seam->radius - 6) < 1);
+    QVERIFY(!seamOf(box(5, 5, 30, 30), sheet));
+    const Outline capped = withCap(box(44, 10, 96, 44), *seam);
+    QVERIFY(isInside(capped, {40, 26}) && !isInside(capped, {40, 33}));
+    QVERIFY(std::abs(coveredArea(box(44, 10, 96, 44), sheet) - 46 * 12) < 40);
 }
 
 /// Each layer is a part where it has gone; all over one another are the flat picture.

@@ -76,6 +76,7 @@ class TestOutlineTools : public QObject {
     void drawnLinesAreKept();
     void gesturesAreGivenUp();
     void drawnAtRest();
+    void limbsBecomeParts();
     void finerWhereItIsBrushed();
 
   private:
@@ -117,7 +118,7 @@ void TestOutlineTools::init() {
 
 void TestOutlineTools::use(OutlineTool::Shape shape, bool takesAway) {
     m_canvas->viewport().setTool(nullptr);
-    m_pen.set({takesAway});
+    m_pen.set({takesAway ? OutlineUse::TakeAway : OutlineUse::Add});
     m_tool = std::make_unique<OutlineTool>(*m_canvas, shape, m_pen);
     m_canvas->viewport().setTool(m_tool.get());
 }
@@ -148,6 +149,28 @@ void TestOutlineTools::verify(double area, double tolerance, int parts) {
              qPrintable(QString::number(frame->vertices)));
     const auto components = cellComponents<2>(*frame->rest);
     QCOMPARE(*std::max_element(components.begin(), components.end()) + 1, parts);
+}
+
+/// A photograph stays where it is behind its new part, which a second one is cut from; each is a step of its
+/// own that is undone.
+void TestOutlineTools::limbsBecomeParts() {
+    use(OutlineTool::Shape::Lasso);
+    m_pen.set({OutlineUse::MakePart});
+    draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
+    QCOMPARE(domain().parts.size(), std::size_t(2));
+    QCOMPARE(domain().parts[0].cutFrom, std::string("photograph"));
+    QVERIFY(domain().parts[0].fill && domain().parts[0].joints.empty());
+    QVERIFY(std::abs(areaOf(domain().parts[0].cut) - 100 * 80) < 30);
+    const auto& handles = designOf<2>(*m_session->document().project()).handles;
+    QCOMPARE(handles.size(), std::size_t(1));
+    QCOMPARE(handles[0].part, std::string("photograph"));
+    QVERIFY(m_session->frame<2>() && m_session->frame<2>()->rest->parts.size() == 2);
+    draw({{70, 60}, {100, 60}, {100, 90}, {70, 90}});
+    QCOMPARE(domain().parts.size(), std::size_t(3));
+    QCOMPARE(domain().parts[0].cutFrom, domain().parts[1].name);  // the part in front of the photograph
+    QCOMPARE(steps(), 2);
+    m_session->document().undoStack()->setIndex(0);
+    QVERIFY(domain().parts.empty() && !domain().path.empty());
 }
 
 void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
@@ -202,13 +225,13 @@ void TestOutlineTools::polygonTakesAway() {
 
 void TestOutlineTools::brushAddsAndMakesHoles() {
     use(OutlineTool::Shape::Brush, true);
-    m_pen.set({true, 20});  // 10 pixels of the picture
+    m_pen.set({OutlineUse::TakeAway, 20});  // 10 pixels of the picture
     draw({{100, 100}, {150, 100}, {200, 100}});
     const double capsule = 20 * 100 + std::numbers::pi * 100;
     verify(kWidth * kHeight - capsule, 0.02 * capsule);
     QTest::keyClick(m_canvas.get(), ']');
     QVERIFY(m_pen.now().radius > 20);
-    m_pen.set({true, 10});
+    m_pen.set({OutlineUse::TakeAway, 10});
     draw({{100, 100}, {150, 100}}, Qt::ControlModifier);  // an island in the hole
     const double island = 10 * 50 + std::numbers::pi * 25;
     verify(kWidth * kHeight - capsule + island, 0.02 * capsule, 2);
@@ -244,7 +267,7 @@ void TestOutlineTools::wandTakesAColour() {
     verify(disc, edge);
     QVERIFY(!isInside(domain().polygons, {35, 35}));
     m_session->document().undoStack()->undo();
-    m_pen.set({false, 20, 1});  // of all colours
+    m_pen.set({OutlineUse::Add, 20, 1});  // of all colours
     click(200, 100);
     QVERIFY(settle(*m_session));
     verify(kWidth * kHeight, 1);
@@ -259,11 +282,11 @@ void TestOutlineTools::wandTakesAColour() {
 void TestOutlineTools::toleranceChangesTheLastClick() {
     use(OutlineTool::Shape::Wand);
     const double disc = std::numbers::pi * 60 * 60, edge = 0.7 * 2 * std::numbers::pi * 60;
-    m_pen.set({false, 20, 1});  // all colours
+    m_pen.set({OutlineUse::Add, 20, 1});  // all colours
     QCOMPARE(steps(), 0);
     click(200, 100);
     QCOMPARE(areaOf(domain().polygons), double(kWidth * kHeight));
-    m_pen.set({false, 20, 0.12});
+    m_pen.set({OutlineUse::Add, 20, 0.12});
     QVERIFY(std::abs(areaOf(domain().polygons) - disc) <= edge);
     QCOMPARE(steps(), 1);
     const double fewer = areaOf(domain().polygons);
@@ -273,13 +296,13 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
     QVERIFY(settle(*m_session));
     verify(disc, edge);
     // Another click is another step, and what was clicked before stays as it is now.
-    m_pen.set({false, 20, 0.12});
+    m_pen.set({OutlineUse::Add, 20, 0.12});
     const double kept = areaOf(domain().polygons);
     click(35, 35);
     QCOMPARE(steps(), 2);
     QVERIFY(std::abs(areaOf(domain().polygons) - kept - 900) < 0.7 * 120);
     m_session->document().undoStack()->undo();
-    m_pen.set({false, 20, 1});  // the click is undone
+    m_pen.set({OutlineUse::Add, 20, 1});  // the click is undone
     QCOMPARE(areaOf(domain().polygons), kept);
     QCOMPARE(steps(), 1);
     QCOMPARE(m_session->document().undoStack()->count(), 2);
@@ -287,7 +310,7 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
     QCOMPARE(domain().outline, OutlineKind::Frame);
     click(200, 100);
     use(OutlineTool::Shape::Brush);
-    m_pen.set({false, 20, 0.12});
+    m_pen.set({OutlineUse::Add, 20, 0.12});
     QCOMPARE(areaOf(domain().polygons), double(kWidth * kHeight));
     QCOMPARE(steps(), 1);
 }

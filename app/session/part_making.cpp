@@ -1,0 +1,120 @@
+#include "app/session/part_making.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/edits/part_edits.h"
+#include "app/document/project.h"
+#include "app/session/shape/part_seam.h"
+#include "app/session/shape/shape.h"
+#include "app/session/shape_session.h"
+#include "core/meshing/outline_combination.h"
+
+namespace wend {
+namespace {
+
+constexpr double kFeather = 2;        // pixels of the soft edge
+constexpr double kSmallestArea = 16;  // pixels²
+constexpr double kInFront = 0.5;      // of the area that the best part fills: enough to be cut
+
+QString words(const char* text) {
+    return QCoreApplication::translate("PartMaking", text);
+}
+
+struct NamedSheet {
+    std::string name;
+    Sheet sheet;
+};
+
+/// The sheets that an area may be cut from, from front to back; none while a picture of parts is being built.
+std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string& wholeName) {
+    const Document& document = session.document();
+    if (document.domain().parts.empty()) return {{wholeName, Sheet{document.picture()}}};
+    const auto frame = session.frame<2>();
+    if (!frame || !frame->built || !frame->built->texture) return {};
+    const Texture& texture = *frame->built->texture;
+    std::vector<NamedSheet> sheets;
+    for (std::size_t i = texture.sheets.size(); i-- > 0;)
+        if (!texture.sheets[i].hidden) sheets.push_back({texture.drawn->parts[i].name, texture.sheets[i]});
+    return sheets;
+}
+
+/// The frontmost sheet that fills the area about as well as any.
+const NamedSheet* sheetBelow(const Outline& area, const std::vector<NamedSheet>& sheets) {
+    std::vector<double> covered;
+    for (const NamedSheet& one : sheets) covered.push_back(coveredArea(area, one.sheet));
+    const auto best = std::ranges::max_element(covered);
+    if (best == covered.end() || *best < kSmallestArea) return nullptr;
+    const auto front = std::ranges::find_if(covered, [&](double one) { return one >= kInFront * *best; });
+    return &sheets[static_cast<std::size_t>(front - covered.begin())];
+}
+
+std::string unusedName(const std::vector<PicturePart>& parts, const QString& pattern) {
+    for (int i = 1;; ++i) {
+        const std::string name = pattern.arg(i).toStdString();
+        if (std::ranges::find(parts, name, &PicturePart::name) == parts.end()) return name;
+    }
+}
+
+bool isPhotograph(const Project& project, const Sheet& sheet) {
+    return project.domain.parts.empty() && !sheet.picture->alpha &&
+           project.domain.outline == OutlineKind::Frame && designOf<2>(project).handles.empty();
+}
+
+void make(ShapeSession& session, const Outline& area, Project before) {
+    Document& document = session.document();
+    const std::string whole =
+        QFileInfo(QString::fromStdString(before.domain.path)).completeBaseName().toStdString();
+    const std::vector<NamedSheet> sheets = sheetsOf(session, whole);
+    const NamedSheet* below = sheetBelow(area, sheets);
+    if (!below)
+        return emit session.notice(
+            words(QT_TRANSLATE_NOOP("PartMaking", "There is nothing of the picture in this area.")));
+    const auto seam = seamOf(area, below->sheet);
+    NewPart made;
+    made.from = below->name;
+    made.name = unusedName(before.domain.parts, words(QT_TRANSLATE_NOOP("PartMaking", "Part %1")));
+    made.cut = seam ? withCap(area, *seam) : area;
+    made.feather = kFeather;
+    if (seam) made.joint = seam->middle;
+    if (isPhotograph(before, below->sheet))
+        made.heldGround =
+            Box<2>{Vec<2>::Zero(), Vec<2>(below->sheet.picture->width, below->sheet.picture->height)};
+    session.selection().clear();
+    document.change(words(QT_TRANSLATE_NOOP("PartMaking", "Make a part")), withNewPart(before, made));
+    const QString name = QString::fromStdString(made.name);
+    emit session.notice((seam
+                             ? words(QT_TRANSLATE_NOOP("PartMaking",
+                                                       "“%1” is a part now, joined to “%2” where it hangs on "
+                                                       "it. What is behind it is being filled."))
+                             : words(QT_TRANSLATE_NOOP("PartMaking",
+                                                       "“%1” is a part now, cut from “%2”. What is behind it "
+                                                       "is being filled. Pin it, or join it under Parts.")))
+                            .arg(name, QString::fromStdString(made.from)));
+}
+
+}  // namespace
+
+void makePart(ShapeSession& session, const Outline& area) {
+    make(session, area, *session.document().project());
+}
+
+bool makePartOfOutline(ShapeSession& session) {
+    const Document& document = session.document();
+    if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image ||
+        !document.domain().parts.empty() || document.domain().outline != OutlineKind::Polygons)
+        return false;
+    Project before = *document.project();
+    const Outline area = std::exchange(before.domain.polygons, {});
+    before.domain.outline = document.picture()->alpha ? OutlineKind::Alpha : OutlineKind::Frame;
+    make(session, area, std::move(before));
+    return true;
+}
+
+}  // namespace wend
