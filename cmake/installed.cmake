@@ -1,51 +1,73 @@
 # What `cmake --install` puts where. The program finds all of it from its own place (core/mesh/child_process.cpp,
-# app/session/program_files.cpp): the folder can be moved, and the sources may go.
+# app/session/program_files.cpp): the folder can be moved, and the sources may go. Components are the packages of
+# cmake/packages.cmake; what libwend and the Python module start, too, goes with libwend.
+include(GNUInstallDirs)
 set(resources ${PROJECT_SOURCE_DIR}/resources)
-install(TARGETS wend DESTINATION bin)
-install(TARGETS wend-tetgen wend-cage wend-picture wend-pictures DESTINATION lib/wend)
+set(helpers_component program)
+if(WEND_LIBRARY)
+    set(helpers_component lib)
+endif()
+install(TARGETS wend DESTINATION bin COMPONENT program)
+install(TARGETS wend-tetgen wend-cage wend-picture wend-pictures DESTINATION lib/wend COMPONENT ${helpers_component})
 if(WEND_HAS_MULTIGRID)
-    install(TARGETS wend-mpi DESTINATION bin)
+    install(TARGETS wend-mpi DESTINATION bin COMPONENT program)
 endif()
 if(WEND_HAS_OPENCL)
-    install(TARGETS wend-clprobe DESTINATION lib/wend)
+    install(TARGETS wend-clprobe DESTINATION lib/wend COMPONENT ${helpers_component})
 endif()
 # libwend and what find_package(wend) needs.
 if(WEND_LIBRARY)
     include(CMakePackageConfigHelpers)
-    include(GNUInstallDirs)
     set(wend_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/wend)
-    install(TARGETS libwend libwend_warp EXPORT wend_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(EXPORT wend_targets NAMESPACE wend:: FILE wend-targets.cmake DESTINATION ${wend_cmake})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/wend DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+    install(TARGETS libwend libwend_warp EXPORT wend_targets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT lib NAMELINK_COMPONENT dev)
+    install(EXPORT wend_targets NAMESPACE wend:: FILE wend-targets.cmake DESTINATION ${wend_cmake} COMPONENT dev)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/wend DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
+        FILES_MATCHING PATTERN "*.h")
     file(WRITE ${CMAKE_BINARY_DIR}/wend-config.cmake "include(\${CMAKE_CURRENT_LIST_DIR}/wend-targets.cmake)\n")
     write_basic_package_version_file(${CMAKE_BINARY_DIR}/wend-config-version.cmake VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
-    install(FILES ${CMAKE_BINARY_DIR}/wend-config.cmake ${CMAKE_BINARY_DIR}/wend-config-version.cmake DESTINATION ${wend_cmake})
+    install(FILES ${CMAKE_BINARY_DIR}/wend-config.cmake ${CMAKE_BINARY_DIR}/wend-config-version.cmake DESTINATION ${wend_cmake} COMPONENT dev)
 endif()
 if(WEND_HAS_PYTHON)  # where Python of Debian looks below /usr
-    install(TARGETS wend_python DESTINATION lib/python3/dist-packages)
-    install(FILES ${PROJECT_SOURCE_DIR}/python/wend.pyi DESTINATION lib/python3/dist-packages)
+    install(TARGETS wend_python DESTINATION lib/python3/dist-packages COMPONENT python)
+    install(FILES ${PROJECT_SOURCE_DIR}/python/wend.pyi DESTINATION lib/python3/dist-packages COMPONENT python)
 endif()
-install(DIRECTORY ${resources}/samples/ DESTINATION share/wend/samples
-    FILES_MATCHING PATTERN art EXCLUDE PATTERN "*.wend" PATTERN "*.png" PATTERN "*.obj" PATTERN "*.mtl")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/wend/manual
-    FILES_MATCHING PATTERN "*.md" PATTERN "pictures/*.png" PATTERN "pictures/*.svg")
-install(FILES ${resources}/icons/wend.svg DESTINATION share/icons/hicolor/scalable/apps)
-install(FILES ${resources}/wend.desktop DESTINATION share/applications)
-install(FILES ${resources}/wend-mime.xml DESTINATION share/mime/packages RENAME wend.xml)
-install(FILES ${resources}/wend.metainfo.xml DESTINATION share/metainfo)
-install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/wend)
 
-# cpack: a Debian package of that.
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_NAME wend)
-set(CPACK_PACKAGE_CONTACT "The authors of Wend")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Warps pictures and bends solid shapes by letting them flow")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libopenblas0-pthread, libqt6svg6")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd, qt6-translations-l10n")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "openmpi-bin")
-include(CPack)
+# Manual pages and completion, from the program's own tables.
+set(words ${CMAKE_BINARY_DIR}/words)
+file(MAKE_DIRECTORY ${words}/man)
+add_custom_command(OUTPUT ${words}/wend.bash ${words}/_wend ${words}/wend.fish
+    COMMAND wend reference --man ${words}/man
+    COMMAND sh -c "gzip -9nf ${words}/man/*.1"
+    COMMAND wend reference --completion bash > ${words}/wend.bash
+    COMMAND wend reference --completion zsh > ${words}/_wend
+    COMMAND wend reference --completion fish > ${words}/wend.fish
+    DEPENDS wend VERBATIM)
+add_custom_target(words ALL DEPENDS ${words}/wend.bash)
+install(DIRECTORY ${words}/man/ DESTINATION share/man/man1 COMPONENT program FILES_MATCHING PATTERN "*.1.gz")
+install(FILES ${words}/wend.bash DESTINATION share/bash-completion/completions RENAME wend COMPONENT program)
+install(FILES ${words}/_wend DESTINATION share/zsh/vendor-completions COMPONENT program)
+install(FILES ${words}/wend.fish DESTINATION share/fish/vendor_completions.d COMPONENT program)
+
+install(DIRECTORY ${resources}/samples/ DESTINATION share/wend/samples COMPONENT program
+    FILES_MATCHING PATTERN art EXCLUDE PATTERN "*.wend" PATTERN "*.png" PATTERN "*.obj" PATTERN "*.mtl")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/wend/manual COMPONENT program
+    FILES_MATCHING PATTERN "*.md" PATTERN "pictures/*.png" PATTERN "pictures/*.svg")
+install(FILES ${resources}/icons/wend.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT program)
+install(FILES ${resources}/wend.desktop DESTINATION share/applications COMPONENT program)
+install(FILES ${resources}/wend-mime.xml DESTINATION share/mime/packages RENAME wend.xml COMPONENT program)
+install(FILES ${resources}/wend.metainfo.xml DESTINATION share/metainfo COMPONENT program)
+install(FILES ${resources}/wend.thumbnailer DESTINATION share/thumbnailers COMPONENT program)
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/wend COMPONENT program)
+
+# Plug-ins, where their programs look below /usr; ParaView is told where its own is.
+set(plugins ${PROJECT_SOURCE_DIR}/plugins)
+install(FILES ${plugins}/inkscape/wend_bend.inx ${plugins}/inkscape/wend_bend.py ${plugins}/inkscape/wend_curves.py
+    DESTINATION share/inkscape/extensions COMPONENT program)
+install(FILES ${plugins}/blender/wend_bend.py DESTINATION share/blender/scripts/addons COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/plugins/wend_project.xml DESTINATION share/wend/paraview COMPONENT program)
+if(WEND_HAS_GIMP)
+    install(TARGETS wend-bend DESTINATION lib/gimp/2.0/plug-ins/wend-bend COMPONENT gimp)
+endif()
+
+include(packages)

@@ -1,7 +1,10 @@
 #include "app/cli/arguments.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "app/document/file/rgb_text.h"
 #include "app/document/options/settings.h"
@@ -22,11 +25,19 @@ const Option* findFlag(const std::string& flag, const std::string& command) {
     return nullptr;
 }
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kShortFlags{
+    {{"-o", "--output"}, {"-q", "--quiet"}, {"-h", "--help"}}};
+
 std::string fullName(const std::string& word) {
-    if (word == "-o") return "--output";
-    if (word == "-q") return "--quiet";
-    if (word == "-h") return "--help";
+    for (const auto& [brief, full] : kShortFlags)
+        if (word == brief) return std::string(full);
     return word;
+}
+
+std::string shortName(std::string_view flag) {
+    for (const auto& [brief, full] : kShortFlags)
+        if (flag == full) return std::string(brief);
+    return {};
 }
 
 std::string spaced(std::string_view choices) {
@@ -69,12 +80,12 @@ void check(const Option& option, const std::string& value) {
 
 std::string valueName(const Option& option) {
     if (option.kind == OptionKind::Flag) return "";
-    if (option.kind == OptionKind::Choice) return " " + std::string(option.choices);
+    if (option.kind == OptionKind::Choice) return std::string(option.choices);
     if (const std::string form = formBesideChoices(option); !form.empty())
-        return " " + std::string(option.choices) + "|" + (option.kind == OptionKind::Unbounded ? "X" : form);
-    if (option.kind == OptionKind::Integer) return " N";
-    if (option.kind == OptionKind::FilePair) return " IN OUT";
-    return option.kind == OptionKind::File || option.kind == OptionKind::Output ? " FILE" : " X";
+        return std::string(option.choices) + "|" + (option.kind == OptionKind::Unbounded ? "X" : form);
+    if (option.kind == OptionKind::Integer) return "N";
+    if (option.kind == OptionKind::FilePair) return "IN OUT";
+    return option.kind == OptionKind::File || option.kind == OptionKind::Output ? "FILE" : "X";
 }
 
 std::string remark(const Option& option) {
@@ -154,17 +165,24 @@ void requireFitting(const Project& project, const Arguments& arguments) {
             throw UsageError(std::string(one.flag) + " is for " + std::string(one.field.scope->words));
 }
 
+std::vector<OptionWords> optionWords(const std::string& command) {
+    std::vector<OptionWords> all;
+    for (const Option& one : options())
+        if (!one.flag.empty() && takes(one, command))
+            all.push_back({&one, shortName(one.flag), valueName(one), meaningOf(one) + remark(one)});
+    return all;
+}
+
 std::string optionHelp(const std::string& command) {
     constexpr std::size_t kColumn = 38;
     std::string text;
-    for (const Option& one : options()) {
-        if (one.flag.empty() || !takes(one, command)) continue;
-        std::string left = "  " + std::string(one.flag) + valueName(one);
+    for (const OptionWords& one : optionWords(command)) {
+        std::string left = "  " + std::string(one.option->flag) + (one.value.empty() ? "" : " ") + one.value;
         if (left.size() + 2 > kColumn)
             left += "\n" + std::string(kColumn, ' ');
         else
             left.resize(kColumn, ' ');
-        text += left + meaningOf(one) + remark(one) + "\n";
+        text += left + one.meaning + "\n";
     }
     return text;
 }

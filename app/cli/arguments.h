@@ -51,7 +51,16 @@ void takeSettings(Project& project, const Arguments& arguments);
 /// An option that would change nothing in such a project is a mistake: throws UsageError.
 void requireFitting(const Project& project, const Arguments& arguments);
 
-/// `--tolerance X  …` for each option that the subcommand takes.
+/// An option of a subcommand, in words.
+struct OptionWords {
+    const Option* option = nullptr;
+    std::string shortFlag;  // "-o"; empty: it has none
+    std::string value;      // "X", "IN OUT", "auto|opencl|cpu"; empty: it takes none
+    std::string meaning;    // with default, range and unit
+};
+/// Returns the options that the subcommand takes, in the order of the table.
+std::vector<OptionWords> optionWords(const std::string& command);
+/// `--tolerance X  …` for each of them.
 std::string optionHelp(const std::string& command);
 
 }  // namespace wend

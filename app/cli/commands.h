@@ -15,7 +15,8 @@ ExitCode runConvert(const Arguments& arguments);
 ExitCode runInfo(const Arguments& arguments);
 ExitCode runDevices(const Arguments& arguments);
 ExitCode runBench(const Arguments& arguments);
-/// Prints the reference page of the options (docs/reference.md).
+/// Prints the reference page of the options (docs/reference.md) or a shell's completion, or writes the manual
+/// pages.
 ExitCode runReference(const Arguments& arguments);
 
 /// On standard output. Throws InputError if that is full or closed.

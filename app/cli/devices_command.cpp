@@ -31,8 +31,4 @@ ExitCode runDevices(const Arguments& arguments) {
     return print(text);
 }
 
-ExitCode runReference(const Arguments&) {
-    return print(referencePage());
-}
-
 }  // namespace wend

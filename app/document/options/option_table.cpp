@@ -395,6 +395,10 @@ constexpr std::array kOptions{
            "write the cells or triangles that are wrong as a mesh, with their numbers"},
     Option{"", "--json", Flag, "", kAny, "", "", "info mesh",
            "answer as JSON; for `mesh`: counts, quality asked for and reached, and what was noticed"},
+    Option{"", "--man", File, "", kAny, "", "", "reference",
+           "write the manual pages, wend.1 and one for each command, into this folder"},
+    Option{"", "--completion", Choice, "", kAny, "", "bash|zsh|fish", "reference",
+           "print what completes the command line in that shell"},
     Option{"", "--progress", Flag, "", kAny, "", "", "run mesh", "show progress even if not on a terminal"},
     Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh convert", "say nothing but errors"},
 };
