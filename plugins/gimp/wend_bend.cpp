@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A filter of GIMP 2.10: the layer bends as a project of Wend bends its picture, and comes back as a layer above it.
+// A filter of GIMP 2.10: the layer bends as a project of Wend bends its picture, and comes back as a layer
+// above it.
 #include <gio/gio.h>
 #include <libgimp/gimp.h>
 #include <libgimp/gimpui.h>
@@ -69,8 +70,9 @@ std::string wend(std::vector<std::string> words, const fs::path& folder, const s
 
 /// The drawable as a picture of the image's size, with transparency and the image's colour profile.
 void savePicture(gint32 image, gint32 drawable, const std::string& name) {
-    const gint32 copy = gimp_image_new_with_precision(gimp_image_width(image), gimp_image_height(image),
-                                                      gimp_image_base_type(image), gimp_image_get_precision(image));
+    const gint32 copy =
+        gimp_image_new_with_precision(gimp_image_width(image), gimp_image_height(image),
+                                      gimp_image_base_type(image), gimp_image_get_precision(image));
     if (GimpColorProfile* profile = gimp_image_get_color_profile(image)) {
         gimp_image_set_color_profile(copy, profile);
         g_object_unref(profile);
@@ -97,8 +99,9 @@ Json withPicture(const fs::path& project, gint32 image, const std::string& pictu
     const Json info = Json::parse(wend({"info", "--json", own.string()}, project.parent_path()));
     const int width = info.value("width", 0), height = info.value("height", 0);
     if (width != gimp_image_width(image) || height != gimp_image_height(image))
-        throw Failure("The project bends a picture of " + std::to_string(width) + " × " + std::to_string(height) +
-                      " pixels; this image has " + std::to_string(gimp_image_width(image)) + " × " +
+        throw Failure("The project bends a picture of " + std::to_string(width) + " × " +
+                      std::to_string(height) + " pixels; this image has " +
+                      std::to_string(gimp_image_width(image)) + " × " +
                       std::to_string(gimp_image_height(image)));
     json["domain"]["image"] = picture;
     return json;
@@ -133,8 +136,9 @@ struct Values {
 
 bool askForProject(Values& values) {
     gimp_ui_init("wend-bend", FALSE);
-    GtkWidget* dialog = gtk_file_chooser_dialog_new("Bend with Wend", nullptr, GTK_FILE_CHOOSER_ACTION_OPEN, GTK_STOCK_CANCEL,
-                                                    GTK_RESPONSE_CANCEL, GTK_STOCK_OPEN, GTK_RESPONSE_OK, nullptr);
+    GtkWidget* dialog =
+        gtk_file_chooser_dialog_new("Bend with Wend", nullptr, GTK_FILE_CHOOSER_ACTION_OPEN, GTK_STOCK_CANCEL,
+                                    GTK_RESPONSE_CANCEL, GTK_STOCK_OPEN, GTK_RESPONSE_OK, nullptr);
     GtkFileFilter* filter = gtk_file_filter_new();
     gtk_file_filter_set_name(filter, "Wend projects");
     gtk_file_filter_add_pattern(filter, "*.wend");
@@ -156,11 +160,13 @@ void query() {
         {GIMP_PDB_STRING, const_cast<gchar*>("project"), const_cast<gchar*>("The project, a file *.wend")},
         {GIMP_PDB_FLOAT, const_cast<gchar*>("time"), const_cast<gchar*>("The time to bend to; -1: the end")},
     }};
-    static const GimpParamDef result{GIMP_PDB_LAYER, const_cast<gchar*>("layer"), const_cast<gchar*>("The bent layer")};
-    gimp_install_procedure(kProcedure, "Bend the layer as a project of Wend bends its picture",
-                           "The bent layer is put above the layer. The image has the size of the project's picture.",
-                           "The authors of Wend", "AGPL-3.0-or-later", "2026", "_Bend with Wend…", "RGB*, GRAY*", GIMP_PLUGIN,
-                           parameters.size(), 1, parameters.data(), &result);
+    static const GimpParamDef result{GIMP_PDB_LAYER, const_cast<gchar*>("layer"),
+                                     const_cast<gchar*>("The bent layer")};
+    gimp_install_procedure(
+        kProcedure, "Bend the layer as a project of Wend bends its picture",
+        "The bent layer is put above the layer. The image has the size of the project's picture.",
+        "The authors of Wend", "AGPL-3.0-or-later", "2026", "_Bend with Wend…", "RGB*, GRAY*", GIMP_PLUGIN,
+        parameters.size(), 1, parameters.data(), &result);
     gimp_plugin_menu_register(kProcedure, "<Image>/Filters/Distorts");
 }
 
@@ -183,7 +189,8 @@ void run(const gchar*, gint count, const GimpParam* given, gint* returned, GimpP
     }
     try {
         results[1].type = GIMP_PDB_LAYER;
-        results[1].data.d_layer = bend(given[1].data.d_image, given[2].data.d_drawable, last.project.data(), last.time);
+        results[1].data.d_layer =
+            bend(given[1].data.d_image, given[2].data.d_drawable, last.project.data(), last.time);
         *returned = 2;
         gimp_set_data(kProcedure, &last, sizeof last);
         if (mode != GIMP_RUN_NONINTERACTIVE) gimp_displays_flush();
