@@ -10,7 +10,6 @@
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/edits/part_edits.h"
-#include "app/document/project.h"
 #include "app/session/shape/part_seam.h"
 #include "app/session/shape/shape.h"
 #include "app/session/shape_session.h"
@@ -63,14 +62,15 @@ std::string unusedName(const std::vector<PicturePart>& parts, const QString& pat
 }
 
 bool isPhotograph(const Project& project, const Sheet& sheet) {
-    return project.domain.parts.empty() && !sheet.picture->alpha &&
-           project.domain.outline == OutlineKind::Frame && designOf<2>(project).handles.empty();
+    const Domain& domain = domainOf(project);
+    return domain.parts.empty() && !sheet.picture->alpha && domain.outline == OutlineKind::Frame &&
+           designOf<2>(project).handles.empty();
 }
 
-void make(ShapeSession& session, const Outline& area, Project before) {
+void make(ShapeSession& session, const Outline& area, const Project& before) {
     Document& document = session.document();
     const std::string whole =
-        QFileInfo(QString::fromStdString(before.domain.path)).completeBaseName().toStdString();
+        QFileInfo(QString::fromStdString(domainOf(before).path)).completeBaseName().toStdString();
     const std::vector<NamedSheet> sheets = sheetsOf(session, whole);
     const NamedSheet* below = sheetBelow(area, sheets);
     if (!below)
@@ -79,7 +79,7 @@ void make(ShapeSession& session, const Outline& area, Project before) {
     const auto seam = seamOf(area, below->sheet);
     NewPart made;
     made.from = below->name;
-    made.name = unusedName(before.domain.parts, words(QT_TRANSLATE_NOOP("PartMaking", "Part %1")));
+    made.name = unusedName(domainOf(before).parts, words(QT_TRANSLATE_NOOP("PartMaking", "Part %1")));
     made.cut = seam ? withCap(area, *seam) : area;
     made.feather = kFeather;
     if (seam) made.joint = seam->middle;
@@ -110,10 +110,11 @@ bool makePartOfOutline(ShapeSession& session) {
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image ||
         !document.domain().parts.empty() || document.domain().outline != OutlineKind::Polygons)
         return false;
-    Project before = *document.project();
-    const Outline area = std::exchange(before.domain.polygons, {});
-    before.domain.outline = document.picture()->alpha ? OutlineKind::Alpha : OutlineKind::Frame;
-    make(session, area, std::move(before));
+    const auto before = copyOf(*document.project());
+    Domain& domain = domainOf(*before);
+    const Outline area = std::exchange(domain.polygons, {});
+    domain.outline = document.picture()->alpha ? OutlineKind::Alpha : OutlineKind::Frame;
+    make(session, area, *before);
     return true;
 }
 

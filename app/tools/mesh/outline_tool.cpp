@@ -7,7 +7,6 @@
 #include "app/document/domain.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/document/edits/outline_edits.h"
-#include "app/document/project.h"
 #include "app/session/colours.h"
 #include "app/session/mark_size.h"
 #include "app/session/part_making.h"
@@ -331,8 +330,8 @@ void OutlineTool::takeAgain() {
 void OutlineTool::apply(const Project& project, const Outline& piece, bool takesAway, const QString& key) {
     Document& document = session().document();
     const Image& picture = *document.picture();
-    const Outline& before = outlineOf(project.domain);
-    const bool replaces = !takesAway && project.domain.outline == OutlineKind::Frame;
+    const Outline& before = outlineOf(domainOf(project));
+    const bool replaces = !takesAway && domainOf(project).outline == OutlineKind::Frame;
     const Outline inside =
         combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
     const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
@@ -344,8 +343,8 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
             QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
         return;
     }
-    Project changed = project;
-    const int pinsGone = setOutline(changed, std::move(next));
+    const auto changed = copyOf(project);
+    const int pinsGone = setOutline(*changed, std::move(next));
     if (pinsGone > 0) {
         session().selection().clear();
         emit session().notice(QCoreApplication::translate(
@@ -354,17 +353,17 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
-    if (pinsGone == 0 && project.domain.outline == OutlineKind::Alpha)
+    if (pinsGone == 0 && domainOf(project).outline == OutlineKind::Alpha)
         emit session().notice(QCoreApplication::translate(
             "OutlineTool",
             "From now on the outline is as you draw it, and has no margin to change. "
             "Choose “Cut-out” as the outline to go back to the one that was found."));
-    document.change(QCoreApplication::translate("OutlineTool", name), std::move(changed), key);
+    document.change(QCoreApplication::translate("OutlineTool", name), changed, key);
 }
 
 void OutlineTool::paintOutline(QPainter& painter) const {
     QPainterPath path;
-    for (const auto& loop : outlineOf(session().document().project()->domain).loops) {
+    for (const auto& loop : outlineOf(session().document().domain()).loops) {
         QPolygonF polygon;
         for (const Vec<2>& p : loop) polygon << surface().toWidget(p);
         path.addPolygon(polygon);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/design.h"
 #include "app/document/edits/document.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/document/edits/setting_edits.h"
-#include "app/document/project.h"
 #include "app/session/motion/playback.h"
 #include "app/session/shape_session.h"
 #include "app/view/notices/info_banner.h"
