@@ -28,7 +28,7 @@ std::string escaped(std::string_view text) {
 }
 
 /// An argument of a macro.
-std::string quoted(std::string_view text) {
+std::string macroArgument(std::string_view text) {
     std::string result = "\"";
     for (const char c : escaped(text)) result += c == '"' ? std::string("\\(dq") : std::string(1, c);
     return result + "\"";
@@ -37,12 +37,12 @@ std::string quoted(std::string_view text) {
 std::string heading(const std::string& page, const std::string& meaning) {
     std::string upper = page;
     for (char& c : upper) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-    return ".TH " + quoted(upper) + " 1 \"\" " + quoted("Wend " WEND_VERSION) +
+    return ".TH " + macroArgument(upper) + " 1 \"\" " + macroArgument("Wend " WEND_VERSION) +
            " \"User Commands\"\n.SH NAME\n" + escaped(page) + " \\- " + escaped(meaning) + "\n";
 }
 
 std::string section(const std::string& title, const std::string& text) {
-    return ".SH " + quoted(title) + "\n" + text + (text.ends_with('\n') ? "" : "\n");
+    return ".SH " + macroArgument(title) + "\n" + text + (text.ends_with('\n') ? "" : "\n");
 }
 
 /// A term in bold, what follows it in italics, and its meaning.
@@ -57,7 +57,7 @@ std::string optionEntry(const OptionWords& words) {
 }
 
 std::string synopsis(const std::string& program, const std::string& usage) {
-    return section("SYNOPSIS", ".B " + quoted(program) + "\n" + escaped(usage) + "\n");
+    return section("SYNOPSIS", ".B " + macroArgument(program) + "\n" + escaped(usage) + "\n");
 }
 
 std::string ending(const std::string& others) {
@@ -66,7 +66,7 @@ std::string ending(const std::string& others) {
 }
 
 std::string reference(const std::string& page, const char* after = "") {
-    return ".BR " + quoted(page) + " (1)" + after + "\n";
+    return ".BR " + macroArgument(page) + " (1)" + after + "\n";
 }
 
 std::string optionSection(const std::string& command) {
@@ -114,7 +114,7 @@ ManualPage commandPage(const Command& command) {
 ManualPage divisionPage() {
     std::string text = heading("wend-mpi", "divide wend run among processes and machines");
     text += section("SYNOPSIS",
-                    ".B " + quoted("mpirun -q -n N wend-mpi run") + "\nPROJECT [outputs] [options]\n");
+                    ".B " + macroArgument("mpirun -q -n N wend-mpi run") + "\nPROJECT [outputs] [options]\n");
     text += section(
         "DESCRIPTION",
         escaped("Deforms as the project says, like ") + "\n" + reference("wend-run", ",") +

@@ -209,16 +209,16 @@ struct Room {
 };
 
 /// Appends the gesture: earlier motion shrinks in proportion to the path lengths, unless the user has timed
-/// it. Then the film becomes longer.
+/// it (`isTimed`). Then the film becomes longer.
 template <int Dim>
-Room roomAtTheEnd(const Project& project, const Gesture& gesture) {
+Room roomAtTheEnd(const Project& project, const Gesture& gesture, bool isTimed) {
     const auto timed = [&](Project before, double begin) -> Room {
         return {std::move(before), timesByLength<3>(gesture.path, begin, project.end)};
     };
     if (!hasMotion(designOf<Dim>(project))) return timed(project, 0);
     Project before = endedAt(project, gesture.from);
     if (gesture.from <= 0) return timed(std::move(before), 0);
-    if (hasOwnTiming(before)) {  // what was timed keeps its times
+    if (isTimed) {  // what was timed keeps its times
         before.end = gesture.from + kAppended;
         return {std::move(before), timesByLength<3>(gesture.path, gesture.from, gesture.from + kAppended)};
     }
@@ -242,12 +242,30 @@ Room roomBeside(const Project& project, const Gesture& gesture, std::vector<doub
 }
 
 template <int Dim>
-Room roomFor(const Project& project, const Gesture& gesture) {
+Room roomFor(const Project& project, const Gesture& gesture, bool isTimed) {
     std::vector<double> times = gesture.times;
     for (double& time : times) time += gesture.from;
     if (!times.empty()) return roomBeside<Dim>(project, gesture, std::move(times));
-    if (gesture.endsAll || takesTheEnd(project, gesture.from)) return roomAtTheEnd<Dim>(project, gesture);
+    if (gesture.endsAll || takesTheEnd(project, gesture.from))
+        return roomAtTheEnd<Dim>(project, gesture, isTimed);
     return roomBeside<Dim>(project, gesture, timesByLength<3>(gesture.path, gesture.from, project.end));
+}
+
+template <int Dim>
+Project withGestureIn(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts,
+                      bool isTimed) {
+    auto [next, times] = roomFor<Dim>(project, gesture, isTimed);
+    for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
+        auto& own = design<Dim>(next).handles.at(gesture.handles[i]).motions;
+        if (gesture.grip.kind == Grip::Kind::Move) {
+            own.push_back(recorded<Dim>(starts[i], gesture.path, times));
+            if (!gesture.curve.empty()) own.back().kind = drawn<Dim>(starts[i], gesture.curve);
+            continue;
+        }
+        const auto motions = motionsAlong<Dim>(gesture.grip, gesture.path, times);
+        own.insert(own.end(), motions.begin(), motions.end());
+    }
+    return next;
 }
 
 }  // namespace
@@ -285,23 +303,12 @@ Project withLongerStroke(const Project& project, const std::vector<int>& handles
     Gesture gesture{handles, {}, {}, start, arm};
     gesture.endsAll = atTheEnd;
     for (const Vec<Dim>& offset : simplified<Dim>(offsets, 0)) gesture.path.push_back(amountOf<Dim>(offset));
-    return withGesture<Dim>(before, gesture, starts);
+    return withGestureIn<Dim>(before, gesture, starts, hasOwnTiming(project));
 }
 
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts) {
-    auto [next, times] = roomFor<Dim>(project, gesture);
-    for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
-        auto& own = design<Dim>(next).handles.at(gesture.handles[i]).motions;
-        if (gesture.grip.kind == Grip::Kind::Move) {
-            own.push_back(recorded<Dim>(starts[i], gesture.path, times));
-            if (!gesture.curve.empty()) own.back().kind = drawn<Dim>(starts[i], gesture.curve);
-            continue;
-        }
-        const auto motions = motionsAlong<Dim>(gesture.grip, gesture.path, times);
-        own.insert(own.end(), motions.begin(), motions.end());
-    }
-    return next;
+    return withGestureIn<Dim>(project, gesture, starts, hasOwnTiming(project));
 }
 
 template <int Dim>

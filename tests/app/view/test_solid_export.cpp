@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/project.h"
 #include "app/panels/fields/option_field.h"
 #include "app/session/run/run_options.h"
 #include "app/view/actions/actions.h"
