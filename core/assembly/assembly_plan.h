@@ -6,29 +6,29 @@
 
 namespace wend {
 
-/// Items of a piece that one thread works on: many enough to hide the hand-over, and fixed, so that partial
-/// sums do not depend on the threads.
+/// The number of items in a piece of work for one thread. It is large enough to hide the cost of handing work
+/// over, and fixed, so that partial sums do not depend on the number of threads.
 constexpr int kPlanGrain = 1024;
 
-/// What the assembly does, decided once per topology: the sparse pattern of A as blocks of vertex pairs, and
-/// for each nonzero block the list of its contributions in a fixed order. So every block is gathered by one
-/// thread, without atomics, and sums have the same bits whatever the threads. Flat arrays: a device takes
-/// them as they are.
+/// Describes the assembly for one topology: the sparse pattern of A as blocks of vertex pairs, and for each
+/// nonzero block the list of its contributions in a fixed order. Every block is therefore gathered by one
+/// thread, without atomics, and sums have the same bits for any number of threads. All arrays are flat, so
+/// that a device can take them unchanged.
 ///
 /// With G_a the strain operator of corner a (strainColumns) and T_a = D G_a its stress, in Mandel
 /// coordinates:
-///   A_pq = ¼ (Σ_own G_leftᵀ (V D + Σ_facets weight D_f) G_right − Σ_cross weight G_leftᵀ D_f G_right),
-/// D_f the stress matrix of q over a facet; with the paper's smoothness
+///   A_pq = ¼ (Σ_own G_leftᵀ (V D + Σ_facets weight D_f) G_right − Σ_cross weight G_leftᵀ D_f G_right)
+/// where D_f is the stress matrix of q over a facet; with the paper's smoothness
 ///   A_pq = Σ_own G_leftᵀ (¼ V D + Σ_facets weight D²) G_right − Σ_cross weight T_leftᵀ T_right.
 template <int Dim>
 struct AssemblyPlan {
     static constexpr int kCorners = Dim + 1;
 
-    /// A corner is cell · kCorners + local index. The two corners lie in one cell …
+    /// Names two corners of one cell. The number of a corner is cell · kCorners + local index.
     struct Own {
         int left, right;
     };
-    /// … or in the two cells of an interior facet.
+    /// Names two corners in the two cells of an interior facet.
     struct Cross {
         int left, right, facet;
     };
@@ -46,18 +46,19 @@ struct AssemblyPlan {
 
     int cellCount() const { return static_cast<int>(cells.size()); }
     int blockCount() const { return static_cast<int>(row.size()); }
-    /// The cell on the other side of an interior facet.
+    /// Returns the cell on the other side of an interior facet.
     int across(int facet, int cell) const {
         const auto& sides = facets[facet].cells;
         return sides[0] == cell ? sides[1] : sides[0];
     }
 };
 
-/// Whether a plan lists the contributions to the matrix: of a solid 300 for every vertex, which is most of
-/// the memory. Without them a back end applies A, but does not assemble it.
+/// Says whether a plan lists the contributions to the matrix. In a solid these are about 300 per vertex and
+/// take most of the memory; without them a back end applies A, but cannot assemble it.
 enum class Contributions { Listed, Left };
 
-/// `smoothing` false leaves out the facets: the one-ring pattern of E_φ alone.
+/// Makes the plan of a valid mesh. Without `smoothing` it has no facets, and the pattern is the one-ring of
+/// E_φ alone.
 template <int Dim>
 AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing,
                                    Contributions contributions = Contributions::Listed);

@@ -4,19 +4,20 @@
 
 namespace wend {
 
-/// One contribution to a block of A: two corners of a cell, or of the two cells of an interior facet. `term`
-/// is the cell, or the number of cells plus the facet.
+/// A contribution to a block of A: two corners of one cell, or of the two cells of an interior facet. `term`
+/// is the number of the cell, or the number of cells plus that of the facet.
 struct Contribution {
     int left, right, term;
 };
 
-/// The blocks of A at one shape, for rows of the caller's choice. Any number of threads use it at a time.
+/// Computes blocks of A at one shape, for rows that the caller chooses. Any number of threads may use it at a
+/// time.
 class BlockSource {
   public:
     virtual ~BlockSource() = default;
 
-    /// Block i is the sum of the contributions [start[i], start[i + 1]) in their order: Dim × Dim numbers,
-    /// column-major, one block after the other.
+    /// Computes block i as the sum of the contributions [start[i], start[i + 1]) in their order. Every block
+    /// has Dim × Dim numbers, column-major, and follows the one before it.
     virtual void compute(std::span<const int> start, const Contribution* contributions,
                          double* values) const = 0;
 };

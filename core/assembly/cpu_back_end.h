@@ -4,19 +4,19 @@
 
 namespace wend {
 
-/// The processor's cores: the isotropic back end where the material is, else the general one.
+/// Makes the back end on the CPU: the isotropic one if B = I in every cell, else the general one.
 template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                              const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
                                              int threads);
 
-/// The reference: plain C++ that reads like the formulas, for any material.
+/// Makes the reference back end: plain C++ that reads like the formulas, for any material.
 template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeGeneralBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                                  const SimplicialMesh<Dim>& rest,
                                                  const Material<Dim>& material, int threads);
 
-/// The threads that pay for a mesh: `wanted` (0: all cores), but one below about 10 000 unknowns.
+/// Returns how many threads pay for a mesh: `wanted` (0: all cores), but one below about 10 000 unknowns.
 int usefulThreads(int wanted, int unknowns);
 
 }  // namespace wend

@@ -4,20 +4,21 @@
 
 namespace wend::isotropic {
 
-/// Which jump over a facet is weighted: that of the strain S = J + Jᵀ without or with its dilation
-/// (invariant), or that of the stress (docs/method.md, (12)).
+/// Selects the jump over a facet that is weighted: that of the strain S = J + Jᵀ without its dilation (Shear)
+/// or with it (Strain), both invariant, or that of the stress (docs/method.md, (12)).
 enum class Jump { Shear, Strain, Stress };
 
-/// The arrays have room for a multiple of so many cells and facets. Kernels compute up to three entries
-/// beyond the last one: those repeat it.
+/// Arrays have room for a multiple of this many cells and facets, because kernels compute up to three entries
+/// beyond the last one, which repeat it.
 constexpr int kPadding = 4;
+/// Returns the count rounded up to a multiple of kPadding.
 constexpr int padded(int count) {
     return (count + kPadding - 1) / kPadding * kPadding;
 }
 
-/// The arrays of the back end for B = I. Numbers that are gathered from other cells are kept together for
-/// each cell; others are structures of arrays: number i of cell c is at [i · padded(count) + c]. With q =
-/// w_q, r = w_r of a cell or facet: D X = 4 q X + r Tr(X) I, P = D S.
+/// Holds the arrays of the back end for B = I. Values that are gathered from other cells are stored together
+/// for each cell; all others are structures of arrays, in which number i of cell c is at [i · padded(count) +
+/// c]. With q = w_q and r = w_r of a cell or facet, D X = 4 q X + r Tr(X) I and P = D S.
 template <int Dim>
 struct Cells {
     static constexpr int kCorners = Dim + 1;
@@ -42,6 +43,7 @@ struct Cells {
     double *tensor = nullptr, *tensorRest = nullptr;
 };
 
+/// Holds the arrays of the interior facets in the same layout.
 template <int Dim>
 struct Facets {
     int count = 0;
@@ -52,12 +54,14 @@ struct Facets {
     double *weight = nullptr, *shear = nullptr, *dilation = nullptr;
 };
 
-/// Gradients, measure, centroid of cells [begin, end); returns the first whose measure is not positive, or
-/// `end`. `begin` is a multiple of kPadding here and below, and `end`, too, but for the count.
+/// Computes gradients, measure and centroid of the cells [begin, end). Returns the first cell whose measure
+/// is not positive, or `end`. Here and below, `begin` is a multiple of kPadding, and so is `end` unless it is
+/// the count.
 template <int Dim>
 int geometry(const Cells<Dim>& cells, int begin, int end, const double* points);
 
-/// weight = factor · B / h, or factor · B (docs/method.md, (10) and (12)), and its products.
+/// Computes the weights of facets, weight = factor · B / h or factor · B (docs/method.md, (10) and (12)), and
+/// their products with q and r.
 template <int Dim>
 void facetWeights(Jump jump, const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end,
                   const double* points, double factor);
@@ -66,18 +70,19 @@ void facetWeights(Jump jump, const Facets<Dim>& facets, const Cells<Dim>& cells,
 template <int Dim>
 void spreadWeights(Jump jump, const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end);
 
-/// The tensor of a nodal field.
+/// Computes the tensor of a nodal field v in every cell: S, or P with stress jumps.
 template <int Dim>
 void tensors(Jump jump, const Cells<Dim>& cells, int begin, int end, const double* v);
 
-/// The forces of a cell on its corners, 2 L g_k with L = ¼ V P + ¼ Σ weight D_facet (S − S_neighbour), or
-/// ¼ V P + D Σ weight (P − P_neighbour): at kPoint · (kCorners · cell + corner).
+/// Computes the forces of a cell on its corners, 2 L g_k with L = ¼ V P + ¼ Σ weight D_facet (S −
+/// S_neighbour), or ¼ V P + D Σ weight (P − P_neighbour) with stress jumps, and stores them at kPoint ·
+/// (kCorners · cell + corner).
 template <int Dim>
 void forces(Jump jump, const Cells<Dim>& cells, int begin, int end, double* force);
 
-/// Sums the forces on every vertex of [begin, end): at kPoint · corners[i] for i in [start[v], start[v + 1]),
-/// a multiple of kPadding, since loops of few lengths are foreseen by the processor. `sums` has Dim doubles a
-/// vertex.
+/// Sums the forces on every vertex of [begin, end), which are at kPoint · corners[i] for i in [start[v],
+/// start[v + 1]). The number of corners of a vertex is a multiple of kPadding, since the processor predicts
+/// loops of few different lengths. `sums` has Dim doubles per vertex.
 template <int Dim>
 void sumForces(const int* start, const int* corners, const double* force, int begin, int end, double* sums);
 

@@ -11,9 +11,9 @@
 
 namespace wend {
 
-/// W(x) = Σ V₀ w(F) of a shape, and its gradient: what a shape remembers of its rest (docs/method.md, (19)).
-/// In the frame where the rest shape has size 1. Sums run in the plan's order: the same bits for any number
-/// of threads. One thread uses it at a time.
+/// Computes W(x) = Σ V₀ w(F) of a shape x, and its derivatives. This energy draws a shape back to its rest
+/// (docs/method.md, (19)). Coordinates are in the frame where the rest shape has size 1. Sums run in the
+/// plan's order and have the same bits for any number of threads. One thread uses it at a time.
 template <int Dim>
 class RestEnergy {
   public:
@@ -22,9 +22,9 @@ class RestEnergy {
 
     /// Returns V₀ of a cell.
     double measure(int cell) const { return m_measure[cell]; }
-    /// Infinite if a cell is inverted.
+    /// Returns W of a shape (Dim × n); infinite if a cell is inverted.
     double energy(const Points<Dim>& shape) const;
-    /// One column per vertex. No cell may be inverted.
+    /// Computes ∇W, one column per vertex. No cell may be inverted.
     void gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers);
 
     /// Computes the Hessian at a shape, in which no cell may be inverted, for the next two functions. The
@@ -34,7 +34,7 @@ class RestEnergy {
     /// Adds the Hessian to Dim × Dim blocks in the order of the plan's pattern (AssemblyPlan), which has to
     /// list its contributions.
     void addHessian(std::span<double> blocks, WorkerPool& workers) const;
-    /// H v without the matrix.
+    /// Computes Hv = H v with the Hessian of linearize(), without the matrix.
     void applyHessian(const Points<Dim>& v, Points<Dim>& Hv, WorkerPool& workers);
     /// Returns a t in [0, 1] such that no cell is flat or inverted at shape + s · step for 0 ≤ s < t, near
     /// the greatest one: the determinants are polynomials in s, bounded by their Bernstein coefficients.

@@ -1,5 +1,5 @@
-// Rows of two or four doubles, and lanes: the same number of two or four items side by side. Read once per
-// target of Highway.
+// This file defines rows of two or four doubles, and lanes, which hold the same number of two or four items
+// side by side. It is included once for every target of Highway.
 
 #if defined(WEND_ASSEMBLY_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEND_ASSEMBLY_ROWS_INL_H
@@ -17,8 +17,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// At most four lanes, on AVX-512, too: what rows of four are loaded into and transposed through needs no
-// wider registers.
+// There are at most four lanes, on AVX-512 too, because the rows of four that are loaded and transposed need
+// no wider registers.
 using D = hn::CappedTag<double, 4>;
 using V = hn::Vec<D>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
@@ -32,6 +32,7 @@ struct Row {
     hn::Vec<Tag> part[kParts];
 };
 
+/// Loads N doubles; the address need not be aligned.
 template <int N>
 HWY_ATTR HWY_INLINE Row<N> loadRow(const double* p) {
     Row<N> row;
@@ -41,6 +42,7 @@ HWY_ATTR HWY_INLINE Row<N> loadRow(const double* p) {
     return row;
 }
 
+/// Stores N doubles; the address need not be aligned.
 template <int N>
 HWY_ATTR HWY_INLINE void storeRow(const Row<N>& row, double* p) {
 #pragma GCC unroll 2
@@ -48,6 +50,7 @@ HWY_ATTR HWY_INLINE void storeRow(const Row<N>& row, double* p) {
         hn::StoreU(row.part[i], typename Row<N>::Tag(), p + i * Row<N>::kPartLanes);
 }
 
+/// Returns a row of zeros.
 template <int N>
 HWY_ATTR HWY_INLINE Row<N> zeroRow() {
     Row<N> row;
@@ -81,7 +84,7 @@ HWY_ATTR HWY_INLINE Row<N> operator*(const Row<N>& a, double factor) {
     return row;
 }
 
-/// sum + a · factor.
+/// Returns sum + a · factor.
 template <int N>
 HWY_ATTR HWY_INLINE Row<N> addProduct(const Row<N>& sum, const Row<N>& a, double factor) {
     Row<N> row;
@@ -91,7 +94,7 @@ HWY_ATTR HWY_INLINE Row<N> addProduct(const Row<N>& sum, const Row<N>& a, double
     return row;
 }
 
-/// sum + a · b, number by number.
+/// Returns sum + a · b, element by element.
 template <int N>
 HWY_ATTR HWY_INLINE Row<N> addProducts(const Row<N>& sum, const Row<N>& a, const Row<N>& b) {
     Row<N> row;
@@ -100,11 +103,12 @@ HWY_ATTR HWY_INLINE Row<N> addProducts(const Row<N>& sum, const Row<N>& a, const
     return row;
 }
 
+/// Returns the two doubles in reverse order.
 HWY_INLINE Row<2> reversed(const Row<2>& row) {
     return {{hn::Reverse2(Row<2>::Tag(), row.part[0])}};
 }
 
-/// Three doubles and a zero; the fourth is not read.
+/// Loads three doubles and appends a zero; the fourth double in memory is not read.
 HWY_INLINE Row<4> loadTriple(const double* p) {
     Row<4> row;
 #if HWY_CAP_GE256
@@ -116,7 +120,7 @@ HWY_INLINE Row<4> loadTriple(const double* p) {
     return row;
 }
 
-/// The first three; the fourth is not written.
+/// Stores the first three doubles; the fourth in memory is not written.
 HWY_INLINE void storeTriple(const Row<4>& row, double* p) {
 #if HWY_CAP_GE256
     const hn::Half<D> half;
@@ -128,7 +132,7 @@ HWY_INLINE void storeTriple(const Row<4>& row, double* p) {
 #endif
 }
 
-/// Points of the plane are rows of two, those of space rows of four with a zero.
+/// Loads a point: a row of two in the plane, a row of four with a zero in space.
 template <int Dim>
 HWY_ATTR HWY_INLINE auto loadPoint(const double* points, int vertex) {
     if constexpr (Dim == 2)
@@ -137,7 +141,7 @@ HWY_ATTR HWY_INLINE auto loadPoint(const double* points, int vertex) {
         return loadTriple(points + 3 * static_cast<std::ptrdiff_t>(vertex));
 }
 
-/// Row l, at p + l · stride, becomes lane l of v0 … v3.
+/// Loads and transposes: row l, at p + l · stride, becomes lane l of v0 … v3.
 HWY_INLINE void loadLanes(const double* p, int stride, V& v0, V& v1, V& v2, V& v3) {
 #if HWY_CAP_GE256
     const V r0 = hn::LoadU(D(), p), r1 = hn::LoadU(D(), p + stride), r2 = hn::LoadU(D(), p + 2 * stride),
@@ -154,7 +158,7 @@ HWY_INLINE void loadLanes(const double* p, int stride, V& v0, V& v1, V& v2, V& v
 #endif
 }
 
-/// The inverse of loadLanes.
+/// Reverses loadLanes(): lane l of v0 … v3 becomes the row at p + l · stride.
 HWY_INLINE void storeLanes(V v0, V v1, V v2, V v3, double* p, int stride) {
 #if HWY_CAP_GE256
     const V even01 = hn::InterleaveLower(D(), v0, v1), odd01 = hn::InterleaveUpper(D(), v0, v1),
@@ -171,7 +175,7 @@ HWY_INLINE void storeLanes(V v0, V v1, V v2, V v3, double* p, int stride) {
 #endif
 }
 
-/// The same for rows of two.
+/// Does the same for rows of two.
 HWY_INLINE void loadLanes(const double* p, int stride, V& v0, V& v1) {
 #if HWY_CAP_GE256
     const hn::Half<D> half;

@@ -7,19 +7,20 @@
 
 namespace wend {
 
-/// A shape or a velocity field that does not change any more. It is known by its address, so that whoever has
-/// made a copy of it elsewhere, as on a device, knows it again.
+/// A shape or a velocity field that does not change any more. It is identified by its address, so that an
+/// object that has copied it elsewhere, such as to a device, recognizes it.
 template <int Dim>
 using Nodal = std::shared_ptr<const Points<Dim>>;
 
+/// A velocity field with its weight in a sum.
 template <int Dim>
 struct WeightedField {
     double weight;
     Nodal<Dim> field;
 };
 
-/// The shapes at the stages of an integrator's step, sums y + Σ w_i k_i of a shape and velocity fields, kept
-/// where they are made and used. Sums run in the order given: the same bits every time.
+/// Keeps the shapes at the stages of an integrator's step, sums y + Σ w_i k_i of a shape and velocity fields,
+/// where they are computed and used. Sums run in the given order and have the same bits every time.
 template <int Dim>
 class StageVectors {
   public:
@@ -28,17 +29,17 @@ class StageVectors {
 
     virtual ~StageVectors() = default;
 
-    /// The stage's shape becomes y + Σ w_i k_i.
+    /// Sets the stage's shape to y + Σ w_i k_i, with at most kMostTerms terms.
     virtual void combine(const Nodal<Dim>& y, Terms terms) = 0;
-    /// The stage's shape in the processor's memory, where it is copied when it is first asked for.
+    /// Returns the stage's shape in the processor's memory; it is copied there when it is first needed.
     virtual Nodal<Dim> shape() = 0;
-    /// The largest difference of a coordinate between the stage's shape and another one.
+    /// Returns the largest difference of a coordinate between the stage's shape and another one.
     virtual double distance(const Nodal<Dim>& other) = 0;
-    /// max over the vertices of |Σ w_i k_i|; no number if a vector has none.
+    /// Returns the maximum of |Σ w_i k_i| over the vertices; NaN if a vector has a NaN.
     virtual double maximum(Terms terms) = 0;
 };
 
-/// In the processor's memory.
+/// Makes stage vectors in the processor's memory.
 template <int Dim>
 std::unique_ptr<StageVectors<Dim>> makeHostStages();
 

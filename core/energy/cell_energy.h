@@ -6,47 +6,50 @@
 namespace wend {
 
 /// The gradient operator of one cell: the (constant) gradients g_k of its hat functions, one column per
-/// corner, and its signed measure. The Jacobian of a nodal field is J = Σ_k v_k g_kᵀ. Gradients are in 1 /
-/// length; those of a cell without measure are not finite.
+/// corner, and its signed measure. The Jacobian of a nodal field is J = Σ_k v_k g_kᵀ. Gradients have the unit
+/// 1 / length; those of a cell without measure are not finite.
 template <int Dim>
 struct CellGeometry {
     Eigen::Matrix<double, Dim, Dim + 1> gradients;
     double measure = 0;
 };
+/// Returns the gradient operator of a cell with its corners at `points` (Dim × n).
 template <int Dim>
 CellGeometry<Dim> cellGeometry(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// w_q = sin φ and w_r = cos φ (docs/method.md, (4)).
+/// The weights of the two parts of the energy, w_q = sin φ and w_r = cos φ (docs/method.md, (4)).
 struct EnergyWeights {
     double q = 0, r = 0;
     static EnergyWeights of(double phi);
 };
 
-/// Energy density e(J) = w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)², S = J + Jᵀ, ‖A‖²_B = Tr(Aᵀ B A)
-/// (docs/method.md, (3)). Multiply with the cell's measure for its energy.
+/// Returns the energy density e(J) = w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)², S = J + Jᵀ, ‖A‖²_B = Tr(Aᵀ B A)
+/// (docs/method.md, (3)). The cell's energy is its measure times this.
 template <int Dim>
 double energyDensity(EnergyWeights w, const Mat<Dim>& B, const Mat<Dim>& J);
 
-/// Stress P = ∂e/∂J = 2 w_q (SB + BS) + 2 w_r (d / Tr B) Tr(BJ) B: symmetric, e = ½ J : P.
+/// Returns the stress P = ∂e/∂J = 2 w_q (SB + BS) + 2 w_r (d / Tr B) Tr(BJ) B. It is symmetric, and e = ½ J :
+/// P.
 template <int Dim>
 Mat<Dim> stress(EnergyWeights w, const Mat<Dim>& B, const Mat<Dim>& J);
 
-/// The same as a matrix in Mandel coordinates, P = D S: symmetric, positive semidefinite for φ in ]0, φ_CONF]
-/// (definite below φ_CONF, with B in its null space at φ_CONF if B = I), e = ¼ Sᵀ D S.
+/// Returns the same as a matrix D in Mandel coordinates, P = D S. It is symmetric, and positive semidefinite
+/// for φ in ]0, φ_CONF] (definite below φ_CONF, with B in its null space at φ_CONF if B = I); e = ¼ Sᵀ D S.
 template <int Dim>
 StressMatrix<Dim> stressMatrix(EnergyWeights w, const Mat<Dim>& B);
 
-/// The block of 4 e's matrix between two corners with hat gradients g and h: uᵀ K v = S(u gᵀ) : D S(v hᵀ)
-/// with S(A) = A + Aᵀ, that is
+/// Returns the block of the matrix of 4 e between two corners with hat gradients g and h: uᵀ K v = S(u gᵀ) :
+/// D S(v hᵀ) with S(A) = A + Aᵀ, that is
 ///   4 w_q ((Bh) gᵀ + (g·h) B + (g·Bh) I + h (Bg)ᵀ) + 4 w_r (d / Tr B) (Bg) (Bh)ᵀ.
 template <int Dim>
 Mat<Dim> stressBlock(EnergyWeights w, const Mat<Dim>& B, const Vec<Dim>& g, const Vec<Dim>& h);
 
-/// The rotation of the polar decomposition F = R U of a map with det F > 0, to rounding.
+/// Returns the rotation of the polar decomposition F = R U of a map with det F > 0, accurate to rounding.
 template <int Dim>
 Mat<Dim> polarRotation(const Mat<Dim>& F);
 
-/// [x_1 − x_0, …, x_d − x_0]; the map of a cell from rest is edgeMatrix(pose) · edgeMatrix(rest)⁻¹.
+/// Returns the edge matrix [x_1 − x_0, …, x_d − x_0]. The map of a cell from rest is edgeMatrix(pose) ·
+/// edgeMatrix(rest)⁻¹.
 template <int Dim>
 Mat<Dim> edgeMatrix(const Points<Dim>& points, const Cell<Dim>& cell);
 

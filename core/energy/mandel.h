@@ -6,8 +6,9 @@
 
 namespace wend {
 
-/// Symmetric d × d tensors as vectors (Mandel notation): first the diagonal, then the off-diagonal entries
-/// times √2, so that the dot product of two vectors is the Frobenius product of the tensors.
+/// The number of entries of a symmetric d × d tensor as a vector in Mandel notation: first the diagonal, then
+/// the off-diagonal entries times √2, so that the dot product of two vectors is the Frobenius product of the
+/// tensors.
 template <int Dim>
 inline constexpr int kStrainCount = Dim*(Dim + 1) / 2;
 template <int Dim>
@@ -15,7 +16,7 @@ using Strain = Eigen::Matrix<double, kStrainCount<Dim>, 1>;
 /// A symmetric linear map of symmetric tensors, strain → stress.
 template <int Dim>
 using StressMatrix = Eigen::Matrix<double, kStrainCount<Dim>, kStrainCount<Dim>>;
-/// The strain operator of one corner of a cell: velocity of the corner → its part of the strain.
+/// The strain operator of one corner of a cell. It maps the velocity of the corner to its part of the strain.
 template <int Dim>
 using StrainColumns = Eigen::Matrix<double, kStrainCount<Dim>, Dim>;
 
@@ -26,7 +27,7 @@ constexpr void forOffDiagonal(Visit&& visit) {
         for (int b = a + 1; b < Dim; ++b) visit(at++, a, b);
 }
 
-/// Symmetric tensor → vector.
+/// Returns a symmetric tensor as a vector.
 template <int Dim>
 inline Strain<Dim> toMandel(const Mat<Dim>& S) {
     Strain<Dim> s;
@@ -35,7 +36,7 @@ inline Strain<Dim> toMandel(const Mat<Dim>& S) {
     return s;
 }
 
-/// Vector → symmetric tensor.
+/// Returns the symmetric tensor that a vector represents.
 template <int Dim>
 inline Mat<Dim> fromMandel(const Strain<Dim>& s) {
     Mat<Dim> S;
@@ -44,7 +45,7 @@ inline Mat<Dim> fromMandel(const Strain<Dim>& s) {
     return S;
 }
 
-/// The columns of v ↦ S = v gᵀ + g vᵀ for a hat gradient g, so that the strain of a cell is Σ_k
+/// Returns the columns of v ↦ S = v gᵀ + g vᵀ for a hat gradient g, so that the strain of a cell is Σ_k
 /// strainColumns(g_k) v_k.
 template <int Dim>
 inline StrainColumns<Dim> strainColumns(const Vec<Dim>& g) {

@@ -14,16 +14,19 @@ namespace phi {
 inline const double kEquia = std::atan(std::ldexp(1.0, -9));  // keeps area or volume
 inline const double kMetr = std::atan(0.5);                   // keeps length (AMAP)
 inline constexpr double kAkvf = std::numbers::pi / 2;         // Killing: as rigid as possible
-/// φ_CONF(d) = π − arctan(d/4), the end of the range: keeps angles (ACAP).
+/// Returns φ_CONF(d) = π − arctan(d/4), the end of the range, which keeps angles (ACAP).
 double conformal(int dim);
-/// Empty if φ is in ]0, φ_CONF(dim)] (φ_CONF included, with an allowance for rounding), else the reason with
-/// the range.
+/// Returns an empty string if φ is in ]0, φ_CONF(dim)] (φ_CONF included, with an allowance for rounding),
+/// else the reason with the range.
 std::string problem(double phi, int dim);
 }  // namespace phi
 
+/// Selects what the smoothness penalizes: jumps of J in q (Invariant), jumps of the stress (Paper), or
+/// nothing.
 enum class SmoothingKind { Invariant, Paper, None };
 
-/// Weights of jumps over facets, in the frame where the rest shape has size 1 (docs/method.md, section 4).
+/// The weights of jumps over facets, in the frame where the rest shape has size 1 (docs/method.md, section
+/// 4).
 struct Smoothing {
     SmoothingKind kind = SmoothingKind::Invariant;
     double length = 1.0 / 75;  // s, Invariant: s² (B/h) q(J_j − J_i)
@@ -40,6 +43,7 @@ struct Material {
     // ρ ≥ 0: rate at which the shape returns to rest; infinite: it is elastic (docs/method.md, section 8).
     double memory = 0;
 
+    /// Returns a material with the same φ in every cell and B₀ = I.
     static Material uniform(int cellCount, double phi, Smoothing smoothing = {});
 };
 

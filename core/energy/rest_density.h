@@ -4,15 +4,16 @@
 
 namespace wend {
 
-/// Energy density w of the map from rest with deformation gradient F, J = det F (docs/method.md, (20) and
-/// (21)); infinite for J ≤ 0. Its second-order expansion at F = I is energyDensity(w, B₀, F − I). For B₀ = I
+/// Returns the energy density w of the map from rest with deformation gradient F, J = det F (docs/method.md,
+/// (20) and (21)); infinite for J ≤ 0. Its second-order expansion at F = I is energyDensity(w, B₀, F − I).
+/// For B₀ = I
 ///   w = 2 w_q (‖F‖² J^(−2/d) − d) + (4 w_q/d + w_r)(J + 1/J − 2),
 /// else, with C = FᵀF,
 ///   w = w_q ‖C − I‖²_B₀ + w_r (d/Tr B₀)(½ Tr B₀(C − I))² + w_q (Tr B₀/d)(J − 1)⁴/J.
 template <int Dim>
 double restDensity(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
 
-/// ∂w/∂F, for J > 0; exactly zero where F is a rotation to rounding.
+/// Returns ∂w/∂F for J > 0; it is exactly zero where F is a rotation to rounding.
 template <int Dim>
 Mat<Dim> restStress(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
 
@@ -24,10 +25,11 @@ struct RestModes {
     Eigen::Matrix<double, kCount, 1> values;
     Eigen::Matrix<double, kCount, kCount> modes;
 };
-/// For B₀ = I from the singular values F = U diag(σ) Vᵀ: with ψ(σ) = w, a twist U (e_i e_jᵀ − e_j e_iᵀ) Vᵀ/√2
-/// and a flip U (e_i e_jᵀ + e_j e_iᵀ) Vᵀ/√2 for every pair, of the eigenvalues (ψ_i ± ψ_j)/(σ_i ± σ_j), and
-/// the eigenvectors of ∂²ψ/∂σ² as stretches (Smith, De Goes, Kim, "Analytic Eigensystems for Isotropic
-/// Distortion Energies", 2019). Else by a numerical decomposition.
+/// Returns the modes. For B₀ = I they follow from the singular values F = U diag(σ) Vᵀ: with ψ(σ) = w, every
+/// pair has a twist U (e_i e_jᵀ − e_j e_iᵀ) Vᵀ/√2 and a flip U (e_i e_jᵀ + e_j e_iᵀ) Vᵀ/√2 with the
+/// eigenvalues (ψ_i ± ψ_j)/(σ_i ± σ_j), and the eigenvectors of ∂²ψ/∂σ² are stretches (Smith, De Goes, Kim,
+/// "Analytic Eigensystems for Isotropic Distortion Energies", 2019). Otherwise they come from a numerical
+/// decomposition.
 template <int Dim>
 RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
 

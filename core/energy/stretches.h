@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// The maps of many cells side by side, so that one instruction serves several of them.
+/// The maps of many cells side by side, so that one instruction handles several of them.
 template <int Dim>
 struct Stretches {
     static constexpr int kCells = 64;

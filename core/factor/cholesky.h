@@ -9,11 +9,12 @@
 
 namespace wend {
 
+/// Selects the fill-reducing ordering.
 enum class Ordering { MinimumDegree, NestedDissection };
 
-/// Sparse Cholesky factorization by CHOLMOD, supernodal: the symbolic analysis once per pattern, then
-/// numbers. One thread uses it at a time; the analysis is serialized over all instances, because METIS orders
-/// by a global random sequence.
+/// Factorizes sparse symmetric positive definite matrices by CHOLMOD, with supernodes: the symbolic analysis
+/// is done once per pattern, the numeric factorization for every set of values. One thread uses it at a time;
+/// analyses are serialized over all instances, because METIS orders by a global random sequence.
 class Cholesky {
   public:
     enum class Status { Done, NotPositiveDefinite, NotFinite, Stopped };
@@ -23,32 +24,33 @@ class Cholesky {
     Cholesky(const Cholesky&) = delete;
     Cholesky& operator=(const Cholesky&) = delete;
 
-    /// Pattern of the lower triangle by columns, rows ascending (entries above the diagonal are ignored).
-    /// `blockSize` consecutive unknowns have one pattern: they are ordered as one. Throws std::bad_alloc if
-    /// there is not enough memory. False if it was stopped. CHOLMOD cannot be: what is stopped is left to
-    /// itself, in a thread that owns it, and nothing is analyzed then.
+    /// Analyzes a pattern: the lower triangle by columns, rows ascending (entries above the diagonal are
+    /// ignored). Every `blockSize` consecutive unknowns share one pattern and are ordered as one. Returns
+    /// false if it was stopped. CHOLMOD cannot be interrupted: a stopped analysis is left to a thread that
+    /// owns it, and nothing is analyzed then. Throws std::bad_alloc if there is not enough memory.
     bool analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
                  Ordering ordering, const std::stop_token& stop = {});
     bool isAnalyzed() const;
-    /// The pattern that was analyzed.
+    /// Return the analyzed pattern.
     std::span<const int> columnStart() const;
     std::span<const int> row() const;
-    /// Where the caller writes its values.
+    /// Returns the array into which the caller writes the values.
     std::span<double> values();
     /// Computes the supernodal factor L of P K Pᵀ = L Lᵀ (CHOLMOD) from values() with the permutation P of
     /// analyze(), which must come first. Returns NotPositiveDefinite if a pivot is not positive and NotFinite
     /// if a value is not finite; then there is no factor to solve with. Throws std::bad_alloc.
     /// Returns Stopped if `stop` was requested; then it has to be analyzed again.
     Status factorize(const std::stop_token& stop = {});
-    /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.
+    /// Return the counts of the analysis: floating-point operations of a factorization and entries of the
+    /// factor.
     double factorFlops() const;
     double factorEntries() const;
-    /// Bytes of the numeric factor, and whether they have been taken.
+    /// Return the bytes of the numeric factor, and whether they have been allocated.
     double bytes() const;
     bool hasNumbers() const;
-    /// The factor's structure.
+    /// Returns the structure of the factor.
     Supernodes supernodes() const;
-    /// x = K⁻¹ b; b and x may be the same.
+    /// Solves x = K⁻¹ b; b and x may be the same array.
     Status solve(std::span<const double> b, std::span<double> x);
 
   private:

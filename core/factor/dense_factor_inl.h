@@ -1,12 +1,12 @@
-// The factorization of panels for one SIMD target. Included once for every target, hence without an include
-// guard.
+// This file factorizes panels for one SIMD target. It is included once for every target and therefore has no
+// include guard.
 
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace wend::dense::HWY_NAMESPACE {
 
-// Columns that are factored from the left among themselves; those before them are subtracted at once.
+// This many columns are factorized from the left among themselves; those before them are subtracted at once.
 constexpr int kPanel = 48;
 static_assert(kPanel % kBlock == 0);
 
@@ -16,7 +16,8 @@ struct Triangle {
     Real T[kBlock][kBlock], inverse[kBlock];
 };
 
-/// Cholesky factor of the block's diagonal. Returns false at a pivot that is not positive.
+/// Computes the Cholesky factor of the block's diagonal. Returns false at a pivot that is not positive or not
+/// finite.
 template <class Real>
 bool factorDiagonal(const Real* block, ptrdiff_t leading, int columns, Triangle<Real>& triangle) {
     auto& [T, inverse] = triangle;
@@ -33,7 +34,7 @@ bool factorDiagonal(const Real* block, ptrdiff_t leading, int columns, Triangle<
     return true;
 }
 
-/// Reads what factorDiagonal() made from the panel.
+/// Reads the triangle that factorDiagonal() has made back from the panel.
 template <class Real>
 Triangle<Real> readDiagonal(const Real* block, ptrdiff_t leading, int columns, const Real* inverse) {
     Triangle<Real> triangle;
@@ -44,7 +45,7 @@ Triangle<Real> readDiagonal(const Real* block, ptrdiff_t leading, int columns, c
     return triangle;
 }
 
-/// y −= Σ x_i T(j, i) over the columns i that are solved.
+/// Computes y −= Σ x_i T(j, i) over the columns i that are already solved.
 template <class Real, class V, std::size_t... I>
 HWY_INLINE void subtractSolved(std::index_sequence<I...>, [[maybe_unused]] const Real* T,
                                [[maybe_unused]] const V* x, V& y) {
@@ -52,6 +53,7 @@ HWY_INLINE void subtractSolved(std::index_sequence<I...>, [[maybe_unused]] const
     ((y = hn::NegMulAdd(x[I], hn::Set(d, T[I]), y)), ...);
 }
 
+/// Solves for column kColumn of a vector of rows, and then for the columns after it.
 template <int kColumn, int kColumns, class Real, class V>
 HWY_INLINE void solveColumn(Real* row, ptrdiff_t leading, const Triangle<Real>& triangle, V (&x)[kColumns]) {
     if constexpr (kColumn < kColumns) {
@@ -64,7 +66,7 @@ HWY_INLINE void solveColumn(Real* row, ptrdiff_t leading, const Triangle<Real>& 
     }
 }
 
-/// Rows of a block of columns times T⁻ᵀ.
+/// Multiplies rows of a block of columns by T⁻ᵀ.
 template <int kColumns>
 struct SolveRows {
     template <class Real>
@@ -76,7 +78,7 @@ struct SolveRows {
     }
 };
 
-/// y += Σ x_i T(i, j) over the columns i > j.
+/// Computes y += Σ x_i T(i, j) over the columns i > j.
 template <int kColumn, int kColumns, class Real, class V, std::size_t... I>
 HWY_INLINE void addDivided(std::index_sequence<I...>, [[maybe_unused]] const Triangle<Real>& triangle,
                            [[maybe_unused]] const V (&x)[kColumns], V& y) {
@@ -84,6 +86,7 @@ HWY_INLINE void addDivided(std::index_sequence<I...>, [[maybe_unused]] const Tri
     ((y = hn::MulAdd(x[kColumn + 1 + I], hn::Set(d, triangle.T[kColumn + 1 + I][kColumn]), y)), ...);
 }
 
+/// Computes column kColumn of a vector of rows times −T⁻¹, and then the columns before it.
 template <int kColumn, int kColumns, class Real, class V>
 HWY_INLINE void divideColumn(Real* row, ptrdiff_t leading, const Triangle<Real>& triangle, V (&x)[kColumns]) {
     if constexpr (kColumn >= 0) {
@@ -96,7 +99,7 @@ HWY_INLINE void divideColumn(Real* row, ptrdiff_t leading, const Triangle<Real>&
     }
 }
 
-/// Rows of a block of columns times −T⁻¹.
+/// Multiplies rows of a block of columns by −T⁻¹.
 template <int kColumns>
 struct DivideRows {
     template <class Real>
@@ -108,7 +111,8 @@ struct DivideRows {
     }
 };
 
-/// The columns [from, to) of a panel, at most kPanel, in rows up to `rowEnd`; those before are subtracted.
+/// Factorizes the columns [from, to) of a panel, at most kPanel, in the rows up to `rowEnd`. Those before
+/// `from` have been subtracted.
 template <class Real>
 bool factorNarrow(Real* panel, ptrdiff_t leading, int from, int to, int rowEnd, Real* inverse) {
     Triangle<Real> triangle;
@@ -127,6 +131,7 @@ bool factorNarrow(Real* panel, ptrdiff_t leading, int from, int to, int rowEnd, 
     return true;
 }
 
+/// Implements Kernels::factorColumns.
 template <class Real>
 bool factorColumns(Real* panel, int leading, int from, int to, int rowEnd, Real* inverse) {
     for (int c = from; c < to; c += kPanel) {
@@ -137,7 +142,8 @@ bool factorColumns(Real* panel, int leading, int from, int to, int rowEnd, Real*
     return true;
 }
 
-/// The columns [from, to) of a panel, at most kPanel, in rows below; those before are subtracted.
+/// Continues the columns [from, to) of a panel, at most kPanel, in the rows below. Those before `from` have
+/// been subtracted.
 template <class Real>
 void continueNarrow(Real* panel, ptrdiff_t leading, int from, int to, int rowBegin, int rowEnd,
                     const Real* inverse) {
@@ -152,6 +158,7 @@ void continueNarrow(Real* panel, ptrdiff_t leading, int from, int to, int rowBeg
     }
 }
 
+/// Implements Kernels::continueColumns.
 template <class Real>
 void continueColumns(Real* panel, int leading, int from, int to, int rowBegin, int rowEnd,
                      const Real* inverse) {
@@ -162,12 +169,14 @@ void continueColumns(Real* panel, int leading, int from, int to, int rowBegin, i
     }
 }
 
+/// Implements Kernels::squareNegated.
 template <class Real>
 void squareNegated(const Real* below, int leading, int columns, Real* U, int leadingU, int from, int to) {
     Product<Real>{below, leading, columns, U, leadingU, from, to, 0, leadingU, true}.subtract();
 }
 
-// The rows of the triangle become T⁻¹ like all others: they are minus the identity's before.
+// Implements Kernels::prepareSolves. The rows of the triangle become T⁻¹ like all others, because they are
+// set to minus the identity first.
 template <class Real>
 void prepareSolves(Real* panel, int leading, int columns, int rowBegin, int rowEnd, const Real* inverse) {
     for (int c = 0; c < columns; c += kBlock) {

@@ -1,4 +1,5 @@
-// Products of panels for one SIMD target. Included once for every target, hence without an include guard.
+// This file multiplies panels for one SIMD target. It is included once for every target and therefore has no
+// include guard.
 
 #include <hwy/highway.h>
 
@@ -20,8 +21,8 @@ using Vector = hn::Vec<Tag<Real>>;
 template <class Real>
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag<Real>()));
 
-// Columns of a block: two vectors of rows times so many columns are as many accumulators as there are
-// registers, less those for the factors: 12 of 16, and 16 of the 32 of AVX-512.
+// The number of columns of a block. Two vectors of rows times this many columns need as many accumulators as
+// there are registers, less those for the factors: 12 of 16, and 16 of the 32 of AVX-512.
 constexpr int kBlock = HWY_TARGET <= HWY_AVX3 ? 8 : 6;
 static_assert(kSolveColumns % kBlock == 0);
 
@@ -29,10 +30,10 @@ static_assert(kSolveColumns % kBlock == 0);
 constexpr int kDepth = 256;
 template <class Real>
 constexpr int kRows = 262144 / (kDepth * static_cast<int>(sizeof(Real)));
-// What is less, in bytes, is in the first-level cache without packing.
+// Factors of fewer bytes than this are in the first-level cache without packing.
 constexpr ptrdiff_t kFirstLevel = 24576;
 
-/// Calls Kernel<count>::run(arguments…), 0 < count <= kBlock.
+/// Calls Kernel<count>::run(arguments…) for a count that is known at run time only, 0 < count <= kBlock.
 template <template <int> class Kernel, int kCount = kBlock, class... Arguments>
 HWY_INLINE void ofWidth(int count, Arguments... arguments) {
     if constexpr (kCount > 1)
@@ -40,8 +41,8 @@ HWY_INLINE void ofWidth(int count, Arguments... arguments) {
     Kernel<kCount>::run(arguments...);
 }
 
-/// Rows of a factor of a product, from row `begin` on: row begin + r of column k is
-/// first[r / kPad · group + r % kPad + k · stride], and `second` numbers farther is the next vector of rows.
+/// Locates the rows of a factor of a product, from row `begin` on: row begin + r of column k is first[r /
+/// kPad · group + r % kPad + k · stride], and the next vector of rows is `second` numbers farther.
 template <class Real>
 struct Rows {
     const Real* first;
@@ -53,7 +54,7 @@ struct Rows {
     }
 };
 
-/// C −= sum, or C = −sum.
+/// Computes C −= sum, or C = −sum.
 template <bool kReplaces, class Real>
 HWY_INLINE void subtract(Vector<Real> sum, Real* C) {
     const Tag<Real> d;
@@ -63,14 +64,15 @@ HWY_INLINE void subtract(Vector<Real> sum, Real* C) {
         hn::StoreU(hn::Sub(hn::LoadU(d, C), sum), d, C);
 }
 
+/// Adds one or two vectors of rows times a factor to the accumulators p and q.
 template <int kVectors, class V>
 HWY_INLINE void accumulate(V a, V b, V factor, V& p, V& q) {
     p = hn::MulAdd(a, factor, p);
     if constexpr (kVectors == 2) q = hn::MulAdd(b, factor, q);
 }
 
-/// C −= A Bᵀ, or C = −A Bᵀ, for one or two vectors of rows and the columns J. Every accumulator is a
-/// register: the indices are constants.
+/// Computes C −= A Bᵀ, or C = −A Bᵀ, for one or two vectors of rows and the columns J. Every accumulator is a
+/// register, because the indices are constants.
 template <bool kReplaces, int kVectors, class Real, std::size_t... J>
 HWY_INLINE void tile(std::index_sequence<J...>, int depth, const Real* A, ptrdiff_t strideA, ptrdiff_t second,
                      const Real* B, ptrdiff_t strideB, Real* C, ptrdiff_t leadingC) {
@@ -84,7 +86,8 @@ HWY_INLINE void tile(std::index_sequence<J...>, int depth, const Real* A, ptrdif
     if constexpr (kVectors == 2) (subtract<kReplaces>(q[J], C + J * leadingC + kLanes<Real>), ...);
 }
 
-/// C −= A Bᵀ, or C = −A Bᵀ, for the rows [rowBegin, rowEnd), of whole groups of kPad, and so many columns.
+/// Computes C −= A Bᵀ, or C = −A Bᵀ, for the rows [rowBegin, rowEnd), in whole groups of kPad, and kColumns
+/// columns.
 template <int kColumns>
 struct Strip {
     template <class Real>
@@ -111,7 +114,7 @@ struct Strip {
     }
 };
 
-/// The rows, `leading` numbers from column to column, in groups of kPad one after another.
+/// Packs rows, `leading` numbers from column to column, into groups of kPad one after another.
 template <class Real>
 HWY_INLINE Rows<Real> packRows(const Real* A, ptrdiff_t leading, int depth, int begin, int end,
                                Real* packed) {
@@ -126,15 +129,16 @@ HWY_INLINE Rows<Real> packRows(const Real* A, ptrdiff_t leading, int depth, int 
     return {packed, group, kPad<Real>, kLanes<Real> == kPad<Real> ? group : kLanes<Real>, begin};
 }
 
-/// Rows of the second factor, kBlock from column to column.
+/// Packs rows of the second factor, kBlock numbers from column to column.
 template <class Real>
 HWY_INLINE void packBlock(const Real* B, ptrdiff_t leading, int depth, Real* packed) {
     for (int k = 0; k < depth; ++k)
         for (int j = 0; j < kBlock; ++j) packed[k * kBlock + j] = B[k * leading + j];
 }
 
-/// A product of which both factors are rows of one panel: entry (r, c) of C, for from <= c < to and the rows
-/// [rowBegin, rowEnd) from the group of kPad on that holds row c, less the product of rows r and c of A.
+/// Subtracts a product whose factors are both rows of one panel. Entry (r, c) of C, for from <= c < to and
+/// the rows [rowBegin, rowEnd) from the group of kPad on that holds row c, loses the product of the rows r
+/// and c of A.
 template <class Real>
 struct Product {
     const Real* A;
@@ -145,10 +149,12 @@ struct Product {
     int from, to, rowBegin, rowEnd;
     bool replaces = false;  // C is overwritten
 
+    /// Returns the first row of a column that is computed.
     int top(int column) const { return std::max(rowBegin, column & ~(kPad<Real> - 1)); }
     void subtract() const;
 
   private:
+    /// Returns whether packing the rows pays.
     bool packs() const {
         return static_cast<ptrdiff_t>(rowEnd - top(from)) * depth * static_cast<int>(sizeof(Real)) >
                    kFirstLevel &&
@@ -180,7 +186,7 @@ void Product<Real>::subtractPacked() const {
     }
 }
 
-// By blocks of the depth, packed or not: every entry has one order of summation.
+// The depth is divided into blocks, packed or not, so that every entry has one order of summation.
 template <class Real>
 void Product<Real>::subtract() const {
     Product part = *this;

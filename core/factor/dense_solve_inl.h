@@ -1,12 +1,13 @@
-// Solves with a panel for one SIMD target. Included once for every target, hence without an include guard.
+// This file solves with a panel for one SIMD target. It is included once for every target and therefore has
+// no include guard.
 
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace wend::dense::HWY_NAMESPACE {
 
-/// M y for the columns J of a block, the first one and the others. Only their sum is added to w: in single
-/// precision three times as exact as one product after another.
+/// Returns M y for the columns of a block, the first one and the others J. Only this sum is added to w: in
+/// single precision that is three times as accurate as adding one product after another.
 template <class Real, class V, std::size_t... J>
 HWY_INLINE V timesColumns(std::index_sequence<J...>, const Real* M, ptrdiff_t leading, const V* y) {
     const Tag<Real> d;
@@ -22,14 +23,15 @@ HWY_INLINE void spread(std::index_sequence<J...>, const Real* w, V* y) {
     ((y[J] = hn::Set(d, w[J])), ...);
 }
 
+/// Adds a vector to w.
 template <class Real>
 HWY_INLINE void addTo(Real* w, Vector<Real> sum) {
     const Tag<Real> d;
     hn::StoreU(hn::Add(hn::LoadU(d, w), sum), d, w);
 }
 
-/// A block of a forward solve, from column c on: in the rows of the block's own M y is x, in those below it
-/// is added.
+/// Does a block of a forward solve, from column c on. In the block's own rows M y is x; in the rows below it
+/// is added to w.
 template <int kColumns>
 struct ForwardBlock {
     template <class Real>
@@ -53,6 +55,7 @@ struct ForwardBlock {
     }
 };
 
+/// Implements Kernels::forward.
 template <class Real>
 void forward(const Real* panel, int leading, int columns, int rowEnd, Real* w, Real* x) {
     for (int c = 0; c < columns; c += kBlock)
@@ -60,6 +63,7 @@ void forward(const Real* panel, int leading, int columns, int rowEnd, Real* w, R
                               static_cast<ptrdiff_t>(leading), c, rowEnd, w, x);
 }
 
+/// Adds M y of a block to the rows [rowBegin, rowEnd) of w.
 template <int kColumns>
 struct ForwardRows {
     template <class Real>
@@ -73,6 +77,7 @@ struct ForwardRows {
     }
 };
 
+/// Implements Kernels::continueForward.
 template <class Real>
 void continueForward(const Real* panel, int leading, int columns, int rowBegin, int rowEnd, Real* w) {
     for (int c = 0; c < columns; c += kBlock)
@@ -80,7 +85,7 @@ void continueForward(const Real* panel, int leading, int columns, int rowBegin, 
                              static_cast<ptrdiff_t>(leading), w + c, rowBegin, rowEnd, w);
 }
 
-/// The halves of a vector added up until one of 128 bits is left.
+/// Returns the halves of a vector added up until one of 128 bits is left.
 template <class D, class V>
 HWY_INLINE auto folded(D d, V v) {
     if constexpr (hn::MaxLanes(d) * sizeof(hn::TFromD<D>) > 16) {
@@ -91,15 +96,15 @@ HWY_INLINE auto folded(D d, V v) {
     }
 }
 
-/// Sums of two vectors' lanes by fours: [a0 + a2, b0 + b2, a1 + a3, b1 + b3], of doubles by twos [a0 + a1,
-/// b0 + b1], in every 128 bits.
+/// Returns sums of two vectors' lanes in every 128 bits: [a0 + a2, b0 + b2, a1 + a3, b1 + b3] of floats, [a0
+/// + a1, b0 + b1] of doubles.
 template <class V, class D>
 HWY_INLINE V interleaved(D d, V a, V b) {
     return hn::Add(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
 }
 
-/// The sums of the lanes of the vectors s: added up side by side, since one after another they cost more than
-/// the short columns that they are of.
+/// Computes the sum of the lanes of every vector of s. They are added side by side, because one after another
+/// they would cost more than the short columns that they belong to.
 template <int kColumns, class V>
 HWY_INLINE void sumsOf(const V (&s)[kColumns], float* sums) {
     const Tag<float> d;
@@ -121,13 +126,14 @@ HWY_INLINE void sumsOf(const V (&s)[kColumns], double* sums) {
                    sums + j);
 }
 
+/// Computes sums_j += M_j y for the columns J.
 template <class Real, class V, std::size_t... J>
 HWY_INLINE void addProducts(std::index_sequence<J...>, const Real* M, ptrdiff_t leading, V y, V* sums) {
     const Tag<Real> d;
     ((sums[J] = hn::MulAdd(hn::LoadU(d, M + J * leading), y, sums[J])), ...);
 }
 
-/// Mᵀ w of a block's columns, in the rows [rowBegin, rowEnd).
+/// Computes Mᵀ w of a block's columns over the rows [rowBegin, rowEnd).
 template <int kColumns>
 struct TransposedTimes {
     template <class Real>
@@ -141,6 +147,7 @@ struct TransposedTimes {
     }
 };
 
+/// Implements Kernels::prepareBackward.
 template <class Real>
 void prepareBackward(const Real* panel, int leading, int from, int to, int rowBegin, const Real* w, Real* x) {
     for (int c = from; c < to; c += kBlock) {
@@ -151,6 +158,7 @@ void prepareBackward(const Real* panel, int leading, int from, int to, int rowBe
     }
 }
 
+/// Implements Kernels::backward.
 template <class Real>
 void backward(const Real* panel, int leading, int columns, int rowEnd, Real* w, Real* x) {
     for (int c = (columns - 1) / kBlock * kBlock; c >= 0; c -= kBlock) {

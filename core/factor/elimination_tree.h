@@ -10,6 +10,7 @@ namespace wend {
 /// several threads: the subtrees are independent of each other, and the separator consists of their
 /// ancestors. The split depends on the pattern alone.
 struct EliminationTree {
+    /// The supernodes [begin, end) of a subtree, which are consecutive.
     struct Subtree {
         int begin, end;  // supernodes; the last one is the root
         int root() const { return end - 1; }

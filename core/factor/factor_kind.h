@@ -2,7 +2,8 @@
 
 namespace wend {
 
-/// In single and in double precision, and CHOLMOD's: each serves where the one before it loses a pivot.
+/// The kinds of factor: in single precision, in double precision, and CHOLMOD's. Each replaces the one before
+/// it where that loses a pivot.
 enum class FactorKind { Single, Double, Reference };
 
 }  // namespace wend

@@ -15,31 +15,32 @@
 
 namespace wend {
 
-/// Gets the part of a factorization that is done, in [0, 1], at most once for each hundredth and from any
+/// Gets the fraction of a factorization that is done, in [0, 1], at most once for each hundredth and from any
 /// thread.
 using FactorProgress = std::function<void(double)>;
 
-/// A supernodal multifrontal Cholesky factorization. In double precision it solves, on small fronts, in half
-/// of CHOLMOD's time; in single precision in half of that again (half the bytes, twice the lanes), as a
-/// preconditioner: of a matrix of condition κ it solves to about κ · 1e-7. Where a pivot is lost to rounding
-/// it says so; then a better factor must serve. The threads do the subtrees of the elimination tree at the
-/// same time, then share the great fronts of its separator; their number does not change a bit of the result.
+/// Computes a supernodal multifrontal Cholesky factorization. In double precision it solves, with small
+/// fronts, in half of CHOLMOD's time; single precision takes half of that again (half the bytes, twice the
+/// lanes) and serves as a preconditioner, which solves a matrix of condition number κ to about κ · 1e-7. It
+/// reports a pivot that is lost to rounding; the caller then needs a more accurate factor. The threads
+/// compute the subtrees of the elimination tree at the same time, then share the large fronts of its
+/// separator; their number does not change a bit of the result.
 template <class Real>
 class SupernodalFactor {
   public:
     SupernodalFactor() = default;
-    /// Pattern of the lower triangle by columns, as for Cholesky::analyze.
+    /// Takes a symbolic factor, and the pattern of the lower triangle by columns as for Cholesky::analyze().
     SupernodalFactor(Supernodes symbolic, std::span<const int> columnStart, std::span<const int> row);
 
-    /// From the values of the pattern; false if a pivot is not positive, or if it was stopped: looked at
-    /// between fronts, and between the pieces of great ones.
+    /// Factorizes the values of the pattern. Returns false if a pivot is not positive, or if it was stopped;
+    /// a stop is noticed between fronts, and between the pieces of large ones.
     bool factorize(std::span<const double> values, WorkerPool& workers, std::stop_token stop = {},
                    const FactorProgress& progress = {});
-    /// x ≈ K⁻¹ b; false if that is not finite.
+    /// Solves x ≈ K⁻¹ b; returns false if the result is not finite.
     bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
 
-    /// Bytes of the factor with the update matrices of so many threads, and those of them that the next
-    /// factorization takes.
+    /// Return the bytes of the factor with the update matrices of that many threads, and how many of them the
+    /// next factorization will allocate.
     double bytes(int threads) const;
     double bytesToTake(int threads) const;
 
@@ -65,12 +66,14 @@ class SupernodalFactor {
     int updateLeading(int s) const;
     Real* panel(int s) { return m_panels.data() + m_panelStart[s]; }
     Real* inverse(int s) { return m_inverse.data() + m_symbolic.first[s]; }
-    /// `stacks`: of the thread that does the subtree, or of the separator.
+    /// Returns the update matrix of a supernode; `stacks` are those of the thread that does its subtree, or
+    /// of the separator.
     Real* update(int s, Real* stacks) {
         return (m_isSubtreeRoot[s] ? m_updates.data() : stacks) + m_updateStart[s];
     }
 
-    /// Counts the work on a front, or on a part of it, as done: its columns times the square of its rows.
+    /// Counts the work on a front, or on a part of it, as done. The work of a front is its number of columns
+    /// times the square of its number of rows.
     class Meter {
       public:
         void start(const FactorProgress& progress, double work);
@@ -100,8 +103,8 @@ class SupernodalFactor {
     Supernodes m_symbolic;
     EliminationTree m_tree;
     const dense::Kernels<Real>* m_kernels = nullptr;             // those of the factorization
-    std::stop_token m_stop;                                      // of the factorization that goes on …
-    std::unique_ptr<Meter> m_meter = std::make_unique<Meter>();  // … and how far it is
+    std::stop_token m_stop;                                      // of the running factorization
+    std::unique_ptr<Meter> m_meter = std::make_unique<Meter>();  // of the running factorization
     std::vector<std::size_t> m_panelStart, m_updateStart;
     std::vector<int> m_runStart;  // per supernode: into m_runs, for its update matrix
     std::vector<Run> m_runs;

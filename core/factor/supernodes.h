@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// The symbolic analysis of a sparse Cholesky factor: its columns, in elimination order, in groups of one
-/// pattern below a dense triangle.
+/// The symbolic analysis of a sparse Cholesky factor. Its columns, in elimination order, form groups that
+/// share one pattern below a dense triangle.
 struct Supernodes {
     std::vector<int> order;     // elimination step → unknown
     std::vector<int> first;     // per supernode, and the end: its first column

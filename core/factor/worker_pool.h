@@ -16,7 +16,7 @@ namespace wend {
 /// then sleep.
 class WorkerPool {
   public:
-    /// threads counts the caller; 0: as many as the machine has.
+    /// `threads` counts the caller; 0 means as many as the machine has.
     explicit WorkerPool(int threads);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
@@ -24,10 +24,11 @@ class WorkerPool {
 
     int threads() const { return static_cast<int>(m_threads.size()) + 1; }
 
-    /// Gets the part of long work that is done, in [0, 1], from any thread.
+    /// Gets the fraction of long work that is done, in [0, 1], from any thread.
     using Progress = std::function<void(double)>;
-    /// Long work of several loops. Once it is to stop, loops leave out the pieces that are not begun yet, and
-    /// their results are worth nothing. While it lives, nothing else uses the pool.
+    /// Makes long work of several loops stoppable and observable. Once a stop is requested, loops skip the
+    /// pieces that have not begun, and their results are invalid. While this object lives, nothing else may
+    /// use the pool.
     class Watched {
       public:
         Watched(WorkerPool& pool, std::stop_token stop, Progress progress = {}) : m_pool(pool) {
@@ -48,11 +49,11 @@ class WorkerPool {
     };
     bool isStopped() const { return m_stop.stop_requested(); }
     const std::stop_token& stop() const { return m_stop; }
-    /// The next loop does this share of what is left of the work that is watched. Other loops tell nothing.
+    /// Gives the next loop this share of the watched work that is left. Other loops report no progress.
     void measureNext(double share) { m_nextShare = share; }
 
-    /// work(begin, end) on consecutive pieces of [0, count) of at most `grain` items; the pieces do not
-    /// depend on the number of threads. work may not throw.
+    /// Calls work(begin, end) on consecutive pieces of [0, count) of at most `grain` items; the pieces do not
+    /// depend on the number of threads. `work` must not throw.
     template <typename Work>
     void forPieces(int count, int grain, Work&& work) {
         using Plain = std::remove_reference_t<Work>;

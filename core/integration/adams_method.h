@@ -46,7 +46,7 @@ class AdamsMethod final : public StepMethod<Dim> {
     std::array<double, 3> m_errors{};  // over the tolerance, of orders k − 1, k, k + 1; infinite: not known
 };
 
-/// ∫ from a to b of Lagrange's polynomials of some times.
+/// Returns the integrals from a to b of the Lagrange polynomials over some times, one per time.
 std::vector<double> adamsWeights(const std::vector<double>& times, double a, double b);
 
 }  // namespace wend

@@ -14,8 +14,8 @@ std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std
 template <int Dim>
 Sliders slidersOf(const Constraints<Dim>& constraints, const std::vector<int>& ids);
 
-/// Returns those of some sliding points that slide on surfaces and whose vertex none of the points with the
-/// first ids holds.
+/// Returns those of the points `sliding` that slide on surfaces and whose vertex none of the points `held`
+/// holds.
 template <int Dim>
 std::vector<int> guidedAlone(const Constraints<Dim>& constraints, const std::vector<int>& held,
                              const std::vector<int>& sliding);

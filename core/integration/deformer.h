@@ -20,7 +20,7 @@
 
 namespace wend {
 
-/// How an advance ended. A numerical outcome is a value, never an exception.
+/// Says how an advance ended. A numerical outcome is a value, never an exception.
 enum class Outcome { Done, Cancelled, CellInverted, SolverFailed, StepTooSmall };
 struct AdvanceResult {
     Outcome outcome = Outcome::Done;
@@ -29,11 +29,12 @@ struct AdvanceResult {
     std::string message;  // one line with what happened, when and where; empty when done
 };
 
-/// An elastic shape went on from another minimum, because the one before had ended.
+/// Records that an elastic shape jumped to another minimum, because the one before had ceased to exist.
 struct Snap {
     double time = 0;
     std::array<double, 3> place{};  // that moved the farthest, in the domain's coordinates
 
+    /// Passes all members to an archive, which stores or restores them.
     template <class Archive>
     void archive(Archive& archive) {
         auto& [at, where] = *this;
@@ -41,6 +42,7 @@ struct Snap {
     }
 };
 
+/// Counts and measures the work of a run so far.
 struct Statistics {
     int steps = 0, rejected = 0, evaluations = 0, factorizations = 0, solverIterations = 0;
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds
@@ -86,12 +88,13 @@ struct State {
 template <int Dim>
 class Deformer {
   public:
-    /// Throws InputError: invalid mesh or material, a handle outside the shape, contradictory handles (both
-    /// named) …
+    /// Throws InputError for an invalid mesh or material, a handle outside the shape, and contradictory
+    /// handles, of which it names both.
     Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
              std::vector<Handle<Dim>> handles, IntegrationOptions options = {},
              BackEndKind backEnd = BackEndKind::Automatic);
-    /// The same with a back end of the caller's, as OpenCL's, and an iterative solver: see VelocitySolver.
+    /// Does the same with a back end of the caller's, such as OpenCL's, and an iterative solver: see
+    /// VelocitySolver.
     Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
              std::vector<Handle<Dim>> handles, IntegrationOptions options, const BackEndFactory<Dim>& backEnd,
              const IterativeSolverFactory<Dim>& multigrid = {});
@@ -99,6 +102,7 @@ class Deformer {
     Deformer(Deformer&&) noexcept;
     Deformer& operator=(Deformer&&) noexcept;
 
+    /// Returns the current shape and what is needed to continue from it.
     const State<Dim>& state() const;
     /// Continues from a state of this deformer, or of one with the same rest mesh, material and earlier
     /// handles. Throws InputError if the number of vertices differs.
@@ -106,15 +110,15 @@ class Deformer {
     /// Sets other motions from state().time on (earlier ones are ignored), with the same checks as the
     /// constructor.
     void setHandles(std::vector<Handle<Dim>> handles);
-    /// Analyzes the system that acts from state().time on, which advance() does otherwise: 0.3 s of
-    /// uninterruptible work for a large shape.
+    /// Analyzes the system that acts from state().time on, which advance() otherwise does. For a large shape
+    /// this is 0.3 s of uninterruptible work.
     void prepare();
 
     /// Integrates to `time`, where the last step is cut; without a moving handle the shape stays. `frames`
     /// (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense output,
     /// without changing the steps. `progress` gets the time after every accepted step. If it ends early,
-    /// state() is the last valid one. Throws NotEnoughMemory before
-    /// a factor is made that the machine has not the memory for.
+    /// state() is the last valid one. Throws NotEnoughMemory before it makes a factor that does not fit into
+    /// memory.
     struct Watch {
         std::vector<double> frames;
         /// The first step that reaches this time is the last one; it is not cut there.
@@ -122,30 +126,33 @@ class Deformer {
         std::function<void(const State<Dim>&)> onFrame;
         std::function<void(double)> progress;
         std::stop_token stop;
-        /// Gets how far a step is while its fields are computed, at most so often; from any thread.
+        /// Gets the progress within a step while its fields are computed, at most once per `withinEvery` and
+        /// from any thread.
         StepProgress::Sink within;
         std::chrono::milliseconds withinEvery{100};
         /// Gets every step that was computed, once state() is the shape at its end.
         std::function<void(const StepRecord<Dim>&)> onStep;
-        /// Steps that are taken from here as long as there are any. They begin where state() is.
+        /// Supplies steps that are taken from here instead of being computed, as long as there are any. They
+        /// begin at the current state.
         StepSource<Dim>* known = nullptr;
     };
     AdvanceResult advance(double time, const Watch& watch = {});
 
-    /// v̂ at the current state, one column per vertex, in the domain's units per unit of time. Between two
-    /// motions the one that begins counts; if nothing moves from here on, the one that ends. No columns if
-    /// the solver fails or is stopped.
+    /// Returns v̂ at the current state, one column per vertex, in the domain's units per unit of time.
+    /// Between two motions the one that begins counts; if nothing moves from here on, the one that ends.
+    /// There are no columns if the solver fails or is stopped.
     Points<Dim> velocity(const std::stop_token& stop = {});
-    /// Why the last advance() ended early, or velocity() has no columns.
+    /// Returns why the last advance() ended early, or why velocity() has no columns.
     AdvanceResult failure() const;
     /// Return W of the current state, the energy of its map from rest, and its distance from equilibrium,
     /// ‖∇W‖ without the part that the constraints hold (docs/method.md, section 8), both in normalized units.
     double restEnergy() const;
     double restForce();
+    /// Returns the counts and times of the work so far.
     const Statistics& statistics() const;
-    /// Direct or Multigrid.
+    /// Returns Direct or Multigrid.
     SolverKind solver() const;
-    /// "cpu" or "opencl", and the device's name.
+    /// Return "cpu" or "opencl", and the name of the device.
     std::string backEndName() const;
     std::string deviceName() const;
 

@@ -11,10 +11,10 @@
 
 namespace wend {
 
-/// The flow of a drag: a preview at the rate of a display. As a rule it solves one velocity field per target,
-/// by the midpoint rule with the midpoint predicted from earlier fields: v̂ is linear in the handles'
-/// velocities, so the combination of earlier fields that moves the handles as wanted is off by no more than
-/// the field's change in a step, and the step is of second order. Factors are reused. An elastic shape
+/// Computes the flow of a drag, a preview at the rate of a display. It usually solves one velocity field per
+/// target, by the midpoint rule with the midpoint predicted from earlier fields. Since v̂ is linear in the
+/// handles' velocities, the combination of earlier fields that moves the handles as wanted is off by no more
+/// than the field's change in a step, and the step is of second order. Factors are reused. An elastic shape
 /// follows its minimum by Newton's method, to 1e-4 of its size. Coordinates are the domain's.
 template <int Dim>
 class DragFlow {
@@ -24,9 +24,10 @@ class DragFlow {
     DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
              const std::vector<Handle<Dim>>& handles, const BackEndFactory<Dim>& backEnd, int threads = 0);
 
-    /// Goes on from a pose.
+    /// Continues from a pose (Dim × n).
     void begin(const Points<Dim>& pose);
 
+    /// The result of lead().
     struct Led {
         double done = 1;      // part of the motion that was possible
         std::string problem;  // why it ended early: one line
@@ -42,8 +43,9 @@ class DragFlow {
     Led lead(const std::vector<int>& handles, const Motion<Dim>& motion,
              const std::vector<Alongside>& alongside = {});
 
+    /// Returns the current pose (Dim × n) in the domain's coordinates.
     const Points<Dim>& pose() const { return m_pose; }
-    /// Largest distance of a constrained point from where it should be.
+    /// Returns the largest distance of a constrained point from where it should be.
     double constraintError() const { return m_constraintError; }
     int evaluations() const { return m_evaluations; }
     const SolverStatistics& statistics() const { return m_solver.statistics(); }

@@ -7,8 +7,9 @@
 
 namespace wend {
 
-/// The steps of relaxation, which minimize the energy of the map from rest at their end (docs/method.md,
-/// section 8): the caller computes a step and its error, this controls the length of steps.
+/// Takes the steps of relaxation, which minimize the energy of the map from rest at their end
+/// (docs/method.md, section 8). The caller computes a step and its error; this class controls the length of
+/// steps.
 template <int Dim>
 class ImplicitMethod final : public StepMethod<Dim> {
   public:
@@ -16,7 +17,7 @@ class ImplicitMethod final : public StepMethod<Dim> {
     /// allowed. Returns false if there is none.
     using Solve =
         std::function<bool(double t, double to, const Nodal<Dim>& x, Points<Dim>& result, double& error)>;
-    /// Returns the rate at which the shape approaches the end of a step from t within it; 0: evenly.
+    /// Returns the rate at which the shape approaches the end of a step from t within it; 0 means evenly.
     using Rate = std::function<double(double t)>;
     ImplicitMethod(Solve solve, Rate rate) : m_solve(std::move(solve)), m_rate(std::move(rate)) {}
 
@@ -28,7 +29,7 @@ class ImplicitMethod final : public StepMethod<Dim> {
     void retry(Pace<Dim>& pace) const override;
     void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
     bool needsEndField() const override { return false; }
-    /// The start plus the part (1 − e^(−r (t − t₀)))/(1 − e^(−r (t₁ − t₀))) of the way to the end.
+    /// Returns the start plus the part (1 − e^(−r (t − t₀)))/(1 − e^(−r (t₁ − t₀))) of the path to the end.
     Points<Dim> at(double t, const Points<Dim>& endField) const override;
     DenseStep<Dim> dense() const override { return {0, m_result, {{m_from, m_start}}}; }
     void adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) override;

@@ -9,8 +9,7 @@
 
 namespace wend {
 
-/// The integration of one deformation in the frame where the rest shape has size 1 (docs/method.md, section
-/// 6).
+/// Integrates one deformation in the frame where the rest shape has size 1 (docs/method.md, section 6).
 /// Time is cut at breakpoints: those of the constraints (intervals, jumps of velocities, active ranges) and
 /// of relaxations. A step never crosses one, and the step control restarts at each, so that a run that starts
 /// there takes the same steps. A step depends on the state alone: before each, the solver and the guesses are
@@ -26,10 +25,11 @@ struct Deformer<Dim>::Integrator {
 
     void setHandles(const std::vector<Handle<Dim>>& handles);
     void restore(const State<Dim>& state);
+    /// Sets the constraints that act before or after the current time.
     void activate(Side side);
     AdvanceResult advance(double time, const Watch& watch);
     Points<Dim> velocity(const std::stop_token& stop);
-    /// Why the last of both failed.
+    /// Returns why the last advance() or velocity() failed.
     AdvanceResult stopped() const;
     double restForce();
 
@@ -123,7 +123,7 @@ struct Deformer<Dim>::Integrator {
     double m_memory;                                              // ρ; infinite: elastic
     std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;  // the latter with multigrid
     std::unique_ptr<StepMethod<Dim>> m_implicit;
-    // In the pace: memory makes explicit steps too short up to the next breakpoint.
+    // The order in the pace that says that memory makes explicit steps too short up to the next breakpoint.
     static constexpr int kImplicitOrder = -1;
     static constexpr double kStrongMemory = 40;
     VelocityHistory<Dim> m_history;

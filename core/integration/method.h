@@ -2,8 +2,8 @@
 
 namespace wend {
 
-/// Adaptive embedded order 5(4), classical order 4, order 2, and adaptive Adams–Bashforth–Moulton of variable
-/// order.
+/// The methods of integration: adaptive embedded order 5(4), classical order 4, order 2, and adaptive
+/// Adams–Bashforth–Moulton of variable order.
 enum class Method { DormandPrince, RungeKutta4, Midpoint, Adams };
 
 /// Returns whether the method controls its steps by the error.

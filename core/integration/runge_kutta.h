@@ -25,7 +25,7 @@ struct Tableau {
     static const Tableau& of(Method method);
 };
 
-/// One step of dy/dt = f(t, y) for the nodes y of a shape. f is called as f(t, side, stages, dy) at the
+/// Takes one step of dy/dt = f(t, y) for the nodes y of a shape. f is called as f(t, side, stages, dy) at the
 /// current stage shape and returns false if it cannot be evaluated. The right-hand side may jump at both
 /// ends: the first stage sees the value after the start, the last ones the value before the end.
 template <int Dim>
@@ -55,24 +55,26 @@ class RungeKuttaStep {
     }
 
     const Nodal<Dim>& result() const { return m_result; }
-    /// The largest |h Σ (b − b̂)_i k_i| of a node.
+    /// Returns the largest |h Σ (b − b̂)_i k_i| of a node.
     double error(StageVectors<Dim>& stages) const {
         return stages.maximum(terms(m_tableau.error, m_tableau.stages));
     }
     bool firstSameAsLast() const { return m_tableau.firstSameAsLast; }
-    /// f at the result, for a method that has it.
+    /// Returns f at the result, for a method with firstSameAsLast().
     const Nodal<Dim>& lastSlope() const { return m_k.back(); }
 
-    /// y at t + θ h between the ends of a Dormand–Prince step, of order 4 (Hairer, Nørsett, Wanner I, II.6).
+    /// Returns y at t + θ h, 0 ≤ θ ≤ 1, within a Dormand–Prince step, by dense output of order 4 (Hairer,
+    /// Nørsett, Wanner I, II.6).
     Points<Dim> dense(double theta) const;
-    /// The slopes that dense() or, without the one at the end, hermite() needs, in the order of the stages;
-    /// and a step that was taken elsewhere, from y over h.
+    /// Returns the slopes that dense() needs, or hermite() without the one at the end, in the order of the
+    /// stages.
     std::vector<Nodal<Dim>> denseSlopes() const {
         std::vector<Nodal<Dim>> slopes;
         for (int i = 0; i < m_tableau.stages; ++i)
             if (isDense(i)) slopes.push_back(m_k[i]);
         return slopes;
     }
+    /// Takes over a step from y over h that was computed elsewhere, with its denseSlopes().
     void adopt(double h, const Nodal<Dim>& y, const Nodal<Dim>& result, std::span<const Nodal<Dim>> slopes) {
         m_h = h;
         m_y = y;
@@ -81,7 +83,8 @@ class RungeKuttaStep {
         for (int i = 0; i < m_tableau.stages && slope != slopes.end(); ++i)
             if (isDense(i)) m_k[i] = *slope++;
     }
-    /// The same for the others, of order 3, from the slope at the result: the cubic Hermite polynomial.
+    /// Returns the same for the other methods, to order 3, by the cubic Hermite polynomial with the slope at
+    /// the result.
     Points<Dim> hermite(double theta, const Points<Dim>& endSlope) const;
 
   private:
@@ -91,8 +94,9 @@ class RungeKuttaStep {
         701980252875.0 / 199316789632, -1453857185.0 / 822651844,
         69997945.0 / 29380423};
 
+    /// Returns whether dense(), or hermite() without dense output, needs the slope of a stage.
     bool isDense(int stage) const { return m_tableau.firstSameAsLast ? kQuartic[stage] != 0 : stage == 0; }
-    /// h Σ w_i k_i.
+    /// Returns h Σ w_i k_i as a list of terms.
     std::vector<WeightedField<Dim>> terms(const std::array<double, 7>& weights, int count) const {
         std::vector<WeightedField<Dim>> sum;
         for (int i = 0; i < count; ++i)
@@ -114,7 +118,7 @@ Points<Dim> RungeKuttaStep<Dim>::hermite(double theta, const Points<Dim>& endSlo
            theta * rest * (rest * (m_h * *m_k[0] - difference) - theta * (m_h * endSlope - difference));
 }
 
-/// The Hermite cubic and a quartic term that the middle stages determine.
+/// Adds a quartic term, which the middle stages determine, to the Hermite cubic.
 template <int Dim>
 Points<Dim> RungeKuttaStep<Dim>::dense(double theta) const {
     const double rest = 1 - theta;

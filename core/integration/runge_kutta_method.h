@@ -5,7 +5,7 @@
 
 namespace wend {
 
-/// The Runge–Kutta methods, with error control where the tableau has an embedded method.
+/// Takes steps by a Runge–Kutta method, with error control if its tableau has an embedded method.
 template <int Dim>
 class RungeKuttaMethod final : public StepMethod<Dim> {
   public:

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// The settling in time.
+/// Knows the intervals in which the shape settles, and how fast.
 class Settling {
   public:
     Settling() = default;
@@ -16,7 +16,7 @@ class Settling {
     /// Returns the rate at which the gradient is followed: 30 / (t1 − t0) inside an interval, so that e⁻³⁰ of
     /// a small deviation remains at its end; 0 outside.
     double rate(double t, Side side) const;
-    /// The first end of a window after t, or +infinity; the last one up to t, or −infinity.
+    /// Return the first end of a window after t, or +infinity, and the last one up to t, or −infinity.
     double nextBreakpoint(double t) const;
     double lastBreakpoint(double t) const;
 

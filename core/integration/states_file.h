@@ -14,7 +14,7 @@
 
 namespace wend {
 
-/// What the states are of: a run goes on only from those of the same.
+/// Identifies what the states belong to. A run continues only from states with the same header.
 struct StatesHeader {
     /// A name and a digest of something that the shape depends on, such as "mesh".
     struct Part {
@@ -31,6 +31,7 @@ struct StatesHeader {
     double end = 1;  // of the run: the last step is cut there
     std::vector<Part> parts;
 
+    /// Passes all members to an archive, which stores or restores them.
     template <class Archive>
     void archive(Archive& archive) {
         auto& [dim, until, digests] = *this;
@@ -38,7 +39,7 @@ struct StatesHeader {
     }
 };
 
-/// What a run goes on with from the shape at a time.
+/// Holds what a run needs besides the shape to continue from a time.
 template <int Dim>
 struct Checkpoint {
     double time = 0;
@@ -54,20 +55,21 @@ struct Checkpoint {
     }
 };
 
-/// The states of a run, from a file.
+/// Reads the states of a run from a file.
 template <int Dim>
 class StatesReader final : public StepSource<Dim> {
   public:
-    /// Looks for the blocks; arrays are read when they are needed. Throws InputError for what is no states
-    /// file, a damaged one, and one that is of another shape, whose first other part it names.
+    /// Finds the blocks; arrays are read when they are needed. Throws InputError for a file that is not a
+    /// states file, for a damaged one, and for one of another shape, of which it names the first part that
+    /// differs.
     StatesReader(std::string path, const StatesHeader& wanted);
 
     const std::string& path() const { return m_file.path(); }
     const StatesHeader& header() const { return m_header; }
-    /// The time of the last checkpoint, and where it ends in the file.
+    /// Return the time of the last checkpoint, and where it ends in the file (bytes).
     double reached() const { return m_reached; }
     std::uint64_t end() const { return m_end; }
-    /// The greatest number of an array.
+    /// Returns the highest number of an array.
     std::uint64_t lastArray() const { return m_arrays.empty() ? 0 : m_arrays.rbegin()->first; }
 
     bool hasNext() const override { return m_next < m_counted; }
@@ -99,25 +101,27 @@ class StatesReader final : public StepSource<Dim> {
     std::uint64_t m_end = 0;
 };
 
-/// Keeps the states of a run in a file while it goes on. The file takes its place with the first checkpoint,
-/// and grows there: whenever the run ends, it holds all up to its last checkpoint.
+/// Writes the states of a run to a file while it is computed. The file takes its place with the first
+/// checkpoint and grows there, so that it holds everything up to the last checkpoint whenever the run ends.
 template <int Dim>
 class StatesWriter {
   public:
-    /// Throws InputError.
+    /// Begins a new file. Throws InputError.
     StatesWriter(const std::string& path, StatesHeader header);
-    /// Goes on from those of another run, which it copies unless it is the same file. Throws InputError.
+    /// Continues the states of another run, which it copies unless it is the same file. Throws InputError.
     StatesWriter(const std::string& path, const StatesReader<Dim>& before);
     ~StatesWriter();
     StatesWriter(const StatesWriter&) = delete;
     StatesWriter& operator=(const StatesWriter&) = delete;
 
+    /// Appends a step.
     void add(const StepRecord<Dim>& step);
-    /// A run can go on from here: `state` is at the end of the last step. Throws InputError.
+    /// Appends a checkpoint from which a run can continue; `state` is at the end of the last step. Throws
+    /// InputError.
     void checkpoint(const State<Dim>& state, const Statistics& statistics);
-    /// Whether enough was done since the last one to pay for another.
+    /// Returns whether enough was computed since the last checkpoint to pay for another.
     bool isDue() const;
-    /// The time of the last checkpoint; none without any.
+    /// Returns the time of the last checkpoint, if there is one.
     std::optional<double> reached() const { return m_reached; }
 
   private:
@@ -135,7 +139,7 @@ class StatesWriter {
     std::optional<PendingFile> m_pending;  // until it has its place
     int m_descriptor = -1;
     std::uint64_t m_lastArray = 0;
-    /// Arrays that are in the file, by their address; an address counts while its array lives.
+    /// The arrays that are in the file, by their address; an address counts while its array lives.
     std::map<std::weak_ptr<const Points<Dim>>, std::uint64_t, std::owner_less<>> m_ids;
     std::optional<double> m_reached;
     Clock::time_point m_last = Clock::now();

@@ -14,16 +14,17 @@
 #include "core/assembly/stage_vectors.h"
 #include "core/mesh/error.h"
 
-// A states file: 16 bytes that name the format and its version, then blocks. A block is its kind (4 bytes),
-// the length of what it holds (8), that, and the CRC-32 of all before (4). Numbers are little-endian.
+// A states file begins with 16 bytes that name the format and its version; blocks follow. A block consists of
+// its kind (4 bytes), the length of its content (8), the content, and the CRC-32 of all of these (4). Numbers
+// are little-endian.
 //
-//   Header      what the run is of
+//   Header      identifies what the run is of
 //   Array       a number by which others refer to it (8 bytes), its columns (8), and Dim doubles for each
 //   Step        StepRecord
-//   Checkpoint  what a run goes on with from the last step before it
+//   Checkpoint  lets a run continue from the last step before it
 //
-// Blocks are only ever added. A run that is killed leaves an incomplete block at most: what counts ends with
-// the last checkpoint.
+// Blocks are only ever appended. A run that is killed leaves at most one incomplete block; blocks after the
+// last checkpoint do not count.
 
 namespace wend::states {
 
@@ -41,7 +42,7 @@ concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <int Dim>
 class Storing {
   public:
-    /// `idOf` puts an array into the file, if it is not there yet, and returns its number.
+    /// `idOf` writes an array to the file, if it is not there yet, and returns its number.
     explicit Storing(std::function<std::uint64_t(const Nodal<Dim>&)> idOf) : m_idOf(std::move(idOf)) {}
 
     template <class... T>
@@ -84,7 +85,7 @@ class Storing {
     std::string m_bytes;
 };
 
-/// Takes the values from the bytes. Throws InputError where these end too early.
+/// Deserializes values from bytes. Throws InputError if the bytes end too early.
 template <int Dim>
 class Restoring {
   public:

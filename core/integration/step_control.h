@@ -8,7 +8,7 @@ namespace wend {
 /// step, 0 for none.
 double growthAfterStep(double error, double last);
 
-/// The factor for trying again after an error > 1.
+/// Returns the factor of the step for another attempt after an error > 1.
 double shrinkAfterError(double error);
 
 }  // namespace wend

@@ -23,13 +23,13 @@ struct PastField {
     }
 };
 
-/// The state of a method between steps. Cheap to copy.
+/// The state of a method between steps. It is cheap to copy.
 template <int Dim>
 struct Pace {
     double step = 0;   // that the control would try next; 0: its own start
     double error = 0;  // of the last step, over the tolerance; 0: there was none
     int order = 0;     // Adams: that it would try next
-    /// The last of them at the current time, the oldest first; empty: none is known.
+    /// The last fields at the current time and before, the oldest first; empty if none is known.
     std::vector<PastField<Dim>> fields;
 
     template <class Archive>
@@ -39,7 +39,7 @@ struct Pace {
     }
 };
 
-/// What a method keeps of a step for the shapes within it, beside the one at its start.
+/// Holds what a method keeps of a step, beside the shape at its start, to compute the shapes within it.
 template <int Dim>
 struct DenseStep {
     int order = 0;      // Adams
@@ -58,10 +58,10 @@ struct DenseStep {
 template <int Dim>
 class StepMethod {
   public:
-    /// f at the shape that the stages have; false where it cannot be evaluated.
+    /// Computes f at the shape of the stages; returns false if it cannot be evaluated.
     using Rhs = std::function<bool(double t, Side side, StageVectors<Dim>& stages, Points<Dim>& v)>;
-    /// tolerance: error allowed per step, the largest distance of a point; 0: steps are prescribed, no error
-    /// is estimated.
+    /// Makes a method. `tolerance` is the error allowed per step, the largest distance of a point; with 0,
+    /// steps are prescribed and no error is estimated.
     static std::unique_ptr<StepMethod> of(Method method, double tolerance);
     virtual ~StepMethod() = default;
 
@@ -73,10 +73,11 @@ class StepMethod {
                          Pace<Dim>& pace) = 0;
 
     // The following functions refer to the last successful attempt.
+    /// Returns the shape at the end of the step.
     virtual const Nodal<Dim>& result() const = 0;
     /// Returns the error relative to the tolerance: the step is accepted up to 1.
     virtual double error() const = 0;
-    /// The error was too great: step and order to try again with.
+    /// Sets step and order for another attempt, because the error was too large.
     virtual void retry(Pace<Dim>& pace) const = 0;
     /// Accepts the step. `shortened`: earlier attempts failed; `cut`: it is shorter than the control
     /// proposed.
@@ -88,19 +89,20 @@ class StepMethod {
     /// Hermite interpolation of order 3 with `endField` (if needsEndField()). Equals result() at the end of
     /// the step up to rounding.
     virtual Points<Dim> at(double t, const Points<Dim>& endField) const = 0;
-    /// What at() depends on, and the step that it was taken from: from a shape at t to `to`.
+    /// Return what at() depends on, and adopt it for a step from a shape at t to `to` that was taken
+    /// elsewhere.
     virtual DenseStep<Dim> dense() const = 0;
     virtual void adopt(const DenseStep<Dim>& step, double t, double to, const Nodal<Dim>& x) = 0;
 };
 
-/// f as a field that does not change any more; null where it cannot be evaluated.
+/// Returns f as a field that does not change any more; null if it cannot be evaluated.
 template <int Dim>
 Nodal<Dim> fieldAt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages, double t, Side side) {
     auto field = std::make_shared<Points<Dim>>();
     return f(t, side, stages, *field) ? field : nullptr;
 }
 
-/// The largest length of a column.
+/// Returns the largest length of a column; 0 without columns.
 template <int Dim>
 double largestColumn(const Points<Dim>& points) {
     return points.cols() == 0 ? 0 : points.colwise().norm().maxCoeff();

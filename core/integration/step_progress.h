@@ -8,25 +8,28 @@
 
 namespace wend {
 
-/// How far a step is whose fields are being computed.
+/// The progress of a step whose fields are being computed.
 struct Within {
     double time;  // between the ends of the step, by the work that is done; of a run it never falls
     FieldWork work;
     double part;  // of this work, in [0, 1]
 };
 
-/// Counts the fields of a step. tell() may be called from any thread.
+/// Counts the fields of a step and reports its progress. tell() may be called from any thread.
 class StepProgress {
   public:
     using Sink = std::function<void(const Within&)>;
 
-    /// A run from this time on; the sink is called at most so often, by one thread at a time.
+    /// Starts a run at a time. The sink is called at most once per `every`, by one thread at a time.
     void start(double time, Sink sink, std::chrono::milliseconds every);
     void stop() { start(0, {}, {}); }
-    /// An attempt at a step, which takes about as many fields as the last one that succeeded.
+    /// Starts an attempt at a step, which is expected to take as many fields as the last one that succeeded.
     void begin(double from, double to);
+    /// Ends an attempt that has succeeded.
     void succeed() { m_expected = m_fields; }
+    /// Counts a field as done.
     void fieldDone();
+    /// Reports the fraction of some work on the current field that is done.
     void tell(FieldWork work, double part);
 
   private:

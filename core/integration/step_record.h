@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// An accepted step as it is kept: with it a run goes on to the step's end, and has every shape within it,
-/// to the same bits without solving for anything.
+/// Stores an accepted step, with which a run continues to the step's end, and computes every shape within it,
+/// to the same bits without solving.
 template <int Dim>
 struct StepRecord {
     double from = 0, to = 0;
@@ -24,14 +24,14 @@ template <int Dim>
 struct State;
 struct Statistics;
 
-/// The steps of an earlier run of the same deformation, one after another from its start.
+/// Supplies the steps of an earlier run of the same deformation, one after another from its start.
 template <int Dim>
 class StepSource {
   public:
     virtual ~StepSource() = default;
     virtual bool hasNext() const = 0;
     virtual StepRecord<Dim> next() = 0;
-    /// After the last step: what that run went on with beside the shape, and its statistics.
+    /// Restores, after the last step, what that run continued with besides the shape, and its statistics.
     virtual void resume(State<Dim>& state, Statistics& statistics) = 0;
 };
 

@@ -8,12 +8,13 @@
 
 namespace wend {
 
-/// Why a motion cannot go on.
+/// The reasons for which a motion cannot continue.
 enum class StopReason { CellInverted, StepTooSmall, Indefinite, NotFinite, NotConverged };
+/// Returns the reason for an outcome that is not done.
 StopReason reasonOf(const SolveOutcome& outcome);
 
-/// Why a handle, "it", cannot go on, in the words of a user: what is wrong, where, and what helps. `place` is
-/// a point of the domain as it is printed; the cell counts for CellInverted alone, −1: none to name.
+/// Describes to a user why a handle, "it", cannot continue: what is wrong, where, and what helps. `place` is
+/// a point of the domain as it is printed; the cell counts for CellInverted only, −1: none to name.
 std::string stopMessage(StopReason reason, const std::string& place, int cell);
 
 /// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if

@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// Barycentric coordinates of p, in the cell or not: [x1 − x0, …] (w1, …)ᵀ = p − x0 and w0 = 1 − Σ, by
-/// Cramer's rule. Not finite for a flat cell.
+/// Returns the barycentric coordinates of p, which may be outside of the cell: [x1 − x0, …] (w1, …)ᵀ = p − x0
+/// and w0 = 1 − Σ, by Cramer's rule. They are not finite for a flat cell.
 template <int Dim>
 Eigen::Matrix<double, Dim + 1, 1> barycentric(const Points<Dim>& points, const Cell<Dim>& cell,
                                               const Vec<Dim>& p) {
@@ -25,6 +25,7 @@ Eigen::Matrix<double, Dim + 1, 1> barycentric(const Points<Dim>& points, const C
     return weights;
 }
 
+/// Returns the mean of the cell's corners.
 template <int Dim>
 Vec<Dim> centroid(const Points<Dim>& points, const Cell<Dim>& cell) {
     Vec<Dim> sum = Vec<Dim>::Zero();

@@ -33,16 +33,19 @@ enum class CellKind : unsigned char {
 };
 constexpr std::size_t kCellKinds = 22;
 
+/// The properties of a kind of cell.
 struct CellKindFacts {
     const char *name, *plural;
     int dimension;
     int corners, nodes;  // 0: any number
     int vtk;             // its number in VTK
 };
+/// Returns the properties of a kind.
 const CellKindFacts& factsOf(CellKind kind);
 
+/// Returns the kind with this number in VTK; nothing if there is none.
 std::optional<CellKind> cellKindOfVtk(long number);
-/// The same shape without nodes between the corners.
+/// Returns the kind of the same shape without nodes between the corners.
 CellKind linearKind(CellKind kind);
 
 }  // namespace wend

@@ -15,17 +15,19 @@ struct CellList {
 
     int size() const { return static_cast<int>(kinds.size()); }
     bool empty() const { return kinds.empty(); }
+    /// Returns the nodes of a cell.
     std::span<const int> operator[](int c) const {
         return std::span(nodes).subspan(static_cast<std::size_t>(begins[c]),
                                         static_cast<std::size_t>(begins[c + 1] - begins[c]));
     }
     int dimension(int c) const { return factsOf(kinds[static_cast<std::size_t>(c)]).dimension; }
+    /// Appends a cell.
     void add(CellKind kind, std::span<const int> cell) {
         kinds.push_back(kind);
         nodes.insert(nodes.end(), cell.begin(), cell.end());
         begins.push_back(static_cast<int>(nodes.size()));
     }
-    /// A triangle, a quadrilateral or a polygon.
+    /// Appends a triangle, a quadrilateral or a polygon.
     void addFace(std::span<const int> corners) {
         add(corners.size() == 3   ? CellKind::Triangle
             : corners.size() == 4 ? CellKind::Quad

@@ -4,26 +4,29 @@
 
 namespace wend {
 
-/// How far a cell is from the regular one, in the measures of the Verdict library (Knupp et al., The Verdict
+/// Measures how far a cell is from the regular one, as the Verdict library does (Knupp et al., The Verdict
 /// Geometric Quality Library, 2006). With the edges l, the measure V, the radius r of the inscribed ball, and
 /// J = d! V:
-///   scaled Jacobian  √2 J / max of the products of the three edges at a corner (plane: 2/√3 J / max l_i
-///   l_j), aspect ratio     max l / (2 √6 r) (plane: max l Σ l / (4 √3 V)).
-/// Both are 1 for the regular cell. The scaled Jacobian falls to 0 for a flat cell and is negative for an
-/// inverted one, the aspect ratio grows without end.
+///   scaled Jacobian  √2 J / max of the products of the three edges at a corner
+///                    (plane: 2/√3 J / max l_i l_j),
+///   aspect ratio     max l / (2 √6 r) (plane: max l Σ l / (4 √3 V)).
+/// Both are 1 for the regular cell. The scaled Jacobian decreases to 0 for a flat cell and is negative for an
+/// inverted one; the aspect ratio grows without bound.
 struct CellShape {
     double scaledJacobian = 0, aspectRatio = 0;
     double minAngle = 0, maxAngle = 0;  // radians: dihedral angles, in the plane those at the corners
 };
 
+/// Computes the shape of one cell.
 template <int Dim>
 CellShape cellShape(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// The shapes of all cells.
+/// Computes the shapes of all cells.
 template <int Dim>
 std::vector<CellShape> cellShapes(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells);
 
-/// F of every cell, the gradient of its map from rest: F (x_i − x_0) = pose_i − pose_0.
+/// Returns the deformation gradient F of every cell, the gradient of its map from rest: F (x_i − x_0) =
+/// pose_i − pose_0.
 template <int Dim>
 std::vector<Mat<Dim>> deformationGradients(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
 

@@ -10,17 +10,19 @@ namespace wend {
 /// succeed until finish(), because some picture libraries ignore failures and others end the process.
 class CheckedFile {
   public:
-    /// Empties the file, or makes it, for this user alone.
+    /// Creates or empties the file, with permissions for this user alone.
     explicit CheckedFile(const std::string& path);
     ~CheckedFile();
     CheckedFile(const CheckedFile&) = delete;
     CheckedFile& operator=(const CheckedFile&) = delete;
 
+    /// Writes bytes at an offset. A failure is reported by finish() alone.
     void write(std::int64_t at, const void* bytes, std::size_t size);
     /// Reads back written bytes, and returns their number.
     std::size_t read(std::int64_t at, void* bytes, std::size_t size);
     /// Returns the end of the last written byte.
     std::int64_t size() const { return m_end; }
+    /// Returns whether a write has failed.
     bool failed() const { return m_error != 0; }
     /// Flushes and closes the file. Returns the first error, such as "No space left on device"; empty on
     /// success.

@@ -8,24 +8,24 @@
 
 namespace wend {
 
-/// A helper program that stays and answers requests, one at a time. Its standard input is a socket for
+/// A helper program that stays alive and answers requests, one at a time. Its standard input is a socket for
 /// messages in both directions. Its argument is the memory limit in megabytes, which it must set for itself
-/// (beginLinkedHelper). Not for several threads at once.
+/// (beginLinkedHelper). One thread uses it at a time.
 class ChildLink {
   public:
     /// Starts the program at `path`.
     ChildLink(const std::string& path, int megabytes);
     ChildLink(const ChildLink&) = delete;
     ChildLink& operator=(const ChildLink&) = delete;
-    /// Kills it.
+    /// Kills the program.
     ~ChildLink();
 
-    /// Returns false if it has ended.
+    /// Returns false if the program has ended.
     bool send(const std::string& message);
-    /// Returns false if it has ended, or was killed here because its process group used no CPU time for
-    /// `idleSeconds`. `goOn` is called several times a second and may throw.
+    /// Returns false if the program has ended, or was killed here because its process group used no CPU time
+    /// for `idleSeconds`. `goOn` is called several times a second and may throw.
     bool receive(std::string& message, double idleSeconds, const std::function<void()>& goOn);
-    /// Waits for its end, which receive() has announced, and returns how it ended, without output.
+    /// Waits for the program to end, which receive() has announced, and returns how it ended, without output.
     ChildResult end();
 
   private:

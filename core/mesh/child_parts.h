@@ -35,7 +35,7 @@ class Descriptor {
     int m_fd;
 };
 
-/// Makes a pipe whose ends no other program gets.
+/// Makes a pipe whose ends no other program inherits.
 inline bool makePipe(Descriptor& readEnd, Descriptor& writeEnd) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
@@ -44,7 +44,7 @@ inline bool makePipe(Descriptor& readEnd, Descriptor& writeEnd) {
     return true;
 }
 
-/// Writing to a child that has died must be an error, not the end of this program.
+/// Makes writing to a child that has died an error instead of the end of this program.
 class IgnoreBrokenPipe {
   public:
     IgnoreBrokenPipe() {
@@ -64,8 +64,8 @@ class IgnoreBrokenPipe {
     sigset_t m_set{}, m_old{};
 };
 
-/// Memory that two processes share, until neither has it. It is System V's, because a memory file would count
-/// against the limit of file sizes (ulimit -f).
+/// Memory that two processes share until both have detached it. It is System V shared memory, because a
+/// memory file would count against the limit of file sizes (ulimit -f).
 class SharedMemory {
   public:
     SharedMemory() = default;
@@ -73,11 +73,12 @@ class SharedMemory {
     SharedMemory& operator=(const SharedMemory&) = delete;
     ~SharedMemory() { reset(); }
 
+    /// Detaches the memory.
     void reset() {
         if (m_at) shmdt(m_at);
         m_at = nullptr;
     }
-    /// Throws bad_alloc.
+    /// Allocates and attaches memory. Throws bad_alloc.
     std::byte* make(std::size_t size) {
         const int made = shmget(IPC_PRIVATE, size, 0600);
         if (made < 0) throw std::bad_alloc();
@@ -87,10 +88,11 @@ class SharedMemory {
             shmctl(made, IPC_RMID, nullptr);
             throw;
         }
-        shmctl(made, IPC_RMID, nullptr);  // as soon as nobody has it; Linux lets others attach it until then
+        shmctl(made, IPC_RMID,
+               nullptr);  // takes effect when nobody has it attached; Linux lets others attach it until then
         return static_cast<std::byte*>(m_at);
     }
-    /// Attaches what another process has made. Throws bad_alloc.
+    /// Attaches memory that another process has allocated. Throws bad_alloc.
     std::byte* attach(int id) {
         reset();
         void* at = shmat(id, nullptr, 0);
@@ -98,6 +100,7 @@ class SharedMemory {
         m_at = at, m_id = id;
         return static_cast<std::byte*>(m_at);
     }
+    /// Returns the number by which another process attaches the memory.
     int id() const { return m_id; }
 
   private:
@@ -131,12 +134,13 @@ class Attributes {
 };
 
 /// Detects whether a child has become idle: its process group has neither produced output nor used CPU time
-/// for that many seconds. With 0 it never has.
+/// for that many seconds. With 0 seconds it never becomes idle.
 class IdleWatch {
   public:
     IdleWatch(pid_t group, double seconds) : m_group(group), m_seconds(seconds) {}
 
-    /// `said`: how much it has produced so far. Reads /proc five times a second at most.
+    /// Returns whether the child is idle; `said` is how many bytes it has written so far. Reads /proc at most
+    /// five times a second.
     bool isIdle(std::size_t said);
 
   private:

@@ -5,6 +5,7 @@
 
 namespace wend {
 
+/// How a child process ended, and what it wrote.
 struct ChildResult {
     enum class End { Exited, Signalled, TimedOut, Idle, Stopped, NotStarted };
     End end = End::Exited;

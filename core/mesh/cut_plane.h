@@ -11,6 +11,7 @@ struct CutPlane {
     Vec<3> point = Vec<3>::Zero();
     Vec<3> normal = Vec<3>::UnitX();
 
+    /// Returns the height of a point above the plane, which is positive on the removed side.
     double height(const Vec<3>& p) const { return normal.dot(p - point); }
 };
 
@@ -26,15 +27,15 @@ struct CutSurface {
     std::vector<bool> onCut;
 };
 
-/// The whole surface of the solid: its boundary facets.
+/// Returns the whole surface of the solid: its boundary facets.
 CutSurface wholeSurface(const std::vector<Facet<3>>& facets);
 
 /// Returns the surface of the union of all cells whose centroid is not cut off ("crinkle" cut).
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
                         const Points<3>& pose, const CutPlane& plane);
 
-/// The exact cut: boundary facets clipped at the plane, and the plane's sections of all cells that it
-/// crosses.
+/// Returns the exact cut: the boundary facets clipped at the plane, and the plane's sections of all cells
+/// that it crosses.
 CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points<3>& pose,
                     const CutPlane& plane);
 

@@ -4,8 +4,8 @@
 
 namespace wend {
 
-// Eigen's decompositions of small matrices, compiled once: a file that instantiates one of them takes seconds
-// more to compile.
+// Eigen's decompositions of small matrices are compiled once, because a file that instantiates one of them
+// takes seconds more to compile.
 
 /// A = U diag(σ) Vᵀ with orthogonal U and V; σ descending.
 template <int Dim>
@@ -35,7 +35,7 @@ PrincipalAxes<Dim> principalAxes(const Mat<Dim>& A);
 template <int Dim>
 Vec<Dim> symmetricEigenvalues(const Mat<Dim>& A);
 
-/// The X of least |A X − B|, and the rank of A.
+/// The X of least |A X − B|, with the rank of A.
 template <int Columns, int Sides>
 struct LeastSquares {
     Eigen::Matrix<double, Columns, Sides> X;

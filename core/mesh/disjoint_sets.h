@@ -6,16 +6,18 @@
 
 namespace wend {
 
-/// Numbers 0 … count − 1 in sets that can be united; a set is called by its lowest.
+/// Keeps the numbers 0 … count − 1 in sets that can be united. A set is represented by its lowest number.
 class DisjointSets {
   public:
     explicit DisjointSets(int count) : m_parents(static_cast<std::size_t>(count)) {
         std::iota(m_parents.begin(), m_parents.end(), 0);
     }
+    /// Returns the lowest number of the set that contains i.
     int root(int i) {
         while (m_parents[i] != i) i = m_parents[i] = m_parents[m_parents[i]];
         return i;
     }
+    /// Unites the sets of a and b.
     void join(int a, int b) {
         const auto [low, high] = std::minmax({root(a), root(b)});
         m_parents[high] = low;

@@ -12,12 +12,13 @@ namespace wend {
 template <int Dim>
 class Embedding {
   public:
+    /// Locates the points in the rest mesh.
     Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& points);
 
-    /// Returns the points in a pose. At rest they equal the originals bit for bit (except for coordinates
-    /// near zero).
+    /// Returns the points in a pose (both Dim × n). At rest they equal the originals bit for bit (except for
+    /// coordinates near zero).
     Points<Dim> carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const;
-    /// Other values of the vertices, at the points.
+    /// Returns other values of the vertices, interpolated at the points.
     Points<Dim> interpolate(const SimplicialMesh<Dim>& rest, const Points<Dim>& values) const;
     /// Returns the vertices and weights of a point.
     std::vector<std::pair<int, double>> weights(const SimplicialMesh<Dim>& rest, int point) const;

@@ -16,7 +16,7 @@ class InputError : public std::runtime_error {
 
     const std::string& file() const { return m_file; }
     const std::string& reason() const { return m_what; }
-    /// The same error with the file's name, if it has none yet.
+    /// Returns the same error with the file's name, if it has none yet.
     InputError named(const std::string& file) const {
         return m_file.empty() ? InputError(file, m_what) : *this;
     }

@@ -13,7 +13,7 @@
 namespace wend {
 
 /// A program of the system that takes its input piece by piece, such as an encoder of films. If this object
-/// is destroyed before the program has ended, its process group is killed. For one thread at a time.
+/// is destroyed before the program has ended, its process group is killed. One thread uses it at a time.
 class FedProcess {
   public:
     FedProcess(const std::string& program, const std::vector<std::string>& arguments);

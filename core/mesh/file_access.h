@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// Permissions of a new file: those of the user's umask, or private.
+/// The permissions of a new file: those of the user's umask, or private.
 enum class Access { Usual, Private };
 
 /// Returns why this file must not be replaced; empty if it may be, or does not exist. Read-only files are

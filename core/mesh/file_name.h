@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// ".png" of "folder/A.PNG"; empty without one.
+/// Returns the extension in lower case, ".png" of "folder/A.PNG"; empty if there is none.
 std::string lowerExtension(const std::string& path);
 
 }  // namespace wend

@@ -21,9 +21,9 @@ struct GltfScene {
     std::vector<Points<3>> poses;  // become morph targets that a weights animation shows one after another
 };
 
-/// A skin in a pose: vertices are doubled where texture points meet.
+/// Returns a skin in a pose as a scene. Vertices are doubled where texture points meet.
 GltfScene gltfScene(const Skin& skin, const Points<3>& points);
-/// A skin in poses of its vertices, from the first one on.
+/// Returns a skin in several poses of its vertices, from the first one on, as an animated scene.
 GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::vector<double> times);
 
 /// Writes a binary glTF file (.glb), whole or not at all. In glTF y is up: z-up coordinates are rotated if

@@ -24,7 +24,7 @@ class InputFile {
   public:
     /// Throws InputError(path, reason).
     explicit InputFile(std::string path);
-    /// A file of that content, which was part of the one at `path`.
+    /// Holds a file of that content, which was part of the one at `path`.
     InputFile(std::string path, std::string content);
     ~InputFile();
     InputFile(const InputFile&) = delete;
@@ -32,9 +32,10 @@ class InputFile {
 
     const std::string& path() const { return m_path; }
     std::uint64_t size() const { return m_size; }
-    /// The bytes from `offset` on, fewer where the file ends. Throws InputError(path, reason), OutOfMemory,
-    /// and Cancelled after stopReading().
+    /// Returns the bytes from `offset` on, fewer if the file ends before. Throws InputError(path, reason),
+    /// OutOfMemory, and Cancelled after stopReading().
     std::string bytes(std::uint64_t offset, std::uint64_t count) const;
+    /// Returns all bytes.
     std::string bytes() const { return bytes(0, m_size); }
 
   private:
@@ -44,7 +45,7 @@ class InputFile {
     std::string m_content;
 };
 
-/// The whole of a regular file. Throws as InputFile does.
+/// Returns the content of a regular file. Throws as InputFile does.
 std::string readInput(const std::string& path);
 
 /// Makes reading throw Cancelled from now on (true), or no longer; async-signal-safe.

@@ -13,6 +13,7 @@ struct JoinedParts {
     SimplicialMesh<Dim> mesh;
     int vertices = 0;  // joined to others
 };
+/// Returns the mesh with its parts joined.
 template <int Dim>
 JoinedParts<Dim> joinedParts(const SimplicialMesh<Dim>& mesh);
 

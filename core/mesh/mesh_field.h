@@ -14,7 +14,7 @@ struct MeshField {
     bool perCell = false;
     int components = 1;
     std::vector<double> values;
-    /// Of a field per cell that was read: its values for every one of the file's own cells (MeshFile::cells).
+    /// The values of a field per cell that was read, for every one of the file's own cells (MeshFile::cells).
     std::vector<double> ofCells = {};
     formats::Scalar type = formats::Scalar::Float64;  // in the file
 };

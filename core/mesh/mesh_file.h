@@ -22,8 +22,8 @@ namespace wend {
 /// The highest label that has a name: names are a list, and no file shall make it a long one.
 constexpr long kHighestLabel = 100000;
 
-/// What a mesh file holds, before a dimension is chosen. Order and count are the file's. Bending changes
-/// points only; all the rest comes out as it came in, as far as the format that is written holds it.
+/// The content of a mesh file, before a dimension is chosen. Order and count are the file's. Bending changes
+/// points only; everything else is written as it was read, as far as the output format holds it.
 struct MeshFile {
     Eigen::Matrix3Xd points;
     std::vector<std::array<int, 3>> triangles;   // what the cells of the plane were split into
@@ -34,7 +34,7 @@ struct MeshFile {
     std::vector<int> labels;              // of the triangles of a volume's boundary; empty if there are none
     std::vector<std::string> labelNames;  // of the labels 1, 2, …; empty if they have none
 
-    /// All cells as the file has them, of every dimension; none where the cells were made here.
+    /// All cells of the file, of every dimension; none if the cells were generated here.
     CellList cells;
     std::vector<int> cellOfTriangle, cellOfTetrahedron;  // which of `cells` each was split from
     std::vector<MeshGroup> groups;
@@ -45,8 +45,8 @@ struct MeshFile {
     std::shared_ptr<const std::string> deck;
     std::string deckFormat;
     int firstNumber = 1;  // of the vertices, where a format leaves the choice (TetGen)
-    /// The cells were made here, not read: the triangles are the boundary of a volume's tetrahedra, and what
-    /// is written has no vertex without a cell.
+    /// True if the cells were generated, not read: the triangles are the boundary of a volume's tetrahedra,
+    /// and files have no vertex without a cell.
     bool made = false;
 };
 

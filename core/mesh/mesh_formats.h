@@ -16,9 +16,10 @@ struct MeshFormatFacts {
     bool holdsFields;                          // values of vertices and cells
     bool knowsBinary;                          // and not text alone
 };
+/// Returns the properties of all formats.
 std::vector<MeshFormatFacts> meshFormatFacts();
 
-/// The extensions of files for tetrahedra, or for surfaces, as "obj, ply".
+/// Lists the extensions of files for tetrahedra, or for surfaces, as "obj, ply".
 std::string meshExtensionList(bool tetrahedra);
 
 }  // namespace wend

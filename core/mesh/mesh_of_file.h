@@ -13,36 +13,36 @@ struct MeshField;
 struct MeshFile;
 struct MeshWriteOptions;
 
-// The mesh of a file, for users of a part of it: see mesh_file.h.
-// Throws InputError.
+// These functions access parts of a mesh file without its header: see mesh_file.h.
 
-/// Throws InputError.
+/// Reads the mesh of a file, and writes one. Throws InputError.
 template <int Dim>
 SimplicialMesh<Dim> readMesh(const std::string& path);
 template <int Dim>
 void writeMesh(const std::string& path, const SimplicialMesh<Dim>& mesh);
 
-/// 3 if the file holds tetrahedra, 2 otherwise. Throws InputError.
+/// Returns 3 if the file holds tetrahedra, else 2. Throws InputError.
 int dimensionOfMesh(const std::string& path);
 
-/// The extensions that are read and written, lower case, with the dot.
+/// Returns the extensions that are read and written, in lower case, with the dot.
 std::vector<std::string> meshFileExtensions();
 
 /// Returns whether a file of that name may hold vertices without triangles or tetrahedra. Throws InputError
 /// for an unknown format.
 bool holdsPointsAlone(const std::string& path);
 
-/// These, and the extensions of files that are read only.
+/// Returns these, and the extensions of files that are read only.
 std::vector<std::string> readableMeshExtensions();
 
 /// Returns the result of readMeshFile, shared.
 std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path);
-/// A file of cells that were made here, with their boundary.
+/// Returns a file of generated cells, with their boundary.
 std::shared_ptr<const MeshFile> madeMeshFile(const SimplicialMesh<3>& mesh,
                                              const std::vector<std::array<int, 3>>& boundary,
                                              const std::vector<int>& labels,
                                              const std::vector<std::string>& labelNames);
 
+/// Return the members of a file.
 const Eigen::Matrix3Xd& pointsOf(const MeshFile& file);
 const std::vector<std::array<int, 3>>& trianglesOf(const MeshFile& file);
 const std::vector<std::array<int, 4>>& tetrahedraOf(const MeshFile& file);
@@ -52,23 +52,23 @@ const std::vector<MeshField>& fieldsOf(const MeshFile& file);
 /// Returns whether the file contains tetrahedra.
 bool isVolume(const MeshFile& file);
 
-/// The partition in a file: triangles in a plane, in its coordinates (see planeOf), or tetrahedra (3D). Where
-/// cells are numbered in both orientations, all become positive. Validated with requireValid, and no two
-/// neighbours overlap.
+/// Returns the partition in a file: triangles in a plane, in its coordinates (see planeOf), or tetrahedra
+/// (3D). If cells are numbered in both orientations, all become positive. The result is valid by
+/// requireValid, and no two neighbours overlap.
 template <int Dim>
 SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 
-/// Neighbours that lie on the same side of the facet between them, in a mesh whose cells are of one
-/// orientation.
+/// Returns the pairs of neighbours that are on the same side of the facet between them, in a mesh whose cells
+/// have one orientation.
 template <int Dim>
 std::vector<std::array<int, 2>> foldedPairs(const SimplicialMesh<Dim>& mesh);
 
-/// How far single precision moves points that are written with it, in one line; empty up to a millionth of
-/// their extent.
+/// Describes in one line how far single precision moves points that are written with it; empty up to a
+/// millionth of their extent.
 std::string roundingText(const Eigen::Matrix3Xd& points);
 
-/// What of a mesh that was read would not be in a file of that name, in one line as "2 lines are not in an
-/// STL file". Empty if all would be.
+/// Describes in one line what a file of that name would not hold of a mesh that was read, as "2 lines are not
+/// in an STL file"; empty if it would hold everything.
 std::string lostInFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options);
 
 }  // namespace wend

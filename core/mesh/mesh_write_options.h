@@ -2,10 +2,11 @@
 
 namespace wend {
 
+/// The options of writing a mesh file.
 struct MeshWriteOptions {
     enum class Encoding { Text, Binary, Compressed };
-    /// Binary where the format has it (PLY, STL, .msh, .vtk, .vtu). Compressed: .vtu, elsewhere binary. Text
-    /// has 17 significant digits; binary STL has single precision.
+    /// Binary applies where the format has it (PLY, STL, .msh, .vtk, .vtu); Compressed applies to .vtu and is
+    /// binary elsewhere. Text has 17 significant digits; binary STL has single precision.
     Encoding encoding = Encoding::Text;
     bool bigEndian = false;  // PLY; the others have their own order
     bool appended = false;   // .vtu, not as text: data as raw bytes behind the XML instead of base64 in it

@@ -8,10 +8,10 @@
 
 namespace wend {
 
-/// Numbers as text in the C locale regardless of the user's locale: by std::to_chars and std::from_chars.
-/// Returns 17 significant digits, which read back as the identical double.
+/// These functions write and read numbers in the C locale regardless of the user's locale, by std::to_chars
+/// and std::from_chars.
 
-/// 17 significant digits, enough to read the identical double back.
+/// Appends 17 significant digits, enough to read the identical double back.
 void appendNumber(std::string& text, double value);
 
 /// Returns at most nine significant digits, for messages and command lines.

@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// The plane of a flat mesh in space. p has the coordinates axesᵀ p: two in the plane, and the height along
-/// its normal.
+/// The plane of a flat mesh in space. A point p has the coordinates axesᵀ p: two in the plane, and the height
+/// along its normal.
 struct PlaneFrame {
     Mat<3> axes = Mat<3>::Identity();  // orthogonal: both directions of the plane and its normal
 

@@ -23,10 +23,11 @@ class PointLocator {
     ~PointLocator();
     PointLocator(PointLocator&&) noexcept;
 
-    /// The cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or where the
-    /// shape overlaps itself, the one of highest index), or nothing.
+    /// Returns the cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or
+    /// where the shape overlaps itself, the one of highest index), or nothing.
     std::optional<Location<Dim>> find(const Vec<Dim>& p, double tolerance = 1e-12) const;
-    /// The nearest vertex of a cell (of any, without cells), the lowest of several; −1: none, p not finite.
+    /// Returns the nearest vertex of a cell (of any vertex if there are no cells), the lowest of several; −1
+    /// if there is none or p is not finite.
     int nearestVertex(const Vec<Dim>& p) const;
 
   private:

@@ -12,7 +12,7 @@ namespace wend {
 template <int Dim>
 bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// The shape of one cell.
+/// The measure, the smallest angle and the radius–edge ratio of one cell.
 struct CellQuality {
     double measure = 0;   // signed area or volume
     double minAngle = 0;  // radians; 2D: the smallest interior angle, 3D: the smallest dihedral angle
@@ -20,10 +20,11 @@ struct CellQuality {
         0;  // circumradius / shortest edge: 0.577 (2D) or 0.612 (3D) at best, ∞ for a flat cell
 };
 
+/// Computes the quality of one cell.
 template <int Dim>
 CellQuality cellQuality(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// The shapes of all cells together.
+/// Summarizes the quality of all cells.
 struct QualitySummary {
     static constexpr int binCount = 15;
     static constexpr double binDegrees =
@@ -43,6 +44,7 @@ struct QualitySummary {
                                       // the last one all beyond
 };
 
+/// Computes the summary of a mesh.
 template <int Dim>
 QualitySummary qualityOf(const SimplicialMesh<Dim>& mesh);
 

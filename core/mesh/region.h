@@ -49,7 +49,8 @@ struct RegionOf<3> {
 template <int Dim>
 using Region = typename RegionOf<Dim>::Type;
 
-/// Signed distance to the boundary of the region, negative inside (a Blend has none and returns −infinity).
+/// Returns the signed distance to the boundary of the region, negative inside; −infinity for a Blend, which
+/// has none.
 template <int Dim>
 double signedDistance(const Region<Dim>& region, const Vec<Dim>& p);
 

@@ -39,19 +39,19 @@ class PendingFile {
     const std::string& target() const { return m_target; }
     /// Returns the path to write to.
     const std::string& temporary() const { return m_temporary; }
-    /// Calls `write` with temporary(). Throws DiskFull in place of its InputError where that is the cause.
+    /// Calls `write` with temporary(). Throws DiskFull in place of its InputError if that is the cause.
     void fill(const std::function<void(const std::string& temporary)>& write) const;
     /// Returns whether the target is a special file, which cannot be rolled back.
     bool isSpecial() const { return m_special; }
     /// Returns a file that differs by this extension alone, in its temporary name as well: TetGen's files
     /// come in pairs.
     PendingFile companion(const std::string& extension) const;
-    /// Throws InputError(path, reason).
+    /// Lets the file replace its target. Throws InputError(path, reason).
     void commit();
-    /// The same for a file that goes on growing in its place: a process may end at once afterwards (see
-    /// abandonPendingFiles()).
+    /// Does the same for a file that continues to grow at its target: a process may end at once afterwards
+    /// (see abandonPendingFiles()).
     void place();
-    /// The same for several: all are on the disk before the first takes its place.
+    /// Does the same for several files: all are on the disk before the first one replaces its target.
     static void commit(std::span<PendingFile> files);
 
   private:
@@ -68,20 +68,20 @@ class PendingFile {
     std::shared_ptr<TemporaryFolder> m_folder;  // none if the file is temporary itself
 };
 
-/// Throws the error of writing into `folder`, or DiskFull where that is its cause. `given`: bytes that will
-/// be free when what was written is gone.
+/// Throws the error of writing into `folder`, or DiskFull if that is its cause. `given` is how many bytes
+/// will be free once the written data is removed.
 [[noreturn]] void throwExplained(const InputError& error, const std::string& folder, double given = 0);
 
-/// For a process that ends without destroying what it has made: from now on no file takes its place, and the
-/// temporary ones are removed. False, with nothing changed, once one has taken its place: then the work is as
-/// good as done.
+/// Prepares the end of a process that does not destroy its objects: from now on no file replaces its target,
+/// and the temporary ones are removed. Returns false, with nothing changed, once a file has replaced its
+/// target: then the work is as good as done.
 bool abandonPendingFiles() noexcept;
 
 /// Calls `write` with a temporary name, and moves the file to `path` afterwards: an existing file is replaced
 /// as a whole or not at all. The temporary name keeps the extension. Throws InputError(path, reason) if the
 /// folder is missing, not writable or full, and rethrows exceptions of `write` after removing the temporary.
 void writeWhole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
-/// Writes these bytes in the same way.
+/// Writes these bytes in the same manner.
 void writeWhole(const std::string& path, std::string_view bytes, Access access = Access::Usual);
 
 }  // namespace wend

@@ -6,10 +6,11 @@
 
 namespace wend {
 
-/// Returns the point of the segment a → b (possibly degenerate) nearest to p, and its distance. In 4D for
+/// Returns the point of the segment a → b (possibly degenerate) nearest to p. It works in 4D as well, for
 /// paths in space and time.
 template <int Dim>
 Vec<Dim> nearestOnSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
+/// Returns the distance of p from the segment a → b.
 template <int Dim>
 double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
 
@@ -17,7 +18,7 @@ double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b
 /// with an odd number of crossings. Half-open in y, so that a ray through a corner counts once.
 bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p);
 
-/// Signed area of a closed loop (shoelace).
+/// Returns the signed area of a closed loop by the shoelace formula.
 double loopArea(const std::vector<Vec<2>>& loop);
 
 }  // namespace wend

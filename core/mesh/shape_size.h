@@ -8,7 +8,7 @@ namespace wend {
 
 /// The place and size of a shape: the centroid, and √(12 Tr C) with the covariance C of the domain, that is,
 /// its second central moments divided by its measure. For a box this is the diagonal; it is independent of
-/// orientation and cells. The unit of every dimensionless setting (docs/method.md, (9)).
+/// orientation and cells. It is the unit of every dimensionless setting (docs/method.md, (9)).
 template <int Dim>
 struct ShapeSize {
     Vec<Dim> centroid = Vec<Dim>::Zero();

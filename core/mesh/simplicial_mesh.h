@@ -37,11 +37,11 @@ struct SimplicialMesh {
     int cellCount() const { return static_cast<int>(cells.size()); }
 };
 
-/// Signed area or volume: det[x1 − x0, …] / Dim!.
+/// Returns the signed area or volume of a cell, det[x1 − x0, …] / Dim!.
 template <int Dim>
 double cellMeasure(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// Length of the diagonal of the axis-aligned bounding box.
+/// Returns the length of the diagonal of the axis-aligned bounding box.
 template <int Dim>
 double boundingBoxDiagonal(const Points<Dim>& points);
 

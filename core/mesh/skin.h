@@ -33,7 +33,8 @@ struct Skin {
     int vertexCount() const { return static_cast<int>(points.cols()); }
 };
 
-/// The boundary of a solid, outward oriented where its cells are positive; only vertices on it.
+/// Returns the boundary of a solid, oriented outwards where its cells are positive, with only the vertices on
+/// it.
 Skin boundaryOf(const SimplicialMesh<3>& mesh);
 
 /// A skin with one texture coordinate per vertex, as GPUs and glTF require.
@@ -42,10 +43,12 @@ struct UnfoldedSkin {
     Eigen::Matrix2Xd uv;        // empty if there is no texture
     std::vector<std::array<int, 3>> triangles;
 };
-/// Vertices that several texture points meet at are doubled, the others keep their order.
+/// Returns a skin in which vertices are doubled where several texture points meet; the others keep their
+/// order.
 UnfoldedSkin unfolded(const Skin& skin);
 
-/// Unit normals, weighted by the corners' angles; zero at vertices without triangle.
+/// Returns unit normals of the vertices, weighted by the corners' angles; zero at vertices without a
+/// triangle.
 Points<3> vertexNormals(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace wend

@@ -9,9 +9,10 @@
 namespace wend {
 
 /// A bounding volume hierarchy of triangles for ray and nearest-point queries. When points move, refit()
-/// updates the boxes, which is far cheaper than a new tree.
+/// updates the boxes in far less time than a new tree takes.
 class TriangleTree {
   public:
+    /// The first triangle that a ray meets; −1 for none.
     struct Hit {
         int triangle = -1;
         double distance = std::numeric_limits<double>::infinity();
@@ -21,16 +22,17 @@ class TriangleTree {
     TriangleTree() = default;
     TriangleTree(const Points<3>& points, std::vector<std::array<int, 3>> triangles);
 
-    /// The same triangles with their points elsewhere.
+    /// Updates the tree to other points of the same triangles.
     void refit(const Points<3>& points);
-    /// The nearest triangle that the ray meets, from either side. `direction` has length 1.
+    /// Returns the nearest triangle that the ray meets, from either side. `direction` must have length 1.
     Hit firstHit(const Vec<3>& origin, const Vec<3>& direction) const;
     /// The point of all triangles nearest to p: its triangle (−1 for an empty tree) and the barycentric
-    /// weights. Of triangles at the same distance, any one may be returned.
+    /// weights. Of triangles at the same distance, any one may be the result.
     struct Nearest {
         int triangle = -1;
         Vec<3> weights = Vec<3>::Zero();
     };
+    /// Returns the point of all triangles nearest to p.
     Nearest nearest(const Vec<3>& p) const;
     int triangleCount() const { return static_cast<int>(m_triangles.size()); }
 

@@ -10,7 +10,8 @@ using Vec = Eigen::Matrix<double, Dim, 1>;
 template <int Dim>
 using Mat = Eigen::Matrix<double, Dim, Dim>;
 
-/// One column per vertex, contiguous, so that a shape, a velocity field or a stage is one flat vector.
+/// The points of a shape, one column per vertex and contiguous, so that a shape, a velocity field or a stage
+/// is one flat vector.
 template <int Dim>
 using Points = Eigen::Matrix<double, Dim, Eigen::Dynamic>;
 

@@ -38,7 +38,7 @@ struct Extent {
     double diagonal() const { return (high - low).norm(); }
 };
 
-/// The box around the vertices that cells have; a point at the origin without cells.
+/// Returns the box around the vertices that cells have; a point at the origin if there are no cells.
 template <int Dim>
 Extent<Dim> extentOf(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells);
 

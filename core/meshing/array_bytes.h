@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Binary messages between the program and its helpers: arrays in native byte order, each preceded by its
-/// length.
+/// Writes the binary messages between the program and its helpers: arrays in native byte order, each preceded
+/// by its length.
 class ArrayWriter {
   public:
     template <typename Container>
@@ -23,7 +23,8 @@ class ArrayWriter {
     std::string m_bytes;
 };
 
-/// Each array is read into a container of the same kind; returns false if there are too few bytes.
+/// Reads such messages. Each array goes into a container of the same kind; array() returns false if there are
+/// too few bytes.
 class ArrayReader {
   public:
     explicit ArrayReader(const std::string& bytes) : m_bytes(bytes) {}

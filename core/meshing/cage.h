@@ -9,6 +9,7 @@
 
 namespace wend {
 
+/// The options of fitCage().
 struct CageOptions {
     int vertices = 5000;   // aim, met within 15 % where whole cubes allow it
     double maxVolume = 0;  // > 0: maximum volume of a cell; the aim then does not count

@@ -11,14 +11,14 @@
 
 namespace wend {
 
-/// A grid of equal cubes around a surface: numbers, places, and the cubes near a triangle.
+/// A grid of equal cubes around a surface. It numbers and places the cubes, and finds those near a triangle.
 class CubeGrid {
   public:
     using Place = std::array<int, 3>;
 
     CubeGrid() = default;
-    /// Centred on the box, but for a shift of at most half a cube (in cubes), with `layers` of cubes beyond
-    /// it on every side.
+    /// Centres the grid on the box, except for a shift of at most half a cube (in cubes), with `layers` of
+    /// cubes beyond it on every side.
     CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec<3>& shift = Vec<3>::Zero());
     /// Returns the number of cubes without overflow.
     static double sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers);
@@ -32,9 +32,11 @@ class CubeGrid {
         for (int k = 0; k < axis; ++k) stride *= m_counts[k];
         return stride;
     }
+    /// Returns the number of the cube at a place.
     std::int64_t number(const Place& place) const {
         return place[0] + m_counts[0] * (place[1] + static_cast<std::int64_t>(m_counts[1]) * place[2]);
     }
+    /// Returns the place of the cube with a number.
     Place place(std::int64_t number) const {
         const auto rest = number / m_counts[0];
         return {static_cast<int>(number % m_counts[0]), static_cast<int>(rest % m_counts[1]),
@@ -44,8 +46,9 @@ class CubeGrid {
     std::int64_t numberAt(const Vec<3>& p) const {
         return number({index(0, p[0]), index(1, p[1]), index(2, p[2])});
     }
-    /// The lowest corner of the cube at a place.
+    /// Returns the lowest corner of the cube at a place.
     Vec<3> corner(const Place& place) const { return m_low + m_edge * Vec<3>(place[0], place[1], place[2]); }
+    /// Returns the centre of the cube at a place.
     Vec<3> centre(const Place& place) const { return corner(place) + Vec<3>::Constant(m_edge / 2); }
 
     using Triangle = std::array<Vec<3>, 3>;
@@ -73,6 +76,7 @@ bool meetsCube(const CubeGrid::Triangle& triangle, double half);
 std::vector<std::int64_t> fullCubes(const CubeGrid& grid, const Surface& surface, double distance, double gap,
                                     const std::stop_token& stop);
 
+/// Returns the corners of a triangle of the surface.
 CubeGrid::Triangle cornersOf(const Surface& surface, int triangle);
 
 template <class Take>

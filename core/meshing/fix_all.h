@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// Fixes all cases of a kind repeatedly as long as that helps, in the way of fixFor. Holes of more than
-/// `largestHole` edges stay.
+/// Fixes all cases of a kind repeatedly, each as fixFor() does, as long as that helps. Holes of more than
+/// `largestHole` edges remain.
 FaultFix fixForAll(const Surface& surface, const std::vector<SurfaceFix>& done, const std::string& kind,
                    int largestHole);
 

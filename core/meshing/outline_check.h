@@ -20,15 +20,15 @@ struct SegmentCrossing {
 /// Returns all crossings in the order of the segments. Uses exact predicates.
 std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments);
 
-/// The outline without repeated consecutive points. Throws InputError naming polygon, point or place: no
-/// polygon; a coordinate that is not finite; fewer than three distinct points; no area.
+/// Returns the outline without repeated consecutive points. Throws InputError that names polygon, point or
+/// place for: no polygon; a coordinate that is not finite; fewer than three distinct points; no area.
 Outline cleanedOutline(const Outline& outline);
 
 /// Throws InputError with the place of the first two edges that cross.
 void requireNoCrossing(const Outline& outline);
 
-/// The outline through all points that are within `tolerance` of it: corners that close are moved onto the
-/// point, otherwise the nearest edge is split there.
+/// Returns the outline through all points that are within `tolerance` of it: corners that close are moved
+/// onto the point, otherwise the nearest edge is split there.
 Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance);
 
 }  // namespace wend

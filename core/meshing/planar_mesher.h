@@ -9,14 +9,15 @@
 
 namespace wend {
 
+/// The options of meshOutline().
 struct PlanarMeshOptions {
     int vertices = 5000;   // aim, met within 10 % (see meshOutline); ignored when edge > 0
     double edge = 0;       // aim for the mean edge length
     double minAngle = 25;  // degrees, 0 … 30, away from corners of the input that are sharper
-    /// Most that the outline may be simplified by, and is only, when it has more detail than the aimed number
-    /// of vertices allows. 0: the mesh's boundary is the outline exactly.
+    /// The most by which the outline may be simplified. It is simplified only if it has more detail than the
+    /// aimed number of vertices allows. With 0 the mesh's boundary is the outline exactly.
     double simplify = 0;
-    /// Length of edges at a place, relative to elsewhere; positive. Empty: even.
+    /// Returns the length of edges at a place, relative to elsewhere; positive. If empty, edges are even.
     std::function<double(const Vec<2>&)> factor;
     std::vector<Vec<2>> points;  // become vertices of the mesh: where handles sit
     std::stop_token stop;

@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// Targets and limits of a refinement.
+/// The targets and limits of a refinement.
 struct RefinementBounds {
     double circumradius = 0;  // of every triangle at most, times the factor there
     double minAngle = 25;     // degrees
@@ -19,8 +19,8 @@ struct RefinementBounds {
     int maxVertices = 0;  // beyond that there is no result
 };
 
-/// The constrained Delaunay triangulation of an outline and points, from which refined meshes are made. Hides
-/// CGAL.
+/// The constrained Delaunay triangulation of an outline and points, from which refined meshes are made. It
+/// hides CGAL.
 class PlanarDomain {
   public:
     using Factor = std::function<double(const Vec<2>&)>;
@@ -34,10 +34,10 @@ class PlanarDomain {
     double perimeter() const;
     int vertexCount() const;
 
-    /// The mesh, or nothing when it would need more than maxVertices. Throws Cancelled.
+    /// Returns the mesh, or nothing if it would need more than maxVertices. Throws Cancelled.
     std::optional<SimplicialMesh<2>> refined(const RefinementBounds& bounds,
                                              const std::stop_token& stop) const;
-    /// The triangulation itself: no vertex added.
+    /// Returns the triangulation itself, without added vertices.
     SimplicialMesh<2> unrefined() const;
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// CGAL types of the refinement, for planar_refinement.cpp only.
+// CGAL's types of the refinement are used by planar_refinement.cpp only.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -53,8 +53,8 @@ class MarkedTriangulation : public Cdt {
 
     double shortestSquared = 0;
 
-    /// A new face is on the same side of the outline as the face beyond its edge of the hole, unless that
-    /// edge is constrained. (The edges are given from the faces outside of the hole.)
+    /// Marks a new face as on the same side of the outline as the face beyond its edge of the hole, unless
+    /// that edge is constrained. The edges are given from the faces outside of the hole.
     template <typename EdgeIterator, typename FaceIterator>
     Vertex_handle star_hole(const Point& p, EdgeIterator firstEdge, EdgeIterator endEdge,
                             FaceIterator firstFace, FaceIterator endFace) {
@@ -67,9 +67,9 @@ class MarkedTriangulation : public Cdt {
     }
 };
 
-/// Bounds on circumradius and smallest angle. The circumradius (not the longest edge) as size gives evenly
-/// spread vertices: no two are nearer than the bound, no place farther from one. See RefinementBounds for
-/// `shortest`.
+/// Bounds the circumradius and the smallest angle. The circumradius (not the longest edge) as size spreads
+/// vertices evenly: no two are nearer than the bound, and no place is farther from one. See RefinementBounds
+/// for `shortest`.
 class SizeAndAngle {
   public:
     using Face_handle = MarkedTriangulation::Face_handle;
@@ -77,7 +77,7 @@ class SizeAndAngle {
     struct Quality {
         double size = 0;   // squared circumradius over its bound
         double angle = 0;  // squared sine of the smallest angle
-        /// Worst first: the largest, then the sharpest.
+        /// Orders the worst first: the largest, then the sharpest.
         bool operator<(const Quality& other) const {
             if (size > 1 || other.size > 1) return size > other.size;
             return angle < other.angle;
@@ -102,7 +102,7 @@ class SizeAndAngle {
     };
 
     SizeAndAngle() = default;
-    /// `factor`: of the circumradius at a place; may be empty, and must live as long as this.
+    /// `factor` multiplies the circumradius at a place; it may be empty, and must outlive this object.
     SizeAndAngle(double circumradius, double sineSquared, double shortest,
                  const std::function<double(const Vec<2>&)>* factor = nullptr)
         : m_radiusSquared(circumradius * circumradius),

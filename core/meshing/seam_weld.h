@@ -4,6 +4,7 @@
 
 namespace wend {
 
+/// The result of weldSeams().
 struct SeamWeld {
     int vertices = 0;      // that were moved onto others
     double tolerance = 0;  // the widest gap that was closed

@@ -13,8 +13,8 @@ struct SoundPart {
     std::vector<int> triangles;  // their numbers in the whole surface
 
     explicit SoundPart(const Surface& whole);
-    /// The triangles that are connected with one through edges and agree with it, in the whole surface's
-    /// numbers.
+    /// Returns the triangles that are connected with one through edges and agree with it, in the whole
+    /// surface's numbers.
     std::vector<int> patchOf(int triangle) const;
 };
 

@@ -18,7 +18,7 @@ struct Surface {
     int triangleCount() const { return static_cast<int>(triangles.size()); }
 };
 
-/// Why a surface bounds no volume: everything that is wrong, listed, so that it can be counted, shown and
+/// Lists everything that prevents a surface from bounding a volume, so that it can be counted, shown and
 /// saved.
 struct SurfaceProblems {
     std::vector<int> notFinite;                        // vertices with NaN or infinite coordinates
@@ -34,7 +34,8 @@ struct SurfaceProblems {
     int coincidentVertices = 0;  // vertices at the place of an earlier one
     bool flat = false;           // all points in one plane
 
-    /// TetGen's input must be closed and free of crossings; orientation does not matter to it.
+    /// Returns whether TetGen accepts the surface, which must be closed and free of crossings; orientation
+    /// does not matter.
     bool boundsVolume() const;
     /// Returns one line: "12 open edges (first: 3–17), 4 pairs of triangles intersect (first: 20, 81)". Empty
     /// without problems.
@@ -43,10 +44,11 @@ struct SurfaceProblems {
     std::vector<int> triangles(const Surface& surface) const;
 };
 
-/// Finds all problems. Crossings are exact (CGAL predicates); triangles that share a vertex or an edge count
-/// as crossing if they meet elsewhere, too. At most `limit` crossings are listed.
+/// Finds all problems. Crossings are exact (CGAL predicates); triangles that share a vertex or an edge also
+/// count as crossing if they meet elsewhere. At most `limit` crossings are listed.
 SurfaceProblems checkSurface(const Surface& surface, int limit = 10000);
 
+/// Counts the repairs of a surface.
 struct RepairReport {
     int steps = 0;  // of single faults, before (see surface_fixes.h)
     int mergedVertices = 0, droppedDegenerate = 0, droppedDuplicate = 0, flipped = 0, filledHoles = 0;
@@ -55,9 +57,9 @@ struct RepairReport {
     std::string summary() const;   // one line; empty if nothing was done
 };
 
-/// The simple repairs: merges coincident vertices, drops degenerate and duplicate triangles, orients
+/// Does the simple repairs: merges coincident vertices, drops degenerate and duplicate triangles, orients
 /// neighbours consistently, and closes holes of at most `largestHole` edges with a fan around their centre.
-/// What stays wrong is for checkSurface to say.
+/// checkSurface reports what is still wrong.
 Surface repairSurface(const Surface& surface, int largestHole, RepairReport& report);
 
 }  // namespace wend

@@ -6,7 +6,8 @@
 
 namespace wend {
 
-/// checkSurface, which of many large triangles on one spot takes long. Throws Cancelled.
+/// Does what the other checkSurface does; this takes long for many large triangles at one place. Throws
+/// Cancelled.
 SurfaceProblems checkSurface(const Surface& surface, int limit, const std::stop_token& stop);
 
 }  // namespace wend

@@ -12,10 +12,10 @@ struct SurfaceEdge {
     std::vector<int> triangles;
 };
 
-/// The two vertices in increasing order.
+/// Returns the two vertices in increasing order.
 std::array<int, 2> sorted(int a, int b);
 
-/// The edges of a loop of vertices, each in increasing order.
+/// Returns the edges of a loop of vertices, each in increasing order.
 std::vector<std::array<int, 2>> sidesOf(const std::vector<int>& loop);
 
 /// Returns whether a side of a triangle runs from one vertex to the other.

@@ -20,7 +20,8 @@ struct SurfaceFacts {
                                    // edge is run along as often in both directions
 };
 
-/// The surface's indices are valid and its coordinates finite. Crossings are not looked for.
+/// Computes the facts of a surface whose indices are valid and whose coordinates are finite. It does not look
+/// for crossings.
 SurfaceFacts factsOf(const Surface& surface);
 
 }  // namespace wend

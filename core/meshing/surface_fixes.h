@@ -17,15 +17,16 @@ struct SurfaceFix {
     bool operator==(const SurfaceFix&) const = default;
 };
 
+/// A surface after some steps.
 struct FixedSurface {
     Surface surface;
     std::vector<int> numbers;  // of its triangles, as steps name them
 };
 
-/// The surface after the steps, one after another. Throws InputError: a step that is impossible.
+/// Returns the surface after the steps, one after another. Throws InputError for an impossible step.
 FixedSurface fixSurface(const Surface& surface, const std::vector<SurfaceFix>& fixes);
 
-/// A possible fix of one fault.
+/// A possible fix of one fault, with its result.
 struct FaultFix {
     std::vector<SurfaceFix> steps;  // none: no simple one helps
     FixedSurface after;

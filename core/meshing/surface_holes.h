@@ -6,9 +6,9 @@
 
 namespace wend {
 
-/// The boundaries of the holes as loops of vertices, in the direction in which triangles that fill them run;
-/// no loop passes a vertex twice. Where several holes meet at a vertex, each has its own loop. The triangles
-/// must be oriented consistently.
+/// Returns the boundaries of the holes as loops of vertices, in the direction in which triangles that fill
+/// them run; no loop passes a vertex twice. If several holes meet at a vertex, each has its own loop. The
+/// triangles must be oriented consistently.
 std::vector<std::vector<int>> holeLoops(const Surface& surface);
 
 /// Returns the loops that can be filled: the boundary of a triangle connected by one vertex only looks like a
@@ -23,6 +23,7 @@ int besideSlit(const Surface& surface, const std::vector<int>& loop);
 /// Closes a hole along its loop: a triangle, or a fan around the centre of the boundary.
 void fillHole(Surface& surface, const std::vector<int>& loop, int label = 0);
 
+/// The result of fillHoles().
 struct FilledHoles {
     int holes = 0, triangles = 0;  // the last of the surface
     std::vector<int> larger;       // the numbers of edges of those that stayed

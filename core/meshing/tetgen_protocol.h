@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// Messages between the program and wend-tetgen.
+/// A request to wend-tetgen.
 struct TetgenRequest {
     std::string switches;
     std::vector<double> points;   // 3 per vertex
@@ -15,6 +15,7 @@ struct TetgenRequest {
     std::vector<double> sizes;    // empty, or: maximum volume, grid's low corner, its spacing, its factors
     std::vector<int> sizeCounts;  // of the grid's nodes along x, y, z
 };
+/// The answer to a request.
 struct TetgenReply {
     std::int32_t error = 0;      // 0, or TetGen's own code
     std::vector<double> points;  // 3 per vertex, the input's first
@@ -24,10 +25,10 @@ struct TetgenReply {
     std::vector<int> labels;     // 1 per facet
 };
 
-/// Bytes of all members one after another (see array_bytes.h).
+/// Return the bytes of all members, one after another (see array_bytes.h).
 std::string pack(const TetgenRequest& request);
 std::string pack(const TetgenReply& reply);
-/// Returns false if the bytes are too few or too many.
+/// Read a message. Return false if the bytes are too few or too many.
 bool unpack(const std::string& bytes, TetgenRequest& request);
 bool unpack(const std::string& bytes, TetgenReply& reply);
 

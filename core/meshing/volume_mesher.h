@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// Relative edge lengths: factors on a regular grid over the surface's box, with trilinear interpolation.
+/// Relative edge lengths, as factors on a regular grid over the surface's box, with trilinear interpolation.
 struct SizeGrid {
     Vec<3> low = Vec<3>::Zero(), spacing = Vec<3>::Ones();
     std::array<int, 3> counts{};  // of nodes, x running fastest; 0: the same everywhere
@@ -20,9 +20,10 @@ struct SizeGrid {
     bool empty() const { return factors.empty(); }
 };
 
-/// The function at about 50 nodes along the longest side of the surface's box.
+/// Samples a function at about 50 nodes along the longest side of the surface's box.
 SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec<3>&)>& factorAt);
 
+/// The options of meshVolume().
 struct VolumeMeshOptions {
     double quality = 1.414;  // largest radius-edge ratio, ≥ 1.2 (TetGen's -q; near 1 it never ends)
     double maxVolume = 0;    // > 0: maximum volume of a cell, in the surface's units cubed; at a kept
@@ -35,22 +36,23 @@ struct VolumeMeshOptions {
     std::stop_token stop;
 };
 
+/// The mesh of a volume, with its boundary.
 struct VolumeMesh {
     SimplicialMesh<3> mesh;                    // with keepSurface, vertices 0 … n−1 are the surface's
     std::vector<std::array<int, 3>> boundary;  // the boundary triangles
     std::vector<int> boundaryLabels;           // label of the input triangle that contains each one
     bool aimMet = true;  // false: the surface alone has too many (or -Y allows too few) vertices
 
-    /// Vertices that cells have: of several at one place only one is among them.
+    /// Returns how many vertices cells have; of several at one place only one counts.
     int usedCount() const;
 };
 
-/// The surface bounds no volume; `problems` lists why.
+/// Thrown if the surface bounds no volume; `problems` lists why.
 class SurfaceError : public InputError {
   public:
     SurfaceError(const std::string& what, SurfaceProblems found)
         : InputError(what), problems(std::move(found)) {}
-    /// The same with the file's name.
+    /// Copies an error and adds the file's name.
     SurfaceError(const SurfaceError& other, const std::string& file)
         : InputError(other.named(file)), problems(other.problems) {}
 

@@ -24,6 +24,7 @@ struct ConstrainedPoint {
 
     bool isGuided() const { return track != Track::None; }
 
+    /// Returns the place of the point in a shape (Dim × n).
     template <int Dim>
     Vec<Dim> in(const Points<Dim>& shape) const {
         if (terms.size() == 1) return shape.col(terms.front().first);
@@ -33,13 +34,14 @@ struct ConstrainedPoint {
     }
 };
 
-/// A handle over time: its consecutive motions and its active range.
+/// Evaluates a handle over time: its consecutive motions and its active range.
 template <int Dim>
 class HandleTimeline {
   public:
     /// Throws InputError for invalid motions, motions out of order or overlapping, and an empty active range.
     explicit HandleTimeline(const Handle<Dim>& handle);
 
+    /// Returns whether the handle is active.
     bool active(double t, Side side) const;
     /// Returns the active motion, or −1 if the handle holds still or is inactive.
     int motionAt(double t, Side side) const;
@@ -72,21 +74,21 @@ class Constraints {
     Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
                 const Normalization<Dim>& units = {});
 
-    /// Those that slide come last.
+    /// Returns all points; those that slide come last.
     const std::vector<ConstrainedPoint>& points() const { return m_points; }
-    /// Those of the mesh, which hold at all times.
+    /// Returns the welds of the mesh, which hold at all times.
     const std::vector<Weld>& welds() const { return m_welds; }
-    /// How the points of a handle are held: along `normal` (of length 1) if there is one, else in the
-    /// coordinates whose bits are set in `held`. Of points that do not slide that is all of them. Points on a
-    /// surface are held along its normals, see guide().
+    /// Says how the points of a handle are held: along `normal` (of length 1) if there is one, else in the
+    /// coordinates whose bits are set in `held`. For points that do not slide that is all of them. Points on
+    /// a surface are held along its normals, see guide().
     struct Hold {
         unsigned held = 0;
         std::optional<Vec<Dim>> normal;
         std::shared_ptr<const GuideSurface<Dim>> surface;
     };
     const Hold& hold(int handle) const { return m_holds[static_cast<size_t>(handle)]; }
-    /// The part of a vector along the directions in which the points of a handle are held; on a surface the
-    /// whole vector.
+    /// Returns the part of a vector along the directions in which the points of a handle are held; on a
+    /// surface the whole vector.
     Vec<Dim> heldPart(int handle, const Vec<Dim>& v) const;
     /// Returns the part of a difference from the prescribed place or velocity in the directions that are
     /// held.
@@ -95,25 +97,25 @@ class Constraints {
         return point.slides ? heldPart(point.handle, difference) : difference;
     }
     const HandleTimeline<Dim>& timeline(int handle) const { return m_timelines[handle]; }
-    /// `handle "name"`, or by number if it has none.
+    /// Returns `handle "name"`, with the number if it has no name.
     const std::string& handleName(int handle) const { return m_names[handle]; }
 
-    /// Sorted times that no step may cross: windows, breaks of velocity, active ranges.
+    /// Returns the sorted times that no step may cross: windows, breaks of velocity, active ranges.
     const std::vector<double>& breakpoints() const { return m_breakpoints; }
-    /// The first breakpoint after t, or +infinity.
+    /// Returns the first breakpoint after t, or +infinity.
     double nextBreakpoint(double t) const;
-    /// The last breakpoint up to t, or −infinity.
+    /// Returns the last breakpoint up to t, or −infinity.
     double lastBreakpoint(double t) const;
 
-    /// Those that are held in all directions, and those that slide (vertices).
+    /// Return the active points that are held in all directions, and those that slide (vertices).
     std::vector<int> activePoints(double t, Side side) const;
     std::vector<int> activeSliders(double t, Side side) const;
     /// Returns whether any active handle moves.
     bool moving(double t, Side side) const;
 
-    /// The anchor of a point that is at p at time t.
+    /// Returns the anchor of a point that is at p at time t.
     Vec<Dim> anchor(int id, const Vec<Dim>& p, double t, Side side = Side::After) const;
-    /// Anchors for going on from a shape at time t.
+    /// Returns anchors for continuing from a shape at time t.
     Anchors anchors(const Points<Dim>& shape, double t, Side side = Side::After) const;
     /// Updates anchors across the breakpoint t.
     void crossBreakpoint(double t, const Points<Dim>& shape, Anchors& anchors) const;
@@ -122,14 +124,14 @@ class Constraints {
     Anchors adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
                   const Points<Dim>& shape, double t) const;
 
-    /// Positions and velocities of some points at time t, one column each; of points that slide, the velocity
-    /// is its held part, and only the held part of the position counts.
+    /// Computes positions and velocities of some points at time t, one column each. For points that slide,
+    /// the velocity is its held part, and only the held part of the position counts.
     void evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
-    /// Whether any point slides on a surface.
+    /// Returns whether any point slides on a surface.
     bool hasGuides() const { return !m_restNormals.empty(); }
-    /// The direction at rest in which a point that slides on a surface is held.
+    /// Returns the direction at rest in which a point that slides on a surface is held.
     const Vec<Dim>& restNormal(int id) const { return m_restNormals[static_cast<size_t>(id)]; }
     /// Replaces the positions of points that slide on surfaces by the nearest places of the surfaces at time
     /// t, and their velocities by the held parts of the surfaces' velocities there. `normals` gets the

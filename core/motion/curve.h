@@ -14,8 +14,9 @@ struct CurvePiece {
     Eigen::Matrix<double, Dim, 4> coefficients = Eigen::Matrix<double, Dim, 4>::Zero();
 
     double local(double u) const { return (u - from) / (to - from); }
+    /// Returns the point at v.
     Vec<Dim> value(double v) const;
-    /// d/du, not d/dv.
+    /// Returns the derivative by u, not by v.
     Vec<Dim> rate(double v) const;
 };
 
@@ -31,24 +32,24 @@ struct Curve {
     std::vector<int> smoothStretches() const;
 };
 
-/// A chain of cubics over 3k + 1 control points, each taking the same share of u.
+/// Returns a chain of cubics over 3k + 1 control points, each taking the same share of u.
 template <int Dim>
 Curve<Dim> bezierCurve(const std::vector<Vec<Dim>>& points);
 /// Returns the indices of the points that splines and polylines interpolate, without repetitions up to 1e-12
 /// of the length, at least two. Piece k is between the k-th and the next.
 template <int Dim>
 std::vector<int> distinctPoints(const std::vector<Vec<Dim>>& points);
-/// The C² interpolating cubic spline with natural ends (γ″ = 0) over chord lengths.
+/// Returns the C² interpolating cubic spline with natural ends (γ″ = 0) over chord lengths.
 template <int Dim>
 Curve<Dim> splineCurve(const std::vector<Vec<Dim>>& points);
-/// Straight pieces over chord lengths, hence with even speed.
+/// Returns straight pieces over chord lengths, hence with even speed.
 template <int Dim>
 Curve<Dim> polylineCurve(const std::vector<Vec<Dim>>& points);
-/// Straight pieces over the given increasing times, mapped linearly to [0, 1].
+/// Returns straight pieces over the given increasing times, mapped linearly to [0, 1].
 template <int Dim>
 Curve<Dim> timedCurve(const std::vector<double>& times, const std::vector<Vec<Dim>>& points);
 
-/// The curve in space: itself, or with z = 0.
+/// Returns the curve in space: itself, or with z = 0.
 Curve<3> inSpace(const Curve<2>& curve);
 inline const Curve<3>& inSpace(const Curve<3>& curve) {
     return curve;

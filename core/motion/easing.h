@@ -9,9 +9,9 @@ namespace wend {
 ///   linear s · in s² · out s (2 − s) · inOut s² (3 − 2s).
 /// `in` starts and `out` ends with zero speed, `inOut` both.
 double ease(Ease kind, double s);
-/// e′(s).
+/// Returns e′(s).
 double easeRate(Ease kind, double s);
-/// s with e(s) = u, for u in [0, 1].
+/// Returns s with e(s) = u, for u in [0, 1].
 double easeInverse(Ease kind, double u);
 
 }  // namespace wend

@@ -17,20 +17,23 @@ namespace wend {
 /// values as JSON text.
 using Extras = std::vector<std::pair<std::string, std::string>>;
 
+/// Selects how a motion starts and ends; see ease().
 enum class Ease { Linear, In, Out, InOut };
 
 template <int Dim>
 struct Translate {
     Vec<Dim> by = Vec<Dim>::Zero();
 };
-/// Counter-clockwise in the coordinates' own axes (x towards y); the axis is used in 3D only.
+/// Rotates counter-clockwise in the coordinates' own axes (x towards y); the axis is used in 3D only.
 template <int Dim>
 struct Rotate {
     Vec<Dim> centre = Vec<Dim>::Zero();
     Vec<Dim> axis = Vec<Dim>::Zero();
     double angle = 0;
 };
+/// Selects the curve through, or guided by, the points of a CurveMotion.
 enum class Interpolation { Bezier, Spline, Polyline };
+/// Selects the frame that a shape follows along a curve; see MovingFrame.
 enum class FrameKind { None, Frenet, Minimal };
 /// Motion along a curve, relative to its first point. A Bezier curve is a chain of cubics (3k + 1 points).
 template <int Dim>
@@ -48,19 +51,19 @@ struct Recorded {
     std::vector<Vec<Dim>> points;
 };
 
-/// Vertices with their displacements, by vertex.
+/// The displacements of vertices, with their numbers.
 template <int Dim>
 using Displacements = std::vector<std::pair<int, Vec<Dim>>>;
-/// Every held vertex moves along its own straight line: x ↦ x + e(s) u.
+/// Moves every held vertex along a straight line of its own: x ↦ x + e(s) u.
 template <int Dim>
 struct FieldMotion {
     std::string file, array;  // that the values are from; empty: they are the project's own
     std::shared_ptr<const Displacements<Dim>> values = std::make_shared<const Displacements<Dim>>();
 };
-/// In the plane an angle; in space the axis times the angle.
+/// A rotation: in the plane an angle; in space the axis times the angle.
 template <int Dim>
 using RotationVector = Eigen::Matrix<double, Dim == 2 ? 1 : 3, 1>;
-/// x ↦ R x + position.
+/// The place of a rigid body, x ↦ R x + position.
 template <int Dim>
 struct RigidPose {
     Vec<Dim> position = Vec<Dim>::Zero();
@@ -114,8 +117,8 @@ struct HandleTraits {
     bool operator==(const HandleTraits&) const = default;
 };
 
-/// Prescribes the motion of some points of the shape. Without motion it holds them still; motions act one
-/// after another.
+/// Prescribes the motion of some points of the shape. Without a motion it holds them still; its motions act
+/// one after another.
 template <int Dim>
 struct Handle {
     std::string name;

@@ -8,7 +8,8 @@
 
 namespace wend {
 
-/// The constrained points of handles, in the handles' order; a point that a handle names twice counts once.
+/// Finds the constrained points of handles, in the handles' order; a point that a handle names twice counts
+/// once.
 template <int Dim>
 class HandlePlacer {
   public:

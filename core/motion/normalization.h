@@ -13,9 +13,12 @@ struct Normalization {
     Vec<Dim> centre = Vec<Dim>::Zero();
     double size = 1;
 
+    /// Returns the normalization of a rest mesh.
     static Normalization of(const SimplicialMesh<Dim>& rest);
 
+    /// Returns x̂, in the frame of the computation.
     Vec<Dim> normal(const Vec<Dim>& p) const { return (p - centre) / size; }
+    /// Returns x, in the domain's coordinates.
     Vec<Dim> domain(const Vec<Dim>& p) const { return centre + size * p; }
     Points<Dim> normal(const Points<Dim>& points) const { return (points.colwise() - centre) / size; }
     SimplicialMesh<Dim> normal(const SimplicialMesh<Dim>& mesh) const {

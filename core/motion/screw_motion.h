@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// The rotation of a rotation vector.
+/// Returns the rotation matrix of a rotation vector.
 template <int Dim>
 Mat<Dim> rotationOf(const RotationVector<Dim>& vector);
 
@@ -22,7 +22,7 @@ class ScrewMotion {
     /// Throws InputError where a whole turn and a shift across its axis have no constant twist.
     ScrewMotion(const RigidPose<Dim>& from, const RigidPose<Dim>& to);
 
-    /// S(s) with its derivative in s.
+    /// Returns S(s) with its derivative in s.
     MovingMap<Dim> at(double s) const;
 
   private:
@@ -32,11 +32,11 @@ class ScrewMotion {
     RotationVector<Dim> m_turn;
 };
 
-/// S(s) of the first pose, with the rotation vector in the turn that continues that of the first.
+/// Returns S(s) of the first pose, with the rotation vector in the turn that continues that of the first.
 template <int Dim>
 RigidPose<Dim> poseBetween(const RigidPose<Dim>& from, const RigidPose<Dim>& to, double s);
 
-/// The rotation vector of a quaternion, in the turn that is nearest to the rotation `before`.
+/// Returns the rotation vector of a quaternion, in the turn that is nearest to the rotation `before`.
 RotationVector<3> rotationVectorOf(const Eigen::Quaterniond& rotation, const RotationVector<3>& before);
 
 }  // namespace wend

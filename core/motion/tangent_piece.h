@@ -19,18 +19,18 @@ class TangentPiece {
     TangentPiece(const CurvePiece<3>& piece, double size);
 
     Shape shape() const { return m_shape; }
-    /// Direction at v = 0 as travelled; unit.
+    /// Returns the unit tangent at v, in the direction of travel at v = 0.
     Vec<3> tangent(double v) const;
-    /// ±1: the direction of travel at v = 1, relative to tangent(1).
+    /// Returns ±1, the direction of travel at v = 1 relative to tangent(1).
     double endSign() const { return m_endSign; }
-    /// A unit normal of the piece's plane (Planar) or the binormal at v (Spatial).
+    /// Returns a unit normal of the piece's plane (Planar) or the binormal at v (Spatial).
     Vec<3> binormal(double v) const;
-    /// dT/dv.
+    /// Returns dT/dv.
     Vec<3> tangentRate(double v) const;
     /// Returns the torsion times dσ/dv (σ arc length): the rotation rate of Frenet's frame about the tangent.
     /// Spatial only.
     double torsionRate(double v) const;
-    /// (γ(w) − γ(v)) / (w − v), without cancellation.
+    /// Returns (γ(w) − γ(v)) / (w − v), without cancellation.
     Vec<3> chord(double v, double w) const;
 
   private:

@@ -15,6 +15,7 @@ struct AffineMap {
 
     Vec<Dim> operator()(const Vec<Dim>& x) const { return A * x + b; }
 };
+/// The map of a handle's points at a time, and its derivative.
 template <int Dim>
 struct MovingMap {
     AffineMap<Dim> position;
@@ -26,12 +27,11 @@ struct MovingMap {
 /// The side of a time at which the velocity jumps: the interval that ends there, or the one that begins.
 enum class Side { Before, After };
 
-/// One motion, ready to evaluate: M(t) with M(start) = identity, for t in [start, end]; the end value
-/// afterwards. A curve moves x to γ + s Q (x − γ(0)), with the rotation Q of its frame including the twist,
-/// and the scale s, both linear in the curve's parameter. The times of a stroke and of poses are mapped
-/// linearly to the interval. Throws InputError for an invalid motion (reversed interval, fewer points than
-/// the interpolation needs, a zero axis, times that do not increase, a scale ≤ 0, twist in 2D …), naming the
-/// key.
+/// Evaluates one motion: M(t) with M(start) = identity, for t in [start, end]; the end value afterwards. A
+/// curve moves x to γ + s Q (x − γ(0)), with the rotation Q of its frame including the twist, and the scale
+/// s, both linear in the curve's parameter. The times of a stroke and of poses are mapped linearly to the
+/// interval. Throws InputError for an invalid motion (reversed interval, fewer points than the interpolation
+/// needs, a zero axis, times that do not increase, a scale ≤ 0, twist in 2D …), naming the key.
 template <int Dim>
 class Trajectory {
   public:
@@ -42,14 +42,15 @@ class Trajectory {
 
     double start() const;
     double end() const;
-    /// The side matters at break times only; outside [start, end] the position is constant.
+    /// Returns M(t) and its derivative. The side matters at break times only; outside [start, end] the
+    /// position is constant.
     MovingMap<Dim> at(double t, Side side = Side::After) const;
-    /// Times inside ]start, end[ where the velocity jumps (corners of polylines and strokes, loose Bézier
-    /// joints): an integrator must not step across.
+    /// Returns the times inside ]start, end[ where the velocity jumps (corners of polylines and strokes,
+    /// loose Bézier joints), which no step of an integrator may cross.
     const std::vector<double>& breakTimes() const;
-    /// For drawing: return the curve's point γ and its frame F (columns: tangent, normal …, twisted; the axes
-    /// if no frame is used) at time t. For Translate and Rotate γ is the displacement or the centre, for a
-    /// FieldMotion the mean displacement, for poses the origin of the body, and F the rotation.
+    /// Return, for drawing, the curve's point γ and its frame F (columns: tangent, normal …, twisted; the
+    /// axes if no frame is used) at time t. For Translate and Rotate γ is the displacement or the centre, for
+    /// a FieldMotion the mean displacement, for poses the origin of the body, and F the rotation.
     Vec<Dim> curvePoint(double t) const;
     Mat<Dim> frame(double t) const;
 

@@ -7,15 +7,15 @@
 
 namespace wend {
 
-/// Per cell: the number of its facet-connected component. (Parts that only touch at a vertex can turn about
-/// it.)
+/// Returns the number of the facet-connected component of every cell. Parts that only touch at a vertex can
+/// turn about it.
 template <int Dim>
 std::vector<int> cellComponents(const SimplicialMesh<Dim>& mesh);
 
-/// Per component: whether its constrained points leave no rigid motion free, and at φ_CONF no similarity: two
-/// distinct points in 2D, three that are not on a line in 3D. A point counts for the component that has all
-/// its vertices. Vertices that slide count by the coordinates in which they are held. Components that the
-/// mesh's welds connect hold one another.
+/// Returns for every component whether its constrained points leave no rigid motion free, and at φ_CONF no
+/// similarity: two distinct points in 2D, three that are not on a line in 3D. A point counts for the
+/// component that has all its vertices. Vertices that slide count by the coordinates in which they are held.
+/// Components that the mesh's welds connect hold one another.
 template <int Dim>
 std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
                                   const std::vector<ConstraintRow>& rows, const SliderSet<Dim>& sliders = {});

@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// Σ_k weight_k · v_{vertex_k} = prescribed velocity: one constrained point of the shape (a vertex: one term
-/// of weight 1; a point in a cell: its barycentric coordinates).
+/// One constrained point of the shape, Σ_k weight_k · v_{vertex_k} = prescribed velocity: a vertex has one
+/// term of weight 1, a point in a cell its barycentric coordinates.
 struct ConstraintRow {
     std::vector<std::pair<int, double>> terms;
 };
@@ -28,11 +28,11 @@ struct Slider {
 };
 using Sliders = std::vector<Slider>;
 
-/// The same rows with one term per vertex, none of weight 0, by vertex.
+/// Returns the same rows with one term per vertex, none of weight 0, by vertex.
 std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows);
 
-/// A row that says nothing new: row = Σ coefficient · row_other. Its prescribed value must be the same
-/// combination of the others' values, else the constraints contradict each other.
+/// A row that depends linearly on others: row = Σ coefficient · row_other. Its prescribed value must be the
+/// same combination of the others' values, else the constraints contradict each other.
 struct DependentRow {
     int row = -1;
     std::vector<std::pair<int, double>> combination;  // of rows that are not dependent themselves
@@ -52,11 +52,11 @@ struct Elimination {
     std::vector<DependentRow> dependent;
 };
 
-/// Simplified rows: those of one vertex first, then the others in their order, each with the vertex of its
-/// largest remaining weight as pivot, one that does not slide if there is any.
+/// Eliminates simplified rows: those of one vertex first, then the others in their order, each with the
+/// vertex of its largest remaining weight as pivot, if possible one that does not slide.
 Elimination eliminate(const std::vector<ConstraintRow>& rows, const Sliders& sliders = {});
 
-/// The rows (any) that depend linearly on others.
+/// Returns those of any rows that depend linearly on others.
 std::vector<DependentRow> dependentRows(const std::vector<ConstraintRow>& rows);
 
 }  // namespace wend

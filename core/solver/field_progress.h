@@ -4,10 +4,10 @@
 
 namespace wend {
 
-/// The long work on one velocity field.
+/// The kinds of long work on one velocity field.
 enum class FieldWork { Factor, Levels, Iterations };
 
-/// Gets the part of such work that is done, in [0, 1], from any thread.
+/// Gets the fraction of such work that is done, in [0, 1], from any thread.
 using FieldProgress = std::function<void(FieldWork work, double part)>;
 
 }  // namespace wend

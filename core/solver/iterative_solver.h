@@ -11,11 +11,11 @@
 
 namespace wend {
 
-/// How building levels of multigrid ended.
+/// Says how building the levels of multigrid ended.
 enum class BuildStatus { Done, NotPositiveDefinite, Stopped };
 
-/// Conjugate gradients with multigrid for the systems of one mesh, one set of constraints after another: in
-/// this process, or divided among several. One thread uses it at a time.
+/// Solves the systems of one mesh by conjugate gradients with multigrid, for one set of constraints after
+/// another, in this process or divided among several. One thread uses it at a time.
 template <int Dim>
 class IterativeSolver {
   public:
@@ -24,22 +24,22 @@ class IterativeSolver {
 
     virtual ~IterativeSolver() = default;
 
-    /// Bytes that it takes, about.
+    /// Returns about how many bytes it takes.
     virtual double needed() const { return 0; }
-    /// Applies the matrix; does not assemble it.
+    /// Returns the back end that applies the matrix; it does not assemble it.
     virtual BackEnd<Dim>& backEnd() = 0;
-    /// Prepares all that follows from cells and the present system alone, and passes epsilon on to
+    /// Prepares everything that follows from cells and the present system alone, and passes epsilon on to
     /// BackEnd::setMassRegularization().
     virtual void analyze(std::vector<double> epsilon) = 0;
     /// Builds all levels at a shape, which is the back end's.
     virtual BuildStatus build(Nodal<Dim> shape, const std::stop_token& stop,
                               const WorkerPool::Progress& progress) = 0;
-    /// ConjugateGradients::run() with these levels, at the back end's shape.
+    /// Does ConjugateGradients::run() with these levels, at the back end's shape.
     virtual Result run(const Goal& goal, const Points<Dim>* load, Points<Dim>& v) = 0;
 };
 
 /// The task of an iterative solver: a plan, its normalized rest mesh, a valid material, and the system, which
-/// changes with the constraints; threads as in BackEndFactory. References outlive the solver.
+/// changes with the constraints; threads as in BackEndFactory. The references must outlive the solver.
 template <int Dim>
 struct SolverTask {
     std::shared_ptr<const AssemblyPlan<Dim>> plan;
@@ -52,7 +52,7 @@ struct SolverTask {
 template <int Dim>
 using IterativeSolverFactory = std::function<std::unique_ptr<IterativeSolver<Dim>>(const SolverTask<Dim>&)>;
 
-/// In this process. Throws NotEnoughMemory if that does not have what it takes.
+/// Makes a solver in this process. Throws NotEnoughMemory if the machine lacks the memory for it.
 template <int Dim>
 std::unique_ptr<IterativeSolver<Dim>> makeMultigridSolver(const SolverTask<Dim>& task);
 

@@ -8,14 +8,16 @@
 
 namespace wend {
 
-/// The least-norm correction of nodal values that makes independent rows hold: x += Wᵀ (W Wᵀ)⁻¹ (target − W
-/// x). Rows of one vertex set it; the others are factored in clusters of rows that share movable vertices.
+/// Computes the least-norm correction of nodal values that makes independent rows hold: x += Wᵀ (W Wᵀ)⁻¹
+/// (target − W x). Rows of one vertex set it; the others are factorized in clusters of rows that share
+/// movable vertices.
 template <int Dim>
 class Projection {
   public:
     Projection() = default;
     Projection(const std::vector<ConstraintRow>& rows, const std::vector<DependentRow>& dependent,
                int vertexCount);
+    /// Corrects the values (Dim × n); `targets` has one column per row.
     void apply(Points<Dim>& values, const Points<Dim>& targets) const;
 
   private:

@@ -9,50 +9,51 @@
 
 namespace wend {
 
-/// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A contributes, with which
-/// coefficient, to which block of K, decided once where the plan lists blocks. Without barycentric rows K is
-/// a part of A. In a direction in which a vertex is held y is 0: K has nothing there but its diagonal.
+/// Represents K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A contributes
+/// with which coefficient to which block of K is decided once, if the plan lists blocks. Without barycentric
+/// rows K is a part of A. In a direction in which a vertex is held, y is 0 and K has nothing but its
+/// diagonal.
 template <int Dim>
 class ReducedSystem {
   public:
     ReducedSystem() = default;
-    /// Sliders that are pivots are as if they were not there.
+    /// Sliders whose vertex is a pivot are ignored.
     ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination, const Sliders& sliders = {});
 
-    /// The vertex of every block of unknowns.
+    /// Returns the vertex of every block of unknowns.
     const std::vector<int>& unknowns() const { return m_unknowns; }
     const Elimination& elimination() const { return m_elimination; }
-    /// The coordinates in which an unknown is held, one bit each; empty: none is.
+    /// Returns the coordinates in which an unknown is held, one bit each; empty if none is.
     const std::vector<unsigned>& held() const { return m_held; }
 
-    /// The unknown that is a vertex's own, or −1.
+    /// Returns the unknown that is a vertex's own, or −1.
     int unknownOf(int vertex) const { return m_unknownOf[static_cast<std::size_t>(vertex)]; }
     /// Calls visit(unknown, coefficient) for the row of Z of a vertex.
     template <typename Visit>
     void forUnknowns(int vertex, Visit&& visit) const;
 
-    /// Scalar pattern of the lower triangle of K by columns (its diagonal blocks are full). Empty, and
-    /// gather() impossible, if the plan does not list its contributions.
+    /// Return the scalar pattern of the lower triangle of K by columns (its diagonal blocks are full). If the
+    /// plan does not list its contributions, it is empty and gather() is impossible.
     const std::vector<int>& columnStart() const { return m_columnStart; }
     const std::vector<int>& row() const { return m_row; }
 
-    /// The values of K in that pattern, from the blocks of A in the plan's order.
+    /// Computes the values of K in that pattern, from the blocks of A in the plan's order.
     void gather(std::span<const double> blocksOfA, std::span<double> values) const;
-    /// v_p: the constrained vertices with all free ones at rest; prescribed has a column per row, and after
-    /// them may have one per slider, of which the held part counts.
+    /// Computes v_p, the field that moves the constrained vertices while all free ones rest. `prescribed` has
+    /// a column per row and may have one per slider behind them, of which the held part counts.
     void particular(const Points<Dim>& prescribed, Points<Dim>& v) const;
-    /// v = Z y + v_p with y from another field: v is v_p on entry.
+    /// Computes v = Z y + v_p with y from another field; v is v_p on entry.
     void adopt(const Points<Dim>& field, Points<Dim>& v) const;
-    /// v += Z y.
+    /// Computes v += Z y.
     void expand(const Points<Dim>& y, Points<Dim>& v) const;
-    /// Zᵀ f, one column per unknown vertex.
+    /// Computes Zᵀ f, one column per unknown vertex.
     void restrict(const Points<Dim>& f, Points<Dim>& reduced) const;
     const SliderSet<Dim>& sliders() const { return m_sliders; }
-    /// Sets the directions of guided sliders, one column per slider, and returns those before. Null: as at
-    /// first. The pattern of K does not depend on them.
+    /// Sets the directions of guided sliders, one column per slider, and returns those before. Null means the
+    /// initial ones. The pattern of K does not depend on them.
     Nodal<Dim> setDirections(Nodal<Dim> directions);
     const Nodal<Dim>& directions() const { return m_directions; }
-    /// Takes out of a field of unknowns what lies in held directions.
+    /// Removes the parts in held directions from a field of unknowns.
     void release(Points<Dim>& y) const;
 
   private:

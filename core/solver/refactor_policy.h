@@ -4,12 +4,13 @@
 
 namespace wend {
 
-/// When a new factor pays: decided by counted work, never by a clock, so that a run repeats to the last bit
-/// under any load. Before an evaluation: refactorize when going on, with half an iteration more than the
-/// last evaluation took, would cost more than the average evaluation since the factor, the factor included.
+/// Decides when a new factor pays, by counted work and never by a clock, so that a run repeats to the last
+/// bit under any load. It refactorizes before an evaluation if continuing, with half an iteration more than
+/// the last evaluation took, would cost more than the average evaluation since the factor, the factor
+/// included.
 class RefactorPolicy {
   public:
-    /// Since the factor.
+    /// The counts since the factor was made.
     struct Counts {
         int iterations = 0, evaluations = 0, last = 0;  // last: iterations of the last evaluation
 
@@ -20,28 +21,31 @@ class RefactorPolicy {
         }
     };
 
-    /// In one unit, that of SolverCost.
+    /// Sets both costs in one unit, that of SolverCost.
     void setCosts(double factor, double iteration) {
         m_factor = factor;
         m_iteration = iteration;
     }
-    /// A factor that costs more than so much is put off, for an even pace: until the iterations of a single
+    /// Defers a factor that costs more than this, for an even pace, until the iterations of a single
     /// evaluation cost a good part of it.
     void setLongestPause(double cost) { m_longestPause = cost; }
-    /// A new factor: the counting starts again.
+    /// Restarts the counts for a new factor.
     void factorized() { m_counts = {}; }
+    /// Counts an evaluation.
     void evaluated(int iterations) {
         m_counts.iterations += iterations;
         m_counts.last = iterations;
         ++m_counts.evaluations;
     }
+    /// Returns whether a new factor is deferred for an even pace.
     bool keepsPace() const { return m_factor > m_longestPause; }
+    /// Returns whether a new factor pays.
     bool due() const {
         if (keepsPace()) return m_counts.last * m_iteration > kPartOfPause * m_factor;
         return m_counts.evaluations > 0 && (m_counts.last + kMore) * m_iteration * m_counts.evaluations >
                                                m_factor + m_counts.iterations * m_iteration;
     }
-    /// Whether so many iterations more cost clearly more than to start from a new factor.
+    /// Returns whether that many more iterations cost clearly more than starting from a new factor.
     bool hopeless(double iterations) const { return iterations * m_iteration > 1.5 * m_factor; }
 
     const Counts& counts() const { return m_counts; }
@@ -54,8 +58,8 @@ class RefactorPolicy {
     Counts m_counts;
 };
 
-/// What the parts of an evaluation cost, in seconds of a nominal machine: floating-point operations and bytes
-/// at fixed rates. Only ratios matter.
+/// The costs of the parts of an evaluation, in seconds of a nominal machine, which does floating-point
+/// operations and moves bytes at fixed rates. Only their ratios matter.
 struct SolverCost {
     double factorFlops = 0, factorEntries = 0;  // of the Cholesky factor
     double contributions = 0;                   // products of d × d blocks in an assembly

@@ -12,7 +12,7 @@
 
 namespace wend {
 
-/// (x − x₀)ᵀ A (x − x₀) times a weight.
+/// The proximal term weight · (x − x₀)ᵀ A (x − x₀).
 template <int Dim>
 struct ProximalTerm {
     double weight = 0;
@@ -21,14 +21,14 @@ struct ProximalTerm {
     std::function<void(const Points<Dim>& v, Points<Dim>& Av)> apply;
 };
 
-/// Newton's method for the minimum of W, with or without a proximal term, among the shapes that the
-/// constraints allow (docs/method.md, section 8). A step d solves Zᵀ H Z y = −Zᵀ g with the exact Hessian
-/// where that is positive definite, else with one that has less of the cells' negative curvature; it ends
-/// before any cell is flat, and is halved until W falls by Armijo's condition.
+/// Minimizes W by Newton's method, with or without a proximal term, among the shapes that the constraints
+/// allow (docs/method.md, section 8). A step d solves Zᵀ H Z y = −Zᵀ g with the exact Hessian if that is
+/// positive definite, else with one that has less of the cells' negative curvature; it ends before any cell
+/// is flat, and is halved until W decreases by Armijo's condition.
 template <int Dim>
 class RestMinimizer {
   public:
-    /// All outlive it. `massRegularization` has an ε for every cell, or is empty.
+    /// The references must outlive this object. `massRegularization` has an ε for every cell, or is empty.
     RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>& energy, ReducedSystem<Dim>& system,
                   const std::vector<double>& massRegularization, WorkerPool& workers,
                   SolverStatistics& statistics);
@@ -36,8 +36,8 @@ class RestMinimizer {
     /// Moves the shape, which satisfies the constraints and has no inverted cell, to a minimum.
     Descended minimize(Points<Dim>& shape, const Descent<Dim>& descent, const ProximalTerm<Dim>* proximal,
                        const std::stop_token& stop);
-    /// The first Newton step from a shape, in which the constrained points are displaced by `prescribed`, one
-    /// column per row and maybe after them one per slider.
+    /// Computes the first Newton step from a shape in which the constrained points are displaced by
+    /// `prescribed`, which has one column per row and may have one per slider behind them.
     SolveOutcome predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
                          const ProximalTerm<Dim>* proximal, const std::stop_token& stop, Points<Dim>& step);
 

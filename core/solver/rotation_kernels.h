@@ -2,36 +2,36 @@
 
 namespace wend::rotations {
 
-/// Vertices are computed in groups of so many; arrays of matrices have room for the last group.
+/// Vertices are computed in groups of this many; arrays of matrices have room for the last group.
 constexpr int kGroup = 4;
 constexpr int grouped(int count) {
     return (count + kGroup - 1) / kGroup * kGroup;
 }
 
-/// The neighbours of every vertex, one list after the other, each made as long as a multiple of kGroup with
-/// the vertex itself: loops over them so have few lengths, which the processor foresees.
+/// The neighbours of every vertex, one list after the other. Each list is filled up with the vertex itself to
+/// a multiple of kGroup, so that the lengths of loops over them are few, which the processor predicts.
 struct Neighbours {
     const int *start, *list;
     const double* own;  // 1 − how often the list has the vertex itself
 };
 
-// The matrices of vertices [begin, end) from those of all or of their points: Dim × Dim numbers each, by
-// columns; in the plane the two of (a, −b; b, a).
+// These functions compute the matrices of the vertices [begin, end) from those of all vertices or from their
+// points: Dim × Dim numbers each, column-major; in the plane the two of (a, −b; b, a).
 
-/// Σ_j (y_j − y) (x_j − x)ᵀ over the edges of a vertex. The rotation that is nearest to it is that of
-/// argmin Σ_j ‖(y_j − y) − R (x_j − x)‖². In the plane (a, −b; b, a) is all of it that counts.
+/// Compute Σ_j (y_j − y) (x_j − x)ᵀ over the edges of a vertex. The nearest rotation to it minimizes Σ_j
+/// ‖(y_j − y) − R (x_j − x)‖². In the plane only its part (a, −b; b, a) matters.
 void edgeSums2(Neighbours edges, int begin, int end, const double* x, const double* y, double* sums);
 void edgeSums3(Neighbours edges, int begin, int end, const double* x, const double* y, double* sums);
 
-/// Every matrix and those of its vertex's neighbours, added up. Sums of edges over a wider surrounding: their
-/// lengths and number are the weights.
+/// Add up every matrix and those of its vertex's neighbours. The results are sums of edges over a wider
+/// neighbourhood, weighted by their lengths and number.
 void addNeighbours2(Neighbours edges, int begin, int end, const double* in, double* out);
 void addNeighbours3(Neighbours edges, int begin, int end, const double* in, double* out);
 
-/// The rotations that are nearest to the matrices, in their place: (a, b) / √(a² + b²) in the plane, in space
-/// by six steps of Newton's iteration R ← ½ (γ R + R⁻ᵀ / γ), R⁻ᵀ = cof R / det R, with γ² = |R⁻¹| / |R|: of
-/// flat cells R is nearly singular, and without it six steps are too few. What remains after them does not
-/// matter. The identity where a determinant is not positive. `begin` is a multiple of kGroup.
+/// Replace the matrices by the nearest rotations: (a, b) / √(a² + b²) in the plane, in space by six steps of
+/// Newton's iteration R ← ½ (γ R + R⁻ᵀ / γ), R⁻ᵀ = cof R / det R, with γ² = |R⁻¹| / |R|. Without γ six steps
+/// are too few for flat cells, where R is nearly singular. The error that remains does not matter. The result
+/// is the identity if a determinant is not positive. `begin` is a multiple of kGroup.
 void nearestRotations2(int begin, int end, double* matrices);
 void nearestRotations3(int begin, int end, double* matrices);
 

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Sliders by vertex. Where a vertex has several, as on the edge between two planes of symmetry, it is held
-/// in all their directions d_j: C x = s with the rows C_j = d_jᵀ, held part C⁺ C x.
+/// Sliders by vertex. If a vertex has several, as on the edge between two planes of symmetry, it is held in
+/// all their directions d_j: C x = s with the rows C_j = d_jᵀ, and the held part C⁺ C x.
 template <int Dim>
 class SliderSet {
   public:
@@ -27,20 +27,21 @@ class SliderSet {
         };
         std::vector<Row> rows;
 
-        /// The vector of least norm whose parts along the d_j are those of columns `first` + slider.
+        /// Returns the vector of least norm whose parts along the d_j are those of the columns `first` +
+        /// slider.
         Vec<Dim> valueOf(const Points<Dim>& prescribed, Eigen::Index first) const;
         /// Moves a point by the least correction to the planes through these columns; along axes to the bit.
         /// Guided sliders do not count.
         void place(const Points<Dim>& targets, Eigen::Index first, Eigen::Ref<Vec<Dim>> p) const;
     };
-    /// By vertex.
+    /// Returns the vertices in increasing order.
     const std::vector<Vertex>& vertices() const { return m_vertices; }
     Eigen::Index count() const { return m_count; }
     bool empty() const { return m_vertices.empty(); }
     bool areAlongAxes() const;
-    /// Whether any is guided.
+    /// Returns whether any slider is guided.
     bool areGuided() const;
-    /// Leaves out vertices that are prescribed otherwise.
+    /// Removes vertices that are prescribed otherwise.
     void erase(const std::vector<int>& vertices);
     /// Sets the directions of guided sliders, one column per slider.
     void turn(const Points<Dim>& directions);

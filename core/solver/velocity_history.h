@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// The last velocity fields, from which the next one is guessed. A guess only saves iterations: the solver's
-/// answer is as accurate whatever it starts from. Cheap to copy.
+/// Keeps the last velocity fields, from which the next one is guessed. A guess only saves iterations: the
+/// solver's answer is equally accurate from any start. It is cheap to copy.
 template <int Dim>
 class VelocityHistory {
   public:
@@ -18,19 +18,20 @@ class VelocityHistory {
     using Turn =
         std::function<void(const Points<Dim>& from, const Points<Dim>& to, std::vector<Points<Dim>>& fields)>;
 
-    /// An integrator tries a step from a shape. What guesses of the step before have missed by, those of this
-    /// one will miss by, too, where it comes to the same part of the step.
+    /// Begins a step from a shape. The errors of the guesses in the step before predict those in this one, at
+    /// the same part of the step.
     void begin(double from, double to, const Nodal<Dim>& shape, const Turn& turn);
-    /// What was solved for at a time; an earlier field of about the same time is replaced.
+    /// Records a field that was solved for; an earlier field of about the same time is replaced.
     void record(double time, const Points<Dim>& prescribed, const Points<Dim>& velocity);
-    /// After a jump (other constraints, a breakpoint between motions, a restored state).
+    /// Forgets all fields, after a jump (other constraints, a breakpoint between motions, a restored state).
     void clear() { *this = {}; }
-    /// The polynomial in time through the last fields (quadratic, once there are three), and within a step
-    /// what it missed by in the step before; none without a field. For a prescribed motion that is smooth in
-    /// time.
+    /// Returns the polynomial in time through the last fields (quadratic, once there are three), corrected
+    /// within a step by its error in the step before; nothing without a field. It suits a prescribed motion
+    /// that is smooth in time.
     std::optional<Points<Dim>> at(double time);
-    /// The combination of the last fields that reproduces the prescribed velocities best (v̂ is linear in
-    /// them): for a drag, whose motion is not smooth in time. None without a field of as many constraints.
+    /// Returns the combination of the last fields that best reproduces the prescribed velocities (v̂ is
+    /// linear in them); nothing without a field of as many constraints. It suits a drag, whose motion is not
+    /// smooth in time.
     std::optional<Points<Dim>> fitting(const Points<Dim>& prescribed) const;
 
     /// Hands all that it holds to an archive, which stores or restores it.

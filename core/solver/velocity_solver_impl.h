@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// What the velocity solver keeps from one solve to the next: the parts of the method.
+/// Holds what the velocity solver keeps from one solve to the next: the parts of the method.
 template <int Dim>
 struct VelocitySolver<Dim>::Impl {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
@@ -32,7 +32,7 @@ struct VelocitySolver<Dim>::Impl {
     Material<Dim> material;
     std::optional<RestEnergy<Dim>> restEnergy;  // made at the first use
     double memoryRate = 0;
-    Points<Dim> load;  // ½ memoryRate ∇W of the solve that goes on; no columns: none
+    Points<Dim> load;  // ½ memoryRate ∇W of the running solve; no columns: none
 
     /// W alone has a smaller pattern: of a vertex and those that share a cell with it.
     struct Tracking {

@@ -8,24 +8,26 @@
 
 namespace wend {
 
-/// The rotation of every vertex's surroundings between two shapes. A factor of the first shape, turned into
-/// the second, R (L Lᵀ)⁻¹ Rᵀ, is the better preconditioner there where rigid motion is cheap and all else is
-/// dear: towards EQUIA. Elsewhere it is not: the gradient of R turns translations into strain.
+/// Computes the rotation of every vertex's surroundings between two shapes. A factor of the first shape,
+/// turned into the second, R (L Lᵀ)⁻¹ Rᵀ, is the better preconditioner there if rigid motion costs little
+/// energy and everything else much: towards EQUIA. Elsewhere it is not, because the gradient of R turns
+/// translations into strain.
 template <int Dim>
 class VertexRotations {
   public:
     VertexRotations() = default;
     explicit VertexRotations(const AssemblyPlan<Dim>& plan);
 
-    /// Of the best rigid fit of the edges at every vertex; smooth as a preconditioner needs them, or rough.
+    /// Selects rotations that are smooth, as a preconditioner needs them, or rough.
     enum class Finish { Smooth, Rough };
+    /// Computes the best rigid fit of the edges at every vertex.
     void compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers,
                  Finish finish = Finish::Smooth);
 
-    /// b ← Rᵀ b and b ← R b, a vector of some vertices each.
+    /// Compute b ← Rᵀ b and b ← R b for a vector of some vertices.
     void turnBack(const std::vector<int>& vertices, std::span<double> b) const;
     void turn(const std::vector<int>& vertices, std::span<double> b) const;
-    /// The same of all vertices.
+    /// Does the same for all vertices.
     void turn(Points<Dim>& field) const;
 
   private:

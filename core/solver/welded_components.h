@@ -11,6 +11,7 @@ namespace wend {
 /// rotation in every plane, and a scaling.
 template <int Dim>
 using SimilarityVelocities = Eigen::Matrix<double, Dim, Dim + Dim*(Dim - 1) / 2 + 1>;
+/// Returns these velocities at p.
 template <int Dim>
 SimilarityVelocities<Dim> similarityVelocities(const Vec<Dim>& p);
 
@@ -25,9 +26,10 @@ struct WeldedPoint {
     Vec<Dim> place;
 };
 
-/// Sets `held` for components without any similarity left, where each has those that `squares` leave and
-/// welded points move alike: of the form S that sums up the squares and |M(p) (a − b)|², those in no
-/// eigenvector to an eigenvalue of at most distinct². Looks at components that welds connect only.
+/// Sets `held` for components that have no similarity left. S is the quadratic form of the components'
+/// similarities that sums up `squares` and |M(p) (a − b)|² over the welded points, at which both components
+/// must move alike; a component is free if it takes part in an eigenvector of S to an eigenvalue of at most
+/// distinct². Considers only components that welds connect.
 template <int Dim>
 void holdWelded(const std::vector<SimilaritySquare<Dim>>& squares,
                 const std::vector<WeldedPoint<Dim>>& welded, double distinct, std::vector<bool>& held);

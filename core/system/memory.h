@@ -12,7 +12,7 @@ class NotEnoughMemory : public std::bad_alloc {
     NotEnoughMemory(double needed, double free);
     const char* what() const noexcept override { return m_what.c_str(); }
 
-    /// Both in bytes.
+    /// Return the bytes that are needed, and those that are free.
     double needed() const { return m_needed; }
     double free() const { return m_free; }
 

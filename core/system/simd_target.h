@@ -13,6 +13,7 @@ enum class SimdTarget { Sse2, Ssse3, Sse4, Avx2, Avx512 };
 
 /// Returns the target's name as WEND_SIMD and the benchmark have it: "sse2" … "avx512".
 std::string_view nameOf(SimdTarget target);
+/// Returns the target of such a name; nothing for other names.
 std::optional<SimdTarget> simdTargetNamed(std::string_view name);
 
 /// Returns the targets that this processor has, least first; never empty.
@@ -21,12 +22,12 @@ std::span<const SimdTarget> supportedSimdTargets();
 /// Returns the target in use: the processor's best one until another is set.
 SimdTarget simdTarget();
 
-/// Has all kernels run on `target` from now on. Not while kernels run in other threads. Throws
-/// std::invalid_argument where the processor lacks it.
+/// Makes all kernels run on `target` from now on. No kernel may run in another thread meanwhile. Throws
+/// std::invalid_argument if the processor lacks the target.
 void setSimdTarget(SimdTarget target);
 
-/// Sets the target that the environment variable WEND_SIMD names, if any. Throws std::invalid_argument for an
-/// unknown name and for a target that the processor lacks.
+/// Sets the target that the environment variable WEND_SIMD names, if it is set. Throws std::invalid_argument
+/// for an unknown name and for a target that the processor lacks.
 void useSimdOfEnvironment();
 
 }  // namespace wend

@@ -8,13 +8,13 @@
 
 namespace wend::formats {
 
-/// The kind of cell of an element type such as "C3D8R"; nothing for types that are no cells of a mesh, such
-/// as "MASS".
+/// Returns the kind of cell of an element type such as "C3D8R"; nothing for types that are not cells of a
+/// mesh, such as "MASS".
 std::optional<CellKind> abaqusKind(std::string_view type);
-/// The plain element type of a kind; null for kinds that Abaqus has not.
+/// Returns the plain element type of a kind; null for kinds that Abaqus does not have.
 const char* abaqusType(CellKind kind);
 
-/// A number in at most 20 characters, as Abaqus reads them: all digits where they fit.
+/// Returns a number in at most 20 characters, as Abaqus reads them, with all digits if they fit.
 std::string abaqusNumber(double value);
 
 }  // namespace wend::formats

@@ -5,8 +5,9 @@
 
 namespace wend::formats {
 
+/// Encodes bytes as base64.
 std::string encodeBase64(std::string_view bytes);
-/// Stops at padding; blanks are passed over. Throws InputError for anything that is not base64.
+/// Decodes base64 up to the padding; blanks are skipped. Throws InputError for anything else.
 std::string decodeBase64(std::string_view text);
 
 }  // namespace wend::formats

@@ -4,14 +4,14 @@
 
 namespace wend::formats {
 
-/// For every triangle of a volume's file the tetrahedron that it is a face of (of two, the first), −1 where
-/// there is none.
+/// Returns for every triangle of a volume's file the tetrahedron that it is a face of (the first of two), or
+/// −1 if there is none.
 std::vector<int> cellsBehind(const MeshFile& mesh);
 
-/// A volume that was made, without the triangles of its boundary.
+/// Returns a generated volume without the triangles of its boundary.
 MeshFile withoutBoundary(MeshFile mesh);
-/// Of a mesh that was made, what its cells use: solvers find a system singular at other vertices. A mesh that
-/// was read stays as it is.
+/// Returns of a generated mesh the part that its cells use, because solvers find a system singular at other
+/// vertices. A mesh that was read is returned unchanged.
 MeshFile usedPart(const MeshFile& mesh);
 
 }  // namespace wend::formats

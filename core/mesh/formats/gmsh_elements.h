@@ -8,18 +8,19 @@
 
 namespace wend::formats {
 
-/// An element type of Gmsh. `order[k]` is where VTK's node k stands in Gmsh's list; empty: they agree.
+/// An element type of Gmsh. `order[k]` is the position of VTK's node k in Gmsh's list; it is empty if both
+/// orders agree.
 struct GmshElement {
     int number;
     CellKind kind;
     std::vector<int> order;
 };
 
-/// Null for types that are not read.
+/// Returns the element type with a number; null for types that are not read.
 const GmshElement* gmshElement(int number);
-/// Null for kinds that Gmsh has not.
+/// Returns the element type of a kind; null for kinds that Gmsh does not have.
 const GmshElement* gmshElement(CellKind kind);
-/// What an unread type is called, as "a tetrahedron of third order".
+/// Describes an element type that is not read, as "a tetrahedron of third order".
 std::string unreadGmshElement(int number);
 
 }  // namespace wend::formats

@@ -8,12 +8,12 @@
 
 namespace wend::formats {
 
-/// The name of the group that elements without a tag are written in: programs that solve on a mesh find its
-/// parts by their groups, and 0 is none. The reader takes a group of that name and of the number behind all
-/// others for no tag again.
+/// Returns the name of the group for elements without a tag: programs that solve on a mesh find its parts by
+/// their groups, and 0 means none. The reader takes a group of that name whose number follows all others as
+/// no tag.
 const char* groupOfTheRest(bool volume, int dimension);
 
-/// Physical groups and entities of a bag in Gmsh's terms.
+/// Maps the groups of a bag to Gmsh's physical groups and entities.
 class GmshGroups {
   public:
     explicit GmshGroups(const MeshFile& bag);
@@ -23,12 +23,14 @@ class GmshGroups {
         long tag;
         std::string name;
     };
+    /// Returns the names of the physical groups.
     std::vector<Name> names() const;
-    /// At least one; none is 0. The first stands for all where there can be only one.
+    /// Returns the physical groups of a cell: at least one, and none of them 0. Where only one is possible,
+    /// the first is used.
     const std::vector<long>& physical(int cell) const { return m_physical[static_cast<std::size_t>(cell)]; }
-    /// At least 1; all cells of an entity are in the same physical groups.
+    /// Returns the entity of a cell, at least 1. All cells of an entity are in the same physical groups.
     long entity(int cell) const { return m_entities[static_cast<std::size_t>(cell)]; }
-    /// True for the fields that the groups are made of.
+    /// Returns whether a field is one of those that the groups are made of.
     bool holds(const MeshField& field) const;
 
   private:

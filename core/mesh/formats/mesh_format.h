@@ -10,12 +10,13 @@
 
 namespace wend::formats {
 
+/// An input file: its path, and its content.
 struct MeshSource {
     std::string path;
     std::string bytes;
 };
 
-/// What a format holds of groups.
+/// Says which groups a format holds.
 enum class GroupsHeld {
     None,
     Numbers,  // one for each cell
@@ -24,28 +25,32 @@ enum class GroupsHeld {
     All,      // any number of groups for a cell, with names
     Sets      // and of vertices
 };
-/// True for the names of Medit's lists.
+/// Returns whether a name is that of one of Medit's lists.
 bool isMeditList(std::string_view name);
 
-/// One family of mesh files. To add a format: a reader and a printer in a file of their own and a row in
+/// One family of mesh files. A new format needs a reader and a printer in a file of their own, and a row in
 /// mesh_format.cpp.
 struct MeshFormat : MeshFormatFacts {
     std::string_view article;  // "a " or "an "
-    /// The bytes of one file, or of one of each extension; those after the pair may be empty. May throw
+    /// Reads the bytes of one file, or of one of each extension; those after the pair may be empty. May throw
     /// InputError without the file's name.
     MeshFile (*read)(std::span<const MeshSource> files);
-    /// The bytes of one file, or of one of each extension, of a bag (see bagOf) of kinds that it holds.
+    /// Returns the bytes of one file, or of one of each extension, for a bag (see bagOf) of kinds that it
+    /// holds.
     std::vector<std::string> (*print)(const MeshFile& bag, const MeshWriteOptions& options);
     bool (*holds)(CellKind kind);
     GroupsHeld groups = GroupsHeld::None;
     bool holdsTexture = false, holdsColours = false, holdsFileFields = false;
 
-    /// `isMain`: the group stands for some cell, see mainGroups.
+    /// Returns whether a file holds a group; `isMain` says that the group represents some cell, see
+    /// mainGroups.
     bool holdsGroup(const MeshGroup& group, bool isMain) const {
         if (groups >= GroupsHeld::All) return true;
         return (groups > GroupsHeld::None && isMain) || isList(group);
     }
+    /// Returns whether a file holds the name of a group.
     bool holdsNames(const MeshGroup& group) const { return groups >= GroupsHeld::Names || isList(group); }
+    /// Returns whether a file holds a group of vertices.
     bool holdsNodeGroups(const MeshGroup& group) const { return groups == GroupsHeld::Sets || isList(group); }
     /// Returns whether a file may have vertices only.
     bool holdsPointsAlone() const;
@@ -56,17 +61,19 @@ struct MeshFormat : MeshFormatFacts {
     }
 };
 
+/// Returns the table of formats.
 const std::vector<MeshFormat>& meshFormats();
-/// The format of a path by its extension. Throws InputError that lists what there is.
+/// Returns the format of a path by its extension. Throws InputError that lists the known ones.
 const MeshFormat& formatOf(const std::string& path);
 
-/// readMeshFile and writeMeshFile without the file system. Throw InputError(file, reason).
+/// Do the work of readMeshFile and writeMeshFile without the file system. Throw InputError(file, reason).
 MeshFile readSources(const MeshFormat& format, std::span<const MeshSource> files,
                      MeshNeeds needs = MeshNeeds::Cells);
 std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options);
 
-/// What of a mesh that was read a file of the format does not hold, in one line; empty if it holds all.
+/// Describes in one line what a file of the format does not hold of a mesh that was read; empty if it holds
+/// everything.
 std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options);
 
 /// A format that is read, but not written as a mesh.
@@ -74,10 +81,13 @@ struct InputFormat {
     std::string_view extension;
     MeshFile (*read)(std::span<const MeshSource> files);
 };
+/// Returns the table of these formats.
 const std::vector<InputFormat>& inputFormats();
-/// readMeshFile of such a format without the file system. Throws InputError(file, reason).
+/// Does the work of readMeshFile for such a format, without the file system. Throws InputError(file, reason).
 MeshFile readSource(const InputFormat& format, const MeshSource& file, MeshNeeds needs);
 
+/// Readers: take the bytes of one file, or of one per extension in the format's order, and return the mesh.
+/// Throw InputError that begins with the line or the byte offset and may lack the file's name.
 MeshFile readGltf(std::span<const MeshSource> files);
 MeshFile readThreeMf(std::span<const MeshSource> files);
 MeshFile readObj(std::span<const MeshSource> files);

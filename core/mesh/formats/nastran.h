@@ -16,20 +16,23 @@ struct NastranCard {
     std::size_t begin, end;  // of its lines in the file
 };
 
-/// Takes the entry at `at`, which it moves behind it; lines that are none give an entry without a name.
+/// Reads the entry at `at` and moves `at` behind it. Lines that are not an entry give one without a name.
 NastranCard takeNastranCard(std::string_view bytes, std::size_t& at);
 
-/// `order[k]` is where VTK's node k stands in Nastran's list; empty: they agree.
+/// An element of Nastran. `order[k]` is the position of VTK's node k in Nastran's list; it is empty if both
+/// orders agree.
 struct NastranElement {
     std::string_view name;
     CellKind kind;
     std::vector<int> order;
 };
+/// Returns the elements that are read and written.
 const std::vector<NastranElement>& nastranElements();
 
-/// A number in 16 characters, as many digits as these hold.
+/// Returns a number in 16 characters, with as many digits as fit.
 std::string nastranNumber(double value);
-/// A GRID entry of two lines, fields of 16 characters, that keeps what is not its place.
+/// Returns a GRID entry of two lines, with fields of 16 characters, that has the given place and keeps
+/// everything else of `old`.
 std::string nastranGrid(const NastranCard& old, const double* point);
 
 }  // namespace wend::formats

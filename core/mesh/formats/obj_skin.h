@@ -8,15 +8,15 @@ struct MeshFile;
 
 namespace wend::formats {
 
-/// Adds the texture points of corners, materials and groups to the skin of a file that readObj has found in
+/// Adds the texture points of corners, materials and groups to the skin of a file that readObj has read from
 /// the same bytes, so that they are known to be sound.
 void addObjLook(const std::string& bytes, const MeshFile& file, Skin& skin);
 
-/// The material files that an OBJ file names, and the pictures that these name.
+/// Returns the material files that an OBJ file names, and the pictures that those name.
 std::vector<std::string> objLookFiles(const std::string& bytes, const std::string& path);
 
-/// The bytes of an OBJ file with other vertices: without normals, and with its material files named from
-/// `newFolder` instead of `oldFolder`.
+/// Returns the bytes of an OBJ file with other vertices: without normals, and with its material files named
+/// from `newFolder` instead of `oldFolder`.
 std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,
                          const std::string& newFolder);
 

@@ -7,14 +7,14 @@
 
 namespace wend::formats {
 
-/// The sign of det [b − a, c − a] for points of the plane, exact for all doubles (J. R. Shewchuk, Adaptive
-/// Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997).
+/// Returns the sign of det [b − a, c − a] for points of the plane, exact for all doubles (J. R. Shewchuk,
+/// Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997).
 int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
-/// Triangles that fill a polygon and nothing else, oriented as it is: the fan of its first corner where that
-/// lies inside, else ears are cut off, the best shaped first. Corners that repeat the one before them are
+/// Returns triangles that exactly fill a polygon and are oriented as it is: the fan of its first corner if
+/// that is inside, else ears are cut off, the best shaped first. Corners that repeat the one before them are
 /// left out. Throws InputError for a polygon that crosses itself or, with more than four corners, whose
-/// corners lie farther from a plane than a quarter of its size.
+/// corners are farther from a plane than a quarter of its size.
 std::vector<std::array<int, 3>> splitPolygon(const Eigen::Matrix3Xd& points, std::span<const int> corners);
 
 }  // namespace wend::formats

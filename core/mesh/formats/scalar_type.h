@@ -10,13 +10,15 @@ namespace wend::formats {
 /// The types of number that binary mesh files hold.
 enum class Scalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 };
 
+/// Returns the number of bytes of a type.
 std::size_t sizeOf(Scalar type);
 
-/// The number in the first sizeOf(type) bytes.
+/// Returns the number in the first sizeOf(type) bytes.
 double decodeReal(std::string_view bytes, Scalar type, std::endian order);
-/// The same for whole numbers; of a real type, its value rounded towards zero.
+/// Returns that number as a whole number; a real type is rounded towards zero.
 std::int64_t decodeInteger(std::string_view bytes, Scalar type, std::endian order);
 
+/// Append a number in the given type and byte order.
 void appendReal(std::string& bytes, double value, Scalar type, std::endian order);
 void appendInteger(std::string& bytes, std::int64_t value, Scalar type, std::endian order);
 

@@ -8,61 +8,63 @@
 
 namespace wend::formats {
 
-/// Walks through a file's bytes by words, lines, numbers or raw bytes. Everything that does not fit throws
-/// InputError that begins with the place: "line 17: …", or "byte offset 1234: …" once placesAreOffsets() was
-/// called. `what` is what the caller expects, as it stands in the error: "an x coordinate".
+/// Reads a file's bytes as words, lines, numbers or raw bytes. Anything that does not fit throws InputError
+/// that begins with the place: "line 17: …", or "byte offset 1234: …" once placesAreOffsets() was called.
+/// `what` names what the caller expects, as in the error: "an x coordinate".
 class Scanner {
   public:
-    /// From the comment character to the end of the line is skipped, unless it is 0.
+    /// Skips everything from the comment character to the end of its line, unless the character is 0.
     explicit Scanner(std::string_view bytes, char comment = '\0');
 
-    /// True if nothing but blanks, line ends and comments is left.
+    /// Returns whether nothing but blanks, line ends and comments is left.
     bool atEnd();
-    /// True if nothing but blanks and a comment is left on this line.
+    /// Returns whether nothing but blanks and a comment is left on this line.
     bool atLineEnd();
-    /// Fails if there is more; `known` is what told where the end should be.
+    /// Fails if there is more; `known` names what determined where the end should be.
     void requireEnd(const char* known);
-    /// True if the next word, on any line, is this one; it is not taken.
+    /// Returns whether the next word, on any line, is this one; it is not taken.
     bool nextIs(std::string_view wanted);
 
+    /// Returns the next word, on this or a later line.
     std::string_view word(const char* what);
-    /// Fails if this line ends before it.
+    /// Returns the next word; fails if this line ends before it.
     std::string_view wordOnLine(const char* what);
-    /// The rest of this line without its end, which is passed.
+    /// Returns the rest of this line without its end, and moves to the next line.
     std::string_view line();
-    /// The next bytes as they are.
+    /// Returns the next bytes unchanged.
     std::string_view raw(std::size_t size, const char* what);
 
-    /// A number on this or a later line; finite() refuses nan and inf.
+    /// Return a number on this or a later line; finite() refuses nan and inf.
     double real(const char* what);
     double finite(const char* what);
     std::int64_t integer(const char* what);
-    /// The number that a word just taken stands for.
+    /// Return the number that a word just taken represents.
     double realFrom(std::string_view word, const char* what) const;
     std::int64_t integerFrom(std::string_view word, const char* what) const;
-    /// A number of things of which each takes at least `bytesEach` bytes of the rest of the file: what a
-    /// damaged header says is refused before anybody allocates it.
+    /// Returns a number of things, each of which takes at least `bytesEach` bytes of the rest of the file, so
+    /// that the count of a damaged header is refused before anything is allocated.
     int count(const char* things, std::size_t bytesEach);
     int checkedCount(std::int64_t count, const char* things, std::size_t bytesEach) const;
 
     std::string_view bytes() const { return m_bytes; }
     std::size_t offset() const { return m_at; }
     std::size_t remaining() const { return m_bytes.size() - m_at; }
-    /// Continues there; it becomes the place of errors.
+    /// Continues at an offset, which becomes the place of errors.
     void seek(std::size_t offset);
-    /// Errors have this place from now on; reading goes on where it was.
+    /// Makes errors name this place from now on; reading continues where it was.
     void mark(std::size_t offset) { m_taken = offset; }
+    /// Makes errors name byte offsets instead of lines.
     void placesAreOffsets() { m_byOffset = true; }
-    /// A line that ends in a backslash goes on in the next: both are one from now on.
+    /// Joins a line that ends in a backslash to the next one from now on.
     void joinLines() { m_joinsLines = true; }
-    /// The place of errors of what begins there.
+    /// Returns the place, as it is in errors, of what begins at an offset.
     std::string placeOf(std::size_t offset) const;
-    /// Throws with the place of what was taken last.
+    /// Throws InputError with the place of what was taken last.
     [[noreturn]] void fail(const std::string& what) const;
 
   private:
     void skipBlanks();
-    /// How long a backslash with the end of its line is here; 0 if there is none.
+    /// Returns the length of a backslash with the end of its line at an offset; 0 if there is none.
     std::size_t joint(std::size_t at) const;
     std::size_t lineEnd(std::size_t at) const;
     std::string place() const { return placeOf(m_taken); }
@@ -74,7 +76,7 @@ class Scanner {
     bool m_byOffset = false, m_joinsLines = false;
 };
 
-/// Numbers that follow each other as text or as bytes: what the formats with both encodings have in common.
+/// Reads consecutive numbers as text or as bytes, for the formats that have both encodings.
 class NumberReader {
   public:
     NumberReader(Scanner& scanner, bool binary, std::endian order)
@@ -83,7 +85,7 @@ class NumberReader {
     double real(Scalar type, const char* what);
     double finite(Scalar type, const char* what);
     std::int64_t integer(Scalar type, const char* what);
-    /// See Scanner::count; `numbersEach` numbers of `type` per thing.
+    /// Reads a count as Scanner::count does, for `numbersEach` numbers of `type` per thing.
     int count(Scalar countType, const char* things, std::size_t numbersEach, Scalar type);
     int checkedCount(std::int64_t count, const char* things, std::size_t numbersEach, Scalar type) const;
 
@@ -97,11 +99,11 @@ class NumberReader {
     std::endian m_order;
 };
 
-/// A word of a file as it may stand in an error: short, in quotes and without control characters.
+/// Returns a word of a file as it may be in an error: short, in quotes and without control characters.
 std::string inQuotes(std::string_view word);
 /// Returns the text without blanks, tabs and carriage returns around it.
 std::string_view trimmed(std::string_view text);
-/// Equal but for the case of ASCII letters.
+/// Returns whether two words are equal except for the case of ASCII letters.
 bool sameWord(std::string_view a, std::string_view b);
 
 }  // namespace wend::formats

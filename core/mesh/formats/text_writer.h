@@ -8,7 +8,7 @@
 
 namespace wend::formats {
 
-/// Builds a file's text; numbers in the C locale with 17 significant digits.
+/// Builds a file's text, with numbers in the C locale and 17 significant digits.
 class TextWriter {
   public:
     TextWriter& operator<<(std::string_view text) {

@@ -13,11 +13,12 @@ struct VtkCells {
     std::vector<std::int64_t> types, offsets, connectivity;
 };
 
-/// Adds them to the list; pixels and voxels become quadrilaterals and hexahedra. `firstVertex` is added to
+/// Adds the cells to a list; pixels and voxels become quadrilaterals and hexahedra. `firstVertex` is added to
 /// all vertices, of which there are `vertexCount`. Throws InputError that names the cell for kinds that are
 /// not read and for anything out of range.
 void collect(const VtkCells& cells, long vertexCount, int firstVertex, CellList& list);
 
+/// Returns the cells of a list in VTK's layout.
 VtkCells vtkCellsOf(const CellList& list);
 
 /// A section of a .vtp file.
@@ -25,9 +26,10 @@ struct PolySection {
     const char *name, *count;   // of the element, and of the attribute with the number of its cells
     int few, one, other, many;  // VTK's types of cells with up to `few` nodes, with `few` + 1, and with more
 
+    /// Returns VTK's type of a cell with that many nodes.
     int typeOf(std::int64_t nodes) const { return nodes <= few ? one : nodes == few + 1 ? other : many; }
 };
-/// In the order in which their values stand.
+/// The sections in the order of their values in the file.
 constexpr PolySection kPolySections[] = {{"Verts", "NumberOfVerts", 1, 1, 2, 2},
                                          {"Lines", "NumberOfLines", 2, 3, 4, 4},
                                          {"Strips", "NumberOfStrips", 3, 6, 6, 6},

@@ -4,9 +4,9 @@
 
 namespace wend::formats {
 
-/// The fields of a bag as VTK's formats and UCD write them, those per cell with their values of all cells in
-/// `values`. Groups that no field tells become one: "label" of a volume's boundary that was made, 0 in its
-/// tetrahedra, else "group".
+/// Returns the fields of a bag as VTK's formats and UCD write them; those per cell have the values of all
+/// cells in `values`. Groups that no field represents become one field: "label" for the generated boundary of
+/// a volume, with 0 in its tetrahedra, else "group".
 std::vector<MeshField> vtkFieldsOf(const MeshFile& bag);
 
 }  // namespace wend::formats

@@ -7,8 +7,8 @@
 
 namespace wend::formats {
 
-/// The files in a ZIP archive in memory, stored or deflated. Throws InputError for a damaged one, and for
-/// more bytes than meshes have.
+/// Reads the files in a ZIP archive in memory, stored or deflated. Throws InputError for a damaged one, and
+/// for more bytes than meshes have.
 class ZipArchive {
   public:
     explicit ZipArchive(std::string_view bytes);

@@ -6,28 +6,29 @@
 
 namespace wend {
 
-/// Which unknowns are next to each other: neighbours in [start[i], start[i + 1]), ascending, not i itself.
+/// The adjacency of unknowns. The neighbours of i are in [start[i], start[i + 1]), ascending, without i
+/// itself.
 struct Graph {
     std::vector<int> start, neighbours;
 
     int size() const { return static_cast<int>(start.size()) - 1; }
 };
 
-/// Groups of unknowns: of each its group.
+/// A division of unknowns into groups; `of` has the group of each.
 struct Aggregates {
     int count = 0;
     std::vector<int> of;
 };
 
-/// Unknowns that share a cell.
+/// Returns the graph in which unknowns that share a cell are neighbours.
 template <int Dim>
 Graph graphOf(const AssemblyPlan<Dim>& plan, const ReducedSystem<Dim>& system);
 
-/// An unknown and all around it, as many such groups as come one after the other; the other unknowns join
-/// the one that they have most to do with.
+/// Returns groups of unknowns. An unknown founds a group with its neighbours if neither it nor any of them is
+/// in one yet; each of the others joins the group that most of its neighbours are in.
 Aggregates aggregatesOf(const Graph& graph);
 
-/// Groups are next to each other if members are.
+/// Returns the graph of the groups, in which two are neighbours if members of theirs are.
 Graph quotient(const Graph& graph, const Aggregates& aggregates);
 
 }  // namespace wend

@@ -8,14 +8,14 @@
 
 namespace wend {
 
-/// Rows of a symmetric matrix of square blocks in single precision, all columns of a row: the first rows()
-/// columns are those of its own rows, others follow where the matrix is a part of one.
+/// Rows of a symmetric matrix of square blocks in single precision, with all columns of each row. The first
+/// rows() columns are those of its own rows; others follow if the matrix is part of a larger one.
 template <int Size>
 class BlockRows {
   public:
     using Block = Eigen::Matrix<float, Size, Size>;
 
-    /// Columns of a row ascend. The values are not set.
+    /// Sets the pattern; the columns of a row ascend. The values are not set.
     void setPattern(std::vector<int> start, std::vector<int> column, int columns) {
         m_start = std::move(start);
         m_column = std::move(column);
@@ -26,7 +26,7 @@ class BlockRows {
 
     int rows() const { return static_cast<int>(m_start.size()) - 1; }
     int columns() const { return m_columns; }
-    /// The entries of a row are [begin(row), begin(row + 1)).
+    /// Returns the first entry of a row, whose entries are [begin(row), begin(row + 1)).
     int begin(int row) const { return m_start[row]; }
     int column(int entry) const { return m_column[entry]; }
     Eigen::Map<const Block> block(int entry) const {
@@ -35,13 +35,13 @@ class BlockRows {
     Eigen::Map<Block> block(int entry) {
         return Eigen::Map<Block>(m_values.data() + static_cast<std::size_t>(entry) * Size * Size);
     }
-    /// The entry of a column that a row has.
+    /// Returns the entry of a column that a row has.
     int entryOf(int row, int column) const {
         const auto first = m_column.begin() + m_start[row], last = m_column.begin() + m_start[row + 1];
         return static_cast<int>(std::lower_bound(first, last, column) - m_column.begin());
     }
 
-    /// (A x) in rows [begin, end): Size numbers each. Sums are in double precision.
+    /// Computes A x in the rows [begin, end), Size numbers each. Sums are in double precision.
     void multiply(const Points<Size>& x, int begin, int end, double* Ax) const {
         multiplyBlocks<Size>(m_start.data(), m_column.data(), m_values.data(), x.data(), begin, end, Ax);
     }

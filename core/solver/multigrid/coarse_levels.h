@@ -7,29 +7,29 @@
 
 namespace wend {
 
-/// Solves with the coarse matrix of multigrid, nearly: all levels but the finest.
+/// Solves approximately with the coarse matrix of multigrid, by all levels but the finest.
 template <int Modes>
 class CoarseSolver {
   public:
     virtual ~CoarseSolver() = default;
 
-    /// Takes the share of the part that the finest level belongs to.
+    /// Takes the share of the part that the finest level belongs to, and builds the levels.
     virtual BuildStatus build(CoarseShare<Modes> share) = 0;
-    /// z ≈ A⁻¹ r in the rows of the share; r is what they add to the right-hand side, and is spoilt. False if
-    /// that is not finite.
+    /// Computes z ≈ A⁻¹ r in the rows of the share. r is what they add to the right-hand side, and is
+    /// overwritten. Returns false if the result is not finite.
     virtual bool solve(Points<Modes>& r, Points<Modes>& z) = 0;
 };
 
-/// In this process, of a system that is not divided: down to a matrix that is factored.
+/// Solves in this process, for a system that is not divided, down to a matrix that is factorized.
 template <int Modes>
 class CoarseLevels final : public CoarseSolver<Modes> {
   public:
     static constexpr int kFactored = 2000;  // unknowns; of more a coarser level is made
 
-    /// The threads outlive it.
+    /// The threads must outlive this object.
     explicit CoarseLevels(WorkerPool& workers) : m_workers(workers) {}
 
-    /// The groups of all levels, from which aggregates are next to each other.
+    /// Finds the groups of all levels; `aggregates` is the graph of the finest level's groups.
     void analyze(Graph aggregates);
     BuildStatus build(CoarseShare<Modes> share) override;
     bool solve(Points<Modes>& r, Points<Modes>& z) override { return cycle(0, r, z); }

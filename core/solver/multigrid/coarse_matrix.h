@@ -21,17 +21,17 @@ struct CoarseShare {
     std::vector<Eigen::Matrix<double, Modes, Modes>> motions;
 };
 
-/// Row by row: the same bits for any number of threads. Incomplete once the threads are stopped. With rests,
-/// if there are other parts.
+/// Computes the share row by row, with the same bits for any number of threads. It is incomplete if the
+/// threads are stopped. It has rests if there are other parts.
 template <int Size, int Modes>
 CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P,
                                WorkerPool& workers);
 
-/// The sum of the shares of all parts, in their order, without motions.
+/// Returns the sum of the shares of all parts, in their order, without motions.
 template <int Modes>
 CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares);
 
-/// Pᵀ K P, exactly symmetric, of the share of the whole; motions that are missing have a 1 on the diagonal.
+/// Returns Pᵀ K P, exactly symmetric, from the share of the whole; missing motions have a 1 on the diagonal.
 template <int Modes>
 BlockRows<Modes> coarseMatrix(const CoarseShare<Modes>& share);
 

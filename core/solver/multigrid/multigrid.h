@@ -10,26 +10,28 @@
 namespace wend {
 
 /// A preconditioner for K = Zᵀ A Z: a symmetric V-cycle of smoothed aggregation on K in single precision,
-/// down to a matrix that is factored. Coarse fields are linear in the place within each aggregate: rigid
-/// motions alone are too rough where the smoothness, which is of fourth order, outweighs the energy. Memory
-/// and work grow with the number of vertices. The same bits for any number of threads. In a part of a divided
-/// system all parts call the same functions.
+/// down to a matrix that is factorized. Coarse fields are linear in the place within each aggregate, because
+/// rigid motions alone are too rough where the smoothness, which is of fourth order, outweighs the energy.
+/// Memory and work grow with the number of vertices. Results have the same bits for any number of threads. In
+/// a part of a divided system all parts call the same functions.
 template <int Dim>
 class Multigrid {
   public:
     static constexpr int kModes = Dim * (Dim + 1);
 
-    /// They outlive it.
+    /// The arguments must outlive this object.
     Multigrid(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const PartLinks& links,
               CoarseSolver<kModes>& coarse)
         : m_backEnd(backEnd), m_system(system), m_links(links), m_coarse(coarse) {}
 
-    /// Prepares all that follows from cells and constraints alone. The plan outlives it. `aggregates` are of
-    /// the first unknowns, which are the part's own: none of these has unknowns in other parts.
+    /// Prepares everything that follows from cells and constraints alone. The plan must outlive this object.
+    /// `aggregates` are of the first unknowns, which are the part's own: none of these has unknowns in other
+    /// parts.
     void analyze(const AssemblyPlan<Dim>& plan, Aggregates aggregates);
-    /// All levels at a shape, which is the back end's.
+    /// Builds all levels at a shape, which is the back end's.
     BuildStatus build(const Points<Dim>& shape);
-    /// z ≈ K⁻¹ r, K at the shape of the levels, in the part's own unknowns; false if that is not finite.
+    /// Computes z ≈ K⁻¹ r in the part's own unknowns, with K at the shape of the levels; returns false if the
+    /// result is not finite.
     bool apply(std::span<const double> r, std::span<double> z);
 
   private:

@@ -5,10 +5,10 @@
 
 namespace wend {
 
-/// Numbers keys in the order in which they come: the place of each in keys().
+/// Numbers keys in the order in which they first appear; the number of a key is its position in keys().
 class Numbering {
   public:
-    /// The place of a key, at the end if it is new.
+    /// Returns the number of a key, which is appended if it is new.
     int of(int key) {
         if (2 * m_keys.size() >= m_table.size()) grow();
         std::size_t at = slot(key);

@@ -18,31 +18,35 @@ class Prolongation {
     using Motions = Eigen::Matrix<double, Size, Modes>;
     using Square = Eigen::Matrix<double, Modes, Modes>;
 
-    /// Makes P; returns the motions as coarse fields: of the aggregates that have rows of K, ascending. In a
-    /// part of a divided matrix those have no rows in other parts. Unfinished if the threads are stopped.
+    /// Makes P and returns the motions as coarse fields, for the aggregates that have rows of K, ascending.
+    /// In a part of a divided matrix those have no rows in other parts. The result is unfinished if the
+    /// threads are stopped.
     std::vector<Square> build(const Aggregates& aggregates, const std::vector<Motions>& motions,
                               const BlockRows<Size>& K, const Chebyshev<Size>& smoother, WorkerPool& workers,
                               const PartLinks& links = {});
 
-    /// Those of K, and behind them those of its other columns.
+    /// Returns the number of rows: those of K, and behind them those of its other columns.
     int rows() const { return static_cast<int>(m_start.size()) - 1; }
-    /// All that the rows have, and the number of each in the whole: ascending.
+    /// Return the number of all aggregates that the rows have, and the number of each in the whole,
+    /// ascending.
     int aggregates() const { return static_cast<int>(m_numbers.size()); }
     int number(int aggregate) const { return m_numbers[aggregate]; }
-    /// The numbers of those that have rows of K.
+    /// Returns the numbers of the aggregates that have rows of K.
     const std::vector<int>& ownAggregates() const { return m_own; }
-    /// The entries of a row are [begin(row), begin(row + 1)), their aggregates ascending.
+    /// Returns the first entry of a row, whose entries are [begin(row), begin(row + 1)), their aggregates
+    /// ascending.
     int begin(int row) const { return m_start[row]; }
     int aggregate(int entry) const { return m_aggregate[entry]; }
     const Block& block(int entry) const { return m_blocks[entry]; }
-    /// The rows of K that have an aggregate, ascending, and their entries.
+    /// Return the rows of K that have an aggregate, ascending, and their entries.
     int usersBegin(int aggregate) const { return m_usersStart[aggregate]; }
     int user(int place) const { return m_users[place]; }
     int userEntry(int place) const { return m_userEntries[place]; }
-    /// Motions that an aggregate of too few rows does not have: bit k. None of another part's.
+    /// Returns the motions that an aggregate of too few rows does not have, as bits; none for an aggregate of
+    /// another part.
     unsigned missing(int aggregate) const { return m_missing[aggregate]; }
 
-    /// Pᵀ r and P c, in the rows of K.
+    /// Compute Pᵀ r and P c, in the rows of K.
     void restrict(const Points<Size>& r, Points<Modes>& coarse, WorkerPool& workers) const;
     void prolong(const Points<Modes>& coarse, Points<Size>& z, WorkerPool& workers) const;
 

@@ -10,18 +10,18 @@
 
 namespace wend {
 
-/// K = Zᵀ A Z, or its first rows, as blocks in single precision, all columns of a row: for products within a
-/// preconditioner, which they make several times as fast as those without a matrix. Rows are made one by one
-/// from the contributions around their vertices: the same bits for any number of threads.
+/// Holds K = Zᵀ A Z, or its first rows, as blocks in single precision, with all columns of each row. Products
+/// within a preconditioner are several times as fast with it as without a matrix. Rows are made one by one
+/// from the contributions around their vertices, with the same bits for any number of threads.
 template <int Dim>
 class ReducedMatrix {
   public:
-    /// The pattern of the rows of the first so many unknowns; the columns are all unknowns. What is passed
-    /// outlives it.
+    /// Prepares the pattern of the rows of the first `rows` unknowns; the columns are all unknowns. The
+    /// arguments must outlive this object.
     void analyze(const AssemblyPlan<Dim>& plan, const ReducedSystem<Dim>& system, int rows,
                  WorkerPool& workers);
-    /// The values at the back end's shape. In coordinates in which a vertex is held there is nothing but the
-    /// diagonal. False if the threads are stopped.
+    /// Computes the values at the back end's shape. Coordinates in which a vertex is held have nothing but
+    /// the diagonal. Returns false if the threads are stopped.
     bool build(BackEnd<Dim>& backEnd);
 
     const BlockRows<Dim>& blocks() const { return m_blocks; }
