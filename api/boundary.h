@@ -17,7 +17,7 @@ Eigen::Map<const Points<Dim>> columnsOf(std::span<const Coordinates<Dim>> points
     return {points.empty() ? nullptr : points.front().data(), Dim, static_cast<Eigen::Index>(points.size())};
 }
 
-/// The other way round: valid as long as the matrix.
+/// Does the reverse; the span is valid as long as the matrix.
 template <int Dim>
 std::span<const Coordinates<Dim>> spanOf(const Points<Dim>& points) {
     return {reinterpret_cast<const Coordinates<Dim>*>(points.data()),

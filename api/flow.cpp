@@ -144,7 +144,7 @@ int Flow<Dim>::handleCount() const {
     return static_cast<int>(m_impl->handles.size());
 }
 
-/// The order of both does not count: setHandles() goes on from the state that it finds.
+/// The order of the two does not matter: setHandles() continues from the state that it finds.
 template <int Dim>
 void Flow<Dim>::reset() {
     m_impl->deformer.restore(m_impl->atRest);

@@ -1,9 +1,8 @@
 // Under a limit on addresses (ulimit -v), libraries end the process while they are being initialized:
-// OpenBLAS starts threads then, and what it does when it gets none is a signal. So whether
-// there is room is tried before the first of their constructors runs; only the linker's own failures come
-// earlier. Nor may the room go to what nobody needs, at a time that nobody knows: each thread of OpenBLAS
-// takes a buffer of 128 MB, and asks for it for ever where there is none; each thread's own arena of malloc
-// reserves as much.
+// OpenBLAS starts threads then, and raises a signal when it gets none. So the program checks whether there is
+// room before the first of their constructors runs; only the linker's own failures come earlier. Unneeded
+// threads must not take the room later either: each thread of OpenBLAS takes a buffer of 128 MB, and asks for
+// it endlessly if there is none; each thread's own arena of malloc reserves as much.
 
 #include <alloca.h>
 #include <malloc.h>
@@ -23,8 +22,9 @@ void say(const char* text) {
     if (write(STDERR_FILENO, text, std::strlen(text)) < 0) _exit(1);
 }
 
-/// OpenBLAS reads its setting while it is being initialized, from the environment that the process was
-/// started with: so the process starts again with it. Where that fails it goes on as it is.
+/// Starts the program again with OpenBLAS limited to one thread. OpenBLAS reads this setting during its
+/// initialization, from the environment with which the process was started. If starting again fails, the
+/// program continues unchanged.
 void useOneBlasThread(char** argv, char** environment) {
     static char setting[] = "OPENBLAS_NUM_THREADS=1";
     const std::size_t nameLength = sizeof setting - 2;
@@ -52,7 +52,7 @@ void requireRoom(int argc, char** argv, char** environment) {
     _exit(5);  // ExitCode::Machine
 }
 
-// The dynamic linker calls what stands here before the libraries' constructors.
+// The dynamic linker calls this function before the libraries' constructors.
 __attribute__((section(".preinit_array"), used)) void (*const beforeAll)(int, char**, char**) = requireRoom;
 
 }  // namespace

@@ -137,7 +137,8 @@ int across(global const int* facets, int facet, int cell) {
     return sides[0] == cell ? sides[1] : sides[0];
 }
 
-// Of a cell's facets: Σ weight, or with B = I, but for the paper's kind, Σ weight · (q, r) of the jump.
+// Returns for a cell the sum over its facets of weight or, with B = I except for the paper's kind, of weight
+// · (q, r) of the jump.
 kernel void setBeta(int count, global const int* facetOfCorner, global const int* facets, global const double2* weights,
                     global const double* weight, global double2* beta) {
     const int cell = get_global_id(0);

@@ -13,7 +13,7 @@ namespace wend {
 
 struct Distortion;
 
-/// What several makers of the same choice share: the open device, once one of them needed it.
+/// Shares the open device among several makers of the same choice, once one of them has needed it.
 class SharedDevice {
   public:
     SharedDevice();
@@ -53,9 +53,9 @@ DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest
                                const std::string& device = {}, DeviceNotice notice = {},
                                const SharedDevice& shared = {});
 
-/// And for the texture warp (WarpOptions::makePainter): nothing but for OpenCl, since a picture goes to a
-/// device and back about as fast as the processor's cores paint it. All painters that one of these makes
-/// share the picture on the device (see OpenClPicture).
+/// Makes painters for the texture warp (WarpOptions::makePainter). There are none except for OpenCl, since
+/// copying a picture to a device and back takes about as long as painting it with the processor's cores. All
+/// painters that one of these makes share the picture on the device (see OpenClPicture).
 MakeCellPainter cellPainters(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {},
                              const SharedDevice& shared = {});
 

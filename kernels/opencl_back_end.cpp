@@ -171,7 +171,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         return firstBad();
     }
 
-    /// The first bad cell, or −1.
+    /// Returns the first bad cell, or −1.
     int firstBad() {
         // Work items beyond the last chunk must find nothing: the count of items is the count of chunks.
         const std::size_t local = 1;

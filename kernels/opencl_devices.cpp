@@ -54,7 +54,7 @@ void parseOutcome(const std::vector<std::string>& fields, std::vector<OpenClDevi
     }
 }
 
-/// What to tell of a driver that had to be stopped; empty for others.
+/// Returns the message about a driver that had to be stopped; empty for others.
 std::string hangOf(const ChildResult& child) {
     const std::string after = child.end == ChildResult::End::Idle
                                   ? std::to_string(static_cast<int>(kProbeIdle)) + " seconds"

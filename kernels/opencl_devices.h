@@ -20,8 +20,8 @@ struct OpenClDeviceInfo {
 
 struct OpenClDevice;
 
-/// A device, or will be one: opened at the first use, once for all copies, so that all who compute there
-/// share its context and what lies there. May be used from several threads.
+/// A device that is opened at the first use, once for all copies, so that all objects that compute there
+/// share its context and its data. It may be used from several threads.
 class OpenClPlace {
   public:
     OpenClPlace(OpenClDeviceInfo info);  // NOLINT(google-explicit-constructor): a place of one's own

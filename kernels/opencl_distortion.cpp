@@ -21,7 +21,7 @@ std::vector<double> weightsOf(const SimplicialMesh<Dim>& rest) {
     return weights;
 }
 
-/// What only the order of the cells tells: flips, the least determinant, the worst cell.
+/// Finds the results that depend on all cells in their order: flips, the least determinant, the worst cell.
 void findExtremes(Distortion& result) {
     double worst = -1;
     for (std::size_t c = 0; c < result.ratio.size(); ++c) {

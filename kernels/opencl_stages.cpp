@@ -27,7 +27,7 @@ int OpenClStages<Dim>::freeSlot(const Nodal<Dim>& vector) {
     return static_cast<int>(oldest - m_slots.begin());
 }
 
-/// Where a vector lies on the device; it goes there if it is not there yet.
+/// Returns the slot of a vector on the device, to which it is copied if it is not there yet.
 template <int Dim>
 int OpenClStages<Dim>::slotOf(const Nodal<Dim>& vector) {
     const auto known =
@@ -68,7 +68,7 @@ void OpenClStages<Dim>::combine(const Nodal<Dim>& y, Terms terms) {
     });
 }
 
-/// What the host gets may be named in a later sum: it has a slot at once.
+/// Copies the shape to the host. It gets a slot at once, because a later sum may name it.
 template <int Dim>
 Nodal<Dim> OpenClStages<Dim>::shape() {
     if (m_onHost) return m_onHost;

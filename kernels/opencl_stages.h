@@ -7,10 +7,10 @@
 
 namespace wend {
 
-/// The stages of a step on an OpenCL device: every vector goes there once, sums and norms are made there, and
-/// a sum comes back only when it is asked for. Vectors are known by their address: as many as a step needs,
-/// and some more, stay on the device until others need the place. `cl` must outlive it. Throws DeviceFailure
-/// from every call.
+/// Keeps the stages of a step on an OpenCL device: every vector is copied there once, sums and norms are
+/// computed there, and a sum is copied back only on request. Vectors are identified by their address: as many
+/// as a step needs, and some more, stay on the device until others need the space. `cl` must outlive it.
+/// Throws DeviceFailure from every call.
 template <int Dim>
 class OpenClStages final : public StageVectors<Dim> {
     using typename StageVectors<Dim>::Terms;
@@ -23,7 +23,7 @@ class OpenClStages final : public StageVectors<Dim> {
     double distance(const Nodal<Dim>& other) override;
     double maximum(Terms terms) override;
 
-    /// Where the stage's shape is.
+    /// Returns the buffer of the stage's shape.
     const cl::Buffer& buffer() const { return m_shape; }
 
     static constexpr int kChunk = 256;  // vertices per work item of a norm

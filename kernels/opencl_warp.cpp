@@ -24,7 +24,7 @@ std::string optionsOf(const WarpJob& job) {
 
 }  // namespace
 
-/// What lies on the device from one frame to the next.
+/// The data that stays on the device from one frame to the next.
 struct OpenClPicture::Device {
     explicit Device(const OpenClPlace& place) : cl(place) {}
 
@@ -140,7 +140,7 @@ class OpenClPainter final : public CellPainter {
             m_layerCapacity = std::max<std::size_t>(1, m_layers.size());
             m_layersOnDevice = m_cl.buffer<int>(m_layerCapacity);
         }
-        m_device.hold(*job.source);  // another painter's picture may lie there
+        m_device.hold(*job.source);  // another painter's picture may be there
         m_cl.write(m_cellsOnDevice, m_cellAt.data(), m_cellAt.size());
         if (!m_layers.empty()) m_cl.write(m_layersOnDevice, m_layers.data(), m_layers.size());
         launch(m_cl.queue(), m_device.kernelFor(m_options), static_cast<int>(m_cellAt.size()),

@@ -9,9 +9,9 @@
 
 namespace wend {
 
-/// The picture of a sequence of warps, on an OpenCL device: it goes there with the first frame and stays
-/// until another one is painted. Not shared between threads. A picture is known by its address: it must stay
-/// as it is as long as this is used.
+/// The picture of a sequence of warps, on an OpenCL device: it is copied there with the first frame and stays
+/// until another one is painted. It is not shared between threads. A picture is identified by its address: it
+/// must not change as long as this object is used.
 class OpenClPicture {
   public:
     OpenClPicture(OpenClPlace place, DeviceNotice notice);

@@ -24,7 +24,7 @@ kernel void probe(global const double* x, global double* y, int n) {
 }
 )";
 
-/// One line, without the characters that separate fields.
+/// Returns the text as one line, without the characters that separate fields.
 std::string clean(std::string text) {
     for (char& c : text)
         if (c == '\t' || c == '\n' || c == '\r') c = ' ';
@@ -113,7 +113,7 @@ void limitTime(const char* seconds) {
 }
 
 int main(int argc, char** argv) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // the answer is useless once the program has ended
     if (argc > 2) limitTime(argv[2]);
     try {
         probeAll();

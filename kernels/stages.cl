@@ -1,5 +1,5 @@
-// Sums of vectors kept on the device. All vectors lie in one buffer, in slots of `count` numbers. Built with
-// -DDIM=2|3.
+// This file sums vectors that are kept on the device. All vectors are in one buffer, in slots of `count`
+// numbers. It is built with -DDIM=2|3.
 
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF

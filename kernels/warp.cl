@@ -38,7 +38,7 @@ typedef struct {
     int width, height;
 } level_t;
 
-// Beyond the border the border's pixels go on.
+// Beyond the border, the border's pixels continue.
 float4 pixel(level_t level, int x, int y) {
     const size_t at = ((size_t)clamp(y, 0, level.height - 1) * level.width + clamp(x, 0, level.width - 1)) * N;
     float4 colour = (float4)(0.0f);
@@ -182,8 +182,8 @@ float4 colourOfCell(int cell, double x, double y, global const double* maps, glo
     return colourAt(level, source * map[8], ellipses[cell], filter.y, filter.z);
 }
 
-// `cellAt`: the cell of every pixel; −1 where there is none; −2 − k where there are several, listed from place k of
-// `layers` on: how many, then from the top one down. They lie over one another.
+// `cellAt` is the cell of every pixel; −1 where there is none; −2 − k where there are several, listed from
+// position k of `layers` on: their number, then the cells from the top one down.
 kernel void warp(int count, global const int* cellAt, global const int* layers, global const double* maps,
                  global const float4* ellipses, global const int4* filters, global const number* texels,
                  global const long* levels, int width, int top, double left, double upper, double scale,

@@ -30,7 +30,7 @@ std::span<const std::array<T, Columns>> rowsOf(const Array<T>& array, const std:
             static_cast<std::size_t>(array.shape(0))};
 }
 
-/// The same for one point.
+/// Does the same for one point.
 template <int Dim>
 Coordinates<Dim> coordinatesIn(const Array<double>& array, const std::string& name) {
     if (array.ndim() != 1 || array.shape(0) != Dim)

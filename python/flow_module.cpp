@@ -46,7 +46,7 @@ double memoryFrom(const py::object& memory) {
                           {{"elastic", std::numeric_limits<double>::infinity()}});
 }
 
-/// What Flow() of Python is given beside the mesh.
+/// The arguments of Python's Flow() beside the mesh.
 struct Given {
     py::object phi;
     std::optional<Numbers> anisotropy;

@@ -9,8 +9,8 @@
 
 namespace wend::python {
 
-/// wend.Flow: a flow of either dimension. While it runs, the interpreter is free: whoever uses it then from
-/// another thread gets an error.
+/// wend.Flow, a flow of either dimension. While it runs, the interpreter is free; using it then from another
+/// thread is an error.
 class AnyFlow {
   public:
     template <int Dim>
@@ -22,7 +22,7 @@ class AnyFlow {
         if (*m_isRunning) refuse();
         return std::visit([&](const auto& flow) -> decltype(auto) { return f(*flow); }, m_flow);
     }
-    /// The same in a thread of its own: see runInterruptibly().
+    /// Does the same in a thread of its own: see runInterruptibly().
     void runWith(const std::function<void(double)>& progress,
                  const std::function<void(Flow<2>*, Flow<3>*, const std::stop_token&, const Report&)>& work);
 

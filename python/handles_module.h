@@ -22,7 +22,7 @@ struct Piece {
     std::function<void(Movement<3>&)> inSpace;
 };
 
-/// A place, or vertices: whole numbers in any form. Throws InvalidInput.
+/// Returns a place that is given as one, or as vertices: whole numbers in any form. Throws InvalidInput.
 template <int Dim>
 Place<Dim> placeFrom(const py::object& object);
 /// A piece, or several in a list; None holds still. Throws InvalidInput.

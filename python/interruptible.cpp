@@ -8,7 +8,7 @@ namespace {
 // How often Ctrl-C is looked for while nothing is reported.
 constexpr std::chrono::milliseconds kLook(20);
 
-/// What the thread that works hands to the one that waits.
+/// Passes calls from the thread that works to the one that waits.
 class Mailbox {
   public:
     void report(double value) {

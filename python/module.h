@@ -19,7 +19,7 @@ void addMeshes(py::module_& module);
 void addPictures(py::module_& module);
 void addProjects(py::module_& module);
 
-/// The value of a word. Throws InvalidInput: `ease: "fast" is not one of linear, in, out, in-out`.
+/// Returns the value of a word. Throws InvalidInput: `ease: "fast" is not one of linear, in, out, in-out`.
 template <typename T>
 T choice(const std::string& name, const std::string& word,
          const std::vector<std::pair<const char*, T>>& all) {

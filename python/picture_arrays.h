@@ -8,10 +8,10 @@ namespace wend::python {
 
 namespace py = pybind11;
 
-/// A picture of an array (height, width) or (height, width, channels) of uint8, uint16, float16 or float32.
-/// Throws InvalidInput.
+/// Returns a picture of an array (height, width) or (height, width, channels) of uint8, uint16, float16 or
+/// float32. Throws InvalidInput.
 Picture pictureFrom(const py::array& image, bool premultiplied);
-/// The other way round; one channel without an axis of its own.
+/// Does the reverse; one channel has no axis of its own.
 py::array arrayOf(Picture picture);
 
 }  // namespace wend::python

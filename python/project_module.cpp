@@ -36,7 +36,7 @@ void warn(const std::vector<std::string>& texts) {
         if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
 }
 
-/// Unknown keys become warnings of Python.
+/// Reads a project. Unknown keys become warnings of Python.
 Given projectFrom(const py::object& project, const std::string& folder) {
     Given given;
     documented([&] {
@@ -127,7 +127,7 @@ std::vector<std::string> wordsOf(const py::kwargs& options) {
     return words;
 }
 
-/// As `wend run`; the report comes back.
+/// Runs a project as `wend run` does, and returns the report.
 py::dict run(const py::object& project, const std::string& folder,
              const std::function<void(double)>& progress, const py::kwargs& options) {
     const Given given = projectFrom(project, folder);

@@ -2,7 +2,8 @@
 
 namespace wend {
 
-/// What becomes of the holes in opaque parts: open, or inside of the shape with all that lies in them.
+/// Selects what happens to the holes in opaque parts: they stay open, or belong to the shape with everything
+/// in them.
 enum class OutlineHoles { Kept, Filled };
 
 /// How the outline of a picture's opaque parts is found (outlineFromAlpha()).

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// A picture that lies over others, its first pixel at `at`.
+/// A picture among others over one another, with its first pixel at `at`.
 struct Sheet {
     std::shared_ptr<const Image> picture;
     Vec<2> at = Vec<2>::Zero();
@@ -26,12 +26,13 @@ struct Atlas {
     std::vector<Vec<2>> places;  // of the first pixel of each
 };
 
-/// The atlas has alpha, and the type and channels that hold every picture; the profile and the way in which
-/// colours are stored are those of the first. Throws InputError for more than kMaxMegapixels.
+/// Returns the atlas of some sheets. It has alpha, and the type and channels that hold every picture; its
+/// profile, and whether colours are associated, are those of the first. Throws InputError for more than
+/// kMaxMegapixels.
 Atlas makeAtlas(const std::vector<Sheet>& sheets);
 
-/// The sheets over one another, the first one on top, on a canvas of that size: c = c_top + (1 − α_top) c, in
-/// associated form. Sheets are placed to whole pixels.
+/// Returns the sheets over one another, the first one on top, on a canvas of that size: c = c_top + (1 −
+/// α_top) c, in associated form. Sheets are placed at whole pixels.
 Image flattened(const std::vector<Sheet>& sheets, int width, int height);
 
 /// Multiplies the opacity of every pixel; `factor` gives as many factors as the row has pixels, in [0, 1].

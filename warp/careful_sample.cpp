@@ -18,18 +18,18 @@ struct Range {
 
     void add(float value) { low = std::min(low, value), high = std::max(high, value); }
     bool empty() const { return low > high; }
-    /// What is not a number becomes `low`.
+    /// Returns the value within the range; NaN becomes `low`.
     float clamped(float value) const { return std::min(high, std::max(low, value)); }
 };
 
-/// Catmull–Rom's weights (Keys 1981, a = −½) of the pixels −1 … 2.
+/// Returns Catmull–Rom's weights (Keys 1981, a = −½) of the pixels −1 … 2.
 std::array<float, 4> cubicWeights(float t) {
     const float s = 1 - t;
     return {-0.5F * t * s * s, 1 + t * t * (1.5F * t - 2.5F), 1 + s * s * (1.5F * s - 2.5F),
             -0.5F * s * t * t};
 }
 
-/// The elliptical kernel of span_filters_inl.h at q = r².
+/// Returns the elliptical kernel of span_filters_inl.h at q = r².
 float radial(float q) {
     const float rest = 4 - std::min(q, 4.0F);
     return rest * rest * (((-0.00488379426F * q + 0.031282487F) * q - 0.0738093829F) * q + 0.0543943942F);
@@ -44,7 +44,7 @@ class Weights {
         if (filter == Filter::Ewa && task.blend > 0) takeEllipse();
     }
     const std::array<int, 2>& before() const { return m_before; }
-    /// Of the pixel (i + x, j + y).
+    /// Returns the weight of the pixel (i + x, j + y).
     float at(int x, int y) const {
         if (!m_isCubic) return (x == 0 ? 1 - m_s : m_s) * (y == 0 ? 1 - m_t : m_t);
         float weight = 0;
@@ -71,7 +71,7 @@ class Weights {
     const SpanTask& m_task;
     float m_s, m_t;
     std::array<float, 4> m_cubicX, m_cubicY;
-    std::array<int, 2> m_before = {1, 1};  // pixels of the window before (i, j); one more lies after it
+    std::array<int, 2> m_before = {1, 1};  // pixels of the window before (i, j); one more is after it
     bool m_isCubic = true;
     float m_cubicShare = 1, m_ellipseShare = 0;
 };
@@ -123,7 +123,7 @@ class BoundedSum {
         m_alphas.add(alpha);
         for (std::size_t c = 0; c < m_level.colours(); ++c) addColour(m_colours[c], values[c], alpha, weight);
     }
-    /// Whether what was added is enough to tell a colour.
+    /// Returns whether the weights added so far are enough to determine a colour.
     bool isSound() const { return m_weight > 1e-3F; }
 
     Lanes result() const {

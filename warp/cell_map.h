@@ -18,7 +18,7 @@ struct CellMap {
     CellMap() : anchor(0, 0), displacement(0, 0), gradient(Mat<2>::Zero()) {}
     CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& cell);
 
-    /// The displacement at height y in the anchor's column.
+    /// Returns the displacement at height y in the anchor's column.
     Vec<2> inRow(double y) const { return displacement + gradient.col(1) * (y - anchor.y()); }
     Vec<2> source(double x, double y, const Vec<2>& inRowOfY) const {
         return {x - (inRowOfY.x() + gradient(0, 0) * (x - anchor.x())),

@@ -14,12 +14,12 @@ using Vector = Eigen::Vector3d;
 
 const Vector kD50(0.9642, 1.0, 0.8249);
 
-/// X, Y = 1 and Z of a chromaticity.
+/// Returns X, Y = 1 and Z of a chromaticity.
 Vector tristimulus(double x, double y) {
     return {x / y, 1, (1 - x - y) / y};
 }
 
-/// Bradford's adaptation of a white to D50.
+/// Returns Bradford's adaptation of a white to D50.
 Matrix adaptationFrom(const Vector& white) {
     Matrix cones;
     cones << 0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296;
@@ -27,7 +27,7 @@ Matrix adaptationFrom(const Vector& white) {
     return cones.inverse() * scale.asDiagonal() * cones;
 }
 
-/// Columns: red, green and blue of full light, as X, Y, Z under the white of the space.
+/// Returns red, green and blue of full light as columns, in X, Y, Z under the white of the space.
 Matrix colorantsOf(const ColourSpace::Chromaticities& xy) {
     Matrix colours;
     for (int k = 0; k < 3; ++k)
@@ -44,7 +44,7 @@ double pqLight(double value) {
     return std::pow(std::max(root - c1, 0.0) / (c2 - c3 * root), 1 / m1);
 }
 
-/// The inverse OETF of BT.2100's hybrid log-gamma.
+/// Returns the inverse OETF of BT.2100's hybrid log-gamma.
 double hlgLight(double value) {
     constexpr double a = 0.17883277, b = 1 - 4 * a;
     const double c = 0.5 - a * std::log(4 * a);
@@ -58,7 +58,7 @@ class Bytes {
         for (int k = bytes - 1; k >= 0; --k) m_text += static_cast<char>(value >> 8 * k & 0xff);
     }
     void text(std::string_view text) { m_text += text; }
-    /// s15Fixed16Number.
+    /// Appends an s15Fixed16Number.
     void fixed(double value) {
         number(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(value * 65536))), 4);
     }
@@ -164,7 +164,7 @@ std::string profileHeader(std::size_t size, bool grey) {
     return header.bytes();
 }
 
-/// The header, the table of tags, and their data: what is equal stands there once.
+/// Returns the header, the table of tags, and their data; equal data are stored once.
 std::string profileOf(std::vector<Tag> tags, bool grey) {
     Bytes table;
     std::string data;

@@ -7,7 +7,7 @@
 namespace wend {
 namespace {
 
-/// Colours of one pixel, associated or not, from the source's number of colours to the target's.
+/// Converts the colours of one pixel, associated or not, from the source's number of colours to the target's.
 void placeColours(const float* in, int inColours, float* out, int outColours) {
     const bool spread = inColours < 3 && outColours >= 3;
     for (int c = 0; c < outColours; ++c) out[c] = in[spread ? 0 : std::min(c, inColours - 1)];

@@ -17,13 +17,13 @@ struct Span {
 /// are the same numbers, computed from the edge alone, so that every position belongs to exactly one of them.
 class TriangleRows {
   public:
-    /// Corners in output pixels.
+    /// Takes corners in output pixels.
     TriangleRows(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c);
     double top() const { return m_corners[0].y(); }
     double bottom() const { return m_corners[2].y(); }
     double left() const { return std::min({m_corners[0].x(), m_corners[1].x(), m_corners[2].x()}); }
     double right() const { return std::max({m_corners[0].x(), m_corners[1].x(), m_corners[2].x()}); }
-    /// The span at height y, top() ≤ y < bottom().
+    /// Returns the span at height y, top() ≤ y < bottom().
     Span at(double y) const {
         const double along = m_long.at(y);
         const double other = y < m_corners[1].y() ? m_upper.at(y) : m_lower.at(y);

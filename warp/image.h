@@ -15,13 +15,13 @@ enum class PixelType { UInt8, UInt16, Half, Float };
 struct PixelBox {
     int x = 0, y = 0, width = 0, height = 0;
 
-    /// The part within a picture of that size.
+    /// Returns the part within a picture of that size.
     PixelBox within(int pictureWidth, int pictureHeight) const;
     bool contains(const PixelBox& box) const;
     bool operator==(const PixelBox&) const = default;
 };
 
-/// Where a picture's first pixel lies in its frame, the picture that it was made of. Without a size the
+/// The place of a picture's first pixel in its frame, the picture from which it was made. Without a size the
 /// picture is a frame of its own.
 struct CanvasPlace {
     int x = 0, y = 0, frameWidth = 0, frameHeight = 0;
@@ -38,7 +38,7 @@ struct Image {
     bool alpha = false;         // the last channel is alpha
     bool unassociated = false;  // colours are not multiplied with alpha (PNG, TIFF with that flag)
     std::vector<std::byte> data;
-    /// ICC profile, resolution, text: all that the format carried. What read it, knows it.
+    /// ICC profile, resolution, text: everything that the format carried, in the form of its reader.
     struct Metadata {
         std::vector<std::byte> iccProfile;  // empty without one
         bool isOfExr = false;               // it was made of what EXR holds: chromaticities of linear light

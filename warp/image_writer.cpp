@@ -202,7 +202,7 @@ class SeenBox {
             take(columns(first), columns(last - 1) + 1, top + y);
         }
     }
-    /// One pixel if nothing was seen.
+    /// Returns the box of the visible pixels, or one pixel if there are none.
     PixelBox box() const {
         if (m_bottom < 0) return {0, 0, 1, 1};
         return {m_left, m_top, m_right - m_left, m_bottom + 1 - m_top};
@@ -219,7 +219,7 @@ class SeenBox {
     int m_left = 0, m_top = 0, m_right = 0, m_bottom = -1;
 };
 
-/// The part of a strip that lies in a box of the picture; `top` becomes its first row's place in the box.
+/// Returns the part of a strip within a box of the picture; `top` becomes its first row's place in the box.
 Image croppedTo(const PixelBox& box, const Image& strip, int& top) {
     Image part = strip;
     const int begin = std::max(top, box.y), end = std::min(top + strip.height, box.y + box.height);

@@ -94,7 +94,8 @@ class ExchangeFile {
     const std::vector<bool>& m_hole;
 };
 
-/// What G'MIC has to do with the two images. Several threads would give another result each time.
+/// Returns the arguments that G'MIC gets with the two images. With several threads the result would differ
+/// each time.
 std::vector<std::string> wordsFor(const std::string& in, const std::string& out, const Image& picture) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
     std::vector<std::string> words{"-srand", "1", "-input", in};
@@ -113,7 +114,7 @@ std::vector<std::string> wordsFor(const std::string& in, const std::string& out,
     return words;
 }
 
-/// The last line of a program's output.
+/// Returns the last line of a program's output.
 std::string lastLine(const std::string& output) {
     std::istringstream lines(output);
     std::string last = "it says nothing";

@@ -49,12 +49,12 @@ class ZipArchive {
     std::unique_ptr<void, int (*)(unzFile)> m_zip;
 };
 
-/// Where a format keeps what it says of its layers.
+/// The places where a format keeps the properties of its layers.
 struct Description {
     const char* file;
     const char* blend;
     const char* visible;
-    const char* shown;  // the value of a layer that is seen
+    const char* shown;  // the value of a visible layer
     double opaque;
 };
 constexpr Description kOpenRaster{"stack.xml", "composite-op", "visibility", "visible", 1};

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What a file with layers holds.
+/// The content of a file with layers.
 struct LayeredFile {
     std::string merged;  // a file of the picture of all layers: a PNG, or a Photoshop file
     std::vector<PictureLayer> layers;

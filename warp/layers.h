@@ -58,7 +58,7 @@ class Layers {
     static bool isSame(const OutColour& a, const OutColour& b) {
         return std::memcmp(a.data(), b.data(), sizeof a) == 0;
     }
-    /// What is not a number hides what lies below.
+    /// Returns the opacity of an alpha; NaN counts as opaque.
     static double opacity(double alpha) { return alpha < 1 ? std::max(alpha, 0.0) : 1; }
     bool isAlpha(std::size_t c) const { return m_unassociated && c == m_channels - 1; }
 

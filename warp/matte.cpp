@@ -14,7 +14,7 @@ float leastAlpha(float c, float g) {
     return least;
 }
 
-/// One pixel with its alpha last. `ground` gives way where the picture is not opaque.
+/// Separates one pixel with its alpha last. The ground becomes transparent where the picture is not opaque.
 void separatePixel(const float* picture, std::size_t colours, float share, float* ground, float* top) {
     const float alpha = picture[colours];
     float t = share * alpha;

@@ -8,7 +8,7 @@
 namespace wend {
 
 /// Returns the bytes of a JPEG or PNG with invalid EXIF (mendExif) and IPTC data hidden; empty if all is
-/// valid, or for other formats: then the file is used as it is. A photograph is not refused because of its
+/// valid, or for other formats: then the file itself is used. A photograph is not refused because of its
 /// metadata.
 std::string bytesWithSoundMetadata(const InputFile& file, PictureFormat format);
 

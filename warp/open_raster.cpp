@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kThumbnail = 256;  // pixels, at most
 
-/// A ZIP archive on its way into a file.
+/// Writes a ZIP archive to a file.
 class ZipWriter {
   public:
     explicit ZipWriter(const std::string& path)
@@ -60,7 +60,7 @@ std::string pngOf(const Image& image, const std::string& folder) {
     return bytes;
 }
 
-/// The means of squares of pixels.
+/// Returns a smaller image, whose pixels are the means of squares of pixels.
 Image reduced(const Image& image) {
     const int factor = (std::max(image.width, image.height) + kThumbnail - 1) / kThumbnail;
     const Image source = converted(image, {PixelType::UInt8, 4, true, false});

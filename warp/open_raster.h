@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// A layer on its way into a file: its first pixel is at (x, y) of the picture.
+/// A layer that is written to a file, with its first pixel at (x, y) of the picture.
 struct LayerToWrite {
     std::string name;
     Image picture;

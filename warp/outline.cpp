@@ -102,7 +102,7 @@ bool isInside(const Vec<2>& p, const std::vector<Vec<2>>& loop) {
     return inside;
 }
 
-/// The loops that lie in no other one: loops do not cross, so that one point tells.
+/// Returns the loops that are inside no other one. Loops do not cross, so that one point of each decides.
 std::vector<std::vector<Vec<2>>> outermost(std::vector<std::vector<Vec<2>>> loops) {
     std::ranges::stable_sort(loops, std::greater(),
                              [](const auto& loop) { return std::abs(loopArea(loop)); });

@@ -22,7 +22,7 @@ class OutlinePixels {
     OutlinePixels() = default;
     /// Makes an empty set.
     OutlinePixels(int bands, int bandRows) : m_bandRows(bandRows), m_bands(static_cast<std::size_t>(bands)) {}
-    /// `pixels`: the vertices in pixels of the output.
+    /// `pixels` are the vertices in pixels of the output.
     OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height, int bandRows);
 
     /// Returns the pixels by rows, then from left to right.
@@ -51,7 +51,7 @@ class OutlinePixels {
             return before[to] > before[from];
         }
     };
-    /// The samples that the spans of the pixel's eight rows of places cover.
+    /// Returns the samples that the spans of the pixel's eight rows of places cover.
     static std::uint64_t samplesOf(int x, const std::array<Span, 8>& spans);
 
     int m_bandRows = 1;

@@ -42,7 +42,7 @@ std::jthread loadPictureLibrary() {
         try {
             pictureLibrary({});
         } catch (const std::exception&) {
-            // Whoever needs it fails in the same way.
+            // Every later use fails in the same manner.
         }
     });
 }

@@ -25,20 +25,20 @@ struct PictureSource {
     bool namesExtraSamples = true;            // false of a TIFF that does not say what follows its colours
 };
 
-/// A picture as it lies in its file, how an EXIF tag asks to turn it (upright()), and what the user should
-/// know.
+/// A picture as it is stored in its file, how an EXIF tag asks to turn it (upright()), and notices for the
+/// user.
 struct StoredPicture {
     Image image;
     int orientation = 1;
     std::vector<std::string> notices = {};
 };
 
-/// What the user should know of a file with several pictures.
+/// Returns the notice about a file with several pictures.
 inline std::string severalPictures(unsigned long long count) {
     return "has " + std::to_string(count) + " pictures (pages, frames or parts): the first one is read";
 }
 
-/// What the user should know of a file with several layers.
+/// Returns the notice about a file with several layers.
 inline std::string flattenedLayers(std::size_t count) {
     return "has " + std::to_string(count) + " layers: opened flattened";
 }
@@ -47,7 +47,7 @@ inline std::string flattenedLayers(std::size_t count) {
 class PixelSink {
   public:
     virtual ~PixelSink() = default;
-    /// Before the pixels: the picture without them. Returns room for that many rows.
+    /// Receives the picture without its pixels, before these. Returns room for that many rows.
     virtual std::byte* begin(const Image& header, int rows) = 0;
     /// The next rows are in the room.
     virtual void take(int rows) = 0;
@@ -56,7 +56,7 @@ class PixelSink {
 /// Takes the rows from `top` on; false once no more are wanted.
 using TakeRows = std::function<bool(int top, const Image& strip)>;
 
-/// A picture on its way into a file.
+/// A picture that is written to a file.
 struct PictureToWrite {
     PictureFormat format;
     std::string path, temporary;  // the name to speak of, and the file that is written
@@ -64,10 +64,11 @@ struct PictureToWrite {
     /// Hands over all strips from top to bottom, until one is refused: then it returns false. It can be asked
     /// again.
     std::function<bool(const TakeRows&)> strips;
-    bool lossy = false;  // of WebP: what the eye hardly misses goes, for a file of a fraction of the size
+    bool lossy =
+        false;  // of WebP: details that are hardly visible are dropped, for a file of a fraction of the size
 };
 
-/// A film on its way into a file.
+/// A film that is written to a file.
 struct FilmToWrite {
     std::string path, file;  // the name to speak of, and the file that is written
     FilmOptions options;
@@ -84,17 +85,17 @@ class FilmEncoder {
     virtual void finish() = 0;
 };
 
-/// What is done by OpenImageIO: readers in wend-picture (readPicture()), writers in the program. It brings
-/// two hundred other libraries along, and to link them takes ten times as long as to start all the rest of
-/// Wend: they stand below a module beside the program, which the first picture loads. No format is guessed,
-/// and nothing is asked of files but of those named.
+/// The work of OpenImageIO: readers in wend-picture (readPicture()), writers in the program. It depends on
+/// two hundred other libraries, and linking them takes ten times as long as starting all the rest of Wend, so
+/// they are in a module beside the program, which the first picture loads. No format is guessed, and only the
+/// named files are read.
 class PictureLibrary {
   public:
     virtual ~PictureLibrary() = default;
 
-    /// Without the pixels. Throws InputError.
+    /// Reads a picture without its pixels. Throws InputError.
     virtual StoredPicture readHeader(const PictureSource& source) const = 0;
-    /// The pixels go to `sink`. Throws InputError, and for more than `maxMegapixels`.
+    /// Reads a picture, whose pixels go to `sink`. Throws InputError, and for more than `maxMegapixels`.
     virtual StoredPicture read(const PictureSource& source, double maxMegapixels, PixelSink& sink) const = 0;
     /// Throws InputError(path, why) if the file is not what was handed over.
     virtual void write(const PictureToWrite& writing) const = 0;

@@ -13,7 +13,7 @@ struct PictureLayer {
     int x = 0, y = 0;           // of its first pixel
     int width = 0, height = 0;  // 0: not known
     double opacity = 1;
-    std::string blend;  // mode; empty if the file's library tells neither it nor opacity and visibility
+    std::string blend;  // mode; empty if the file's library knows neither it nor opacity and visibility
     bool visible = true;
 };
 

@@ -43,7 +43,8 @@ IdleReader& idleReader() {
     return reader;
 }
 
-/// Under a limit (ulimit -v) libraries end the process while they are loaded.
+/// Throws if there is too little room. Under a limit (ulimit -v) libraries end the process while they are
+/// loaded.
 void requireRoom(const std::string& path) {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < kRoom)

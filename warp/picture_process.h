@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// What reading a picture may take.
+/// The limits of reading a picture.
 struct PictureLimits {
     double megapixels = kMaxMegapixels;
     double idleSeconds = 60;  // without an answer and without computing
@@ -20,7 +20,7 @@ struct PictureLimits {
 StoredPicture readPicture(const std::string& path, const PictureLimits& limits,
                           const std::string& layer = {});
 
-/// The same without the pixels.
+/// Does the same without the pixels.
 StoredPicture readPictureHeader(const std::string& path);
 
 }  // namespace wend

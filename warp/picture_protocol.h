@@ -7,19 +7,20 @@
 
 namespace wend {
 
-/// Messages between the program and wend-picture, CBOR objects without a version because both are built
+/// Messages between the program and wend-picture are CBOR objects without a version, because both are built
 /// together. The program asks for {"path", "megapixels"}, or {"path"} for the header alone. Answers:
 /// {"layout", "rows"}: the picture's layout, and how many rows the shared memory is to hold, whose number as
-/// text confirms it; {"taken"}: that many rows are in it, confirmed by an empty text. Last {"picture"},
-/// {"wrong", "isSound"}: the reason, and whether the process can go on, or {"memory"}: there was too little.
+/// text confirms it; {"taken"}: that many rows are in it, confirmed by an empty text. The last answer is
+/// {"picture"}, or {"wrong", "isSound"}: the reason, and whether the process can continue, or {"memory"}:
+/// there was too little.
 using PictureMessage = nlohmann::json;
 
 std::string pack(const PictureMessage& message);
 /// Throws nlohmann::json::exception for anything else.
 PictureMessage unpackMessage(const std::string& bytes);
 
-/// A picture without its pixels as a value of a message, and back. Throws nlohmann::json::exception and
-/// InputError for what cannot be one.
+/// Convert a picture without its pixels to a value of a message, and back. Throw nlohmann::json::exception
+/// and InputError for invalid values.
 PictureMessage messageOf(const StoredPicture& stored);
 StoredPicture pictureOf(const PictureMessage& message);
 

@@ -18,7 +18,7 @@
 namespace wend {
 namespace {
 
-/// What the format's library would not bear; empty if nothing is known.
+/// Describes what the format's library would not survive; empty if nothing is known.
 std::string problemOf(const InputFile& file, PictureFormat format) {
     switch (format) {
         case PictureFormat::Bmp:
@@ -50,7 +50,7 @@ class TiffDirectory {
     }
     bool isKnown() const { return !m_entries.empty(); }
 
-    /// The number of an entry; nothing without that entry.
+    /// Returns the number of an entry; nothing without that entry.
     std::optional<std::uint32_t> value(std::uint32_t tag) const {
         constexpr std::uint32_t kShort = 3;
         for (std::size_t at = 0; at + kEntry <= m_entries.size(); at += kEntry)
@@ -68,7 +68,7 @@ class TiffDirectory {
         return value(kDng) || value(kPhotometric) == kSensor || m_head.substr(8, 2) == "CR" ||
                (isSmall && value(kMake) && value(kParts));
     }
-    /// Whether it says what the samples after the colours are.
+    /// Returns whether it says what the samples after the colours are.
     bool namesExtraSamples() const {
         constexpr std::uint32_t kExtraSamples = 338;
         return !isKnown() || value(kExtraSamples);

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// What a sound PNG file (pngProblem()) says that its library does not tell.
+/// The contents of a sound PNG file (pngProblem()) that its library does not report.
 struct PngExtras {
     std::optional<ColourSpace>
         colours;                 // by cICP, or by cHRM and gAMA; nothing for sRGB and beside a profile

@@ -46,7 +46,7 @@ class ByteWalk {
     void skip(std::uint64_t size) { bytes(size); }
     std::uint32_t number(std::size_t size = 4) { return bigEndian(bytes(size), 0, size); }
     int signedNumber() { return static_cast<std::int32_t>(number()); }
-    /// A length, of eight bytes in a large file (PSB).
+    /// Reads a length, which has eight bytes in a large file (PSB).
     std::uint64_t length() {
         const std::uint64_t high = m_isLarge ? number() : 0;
         return high << 32U | number();
@@ -97,7 +97,7 @@ std::string blendMode(std::string_view key) {
     return known != kBlendModes.end() ? known->second : std::string(key);
 }
 
-/// A layer's record. Groups are records, too: one below their layers, and one above them that tells of them.
+/// A layer's record. Groups are records, too: one below their layers, and one above with their properties.
 struct LayerRecord {
     enum class Kind { Layer, GroupTop, GroupBottom };
     Kind kind = Kind::Layer;
@@ -200,7 +200,7 @@ std::optional<std::string> resource(std::string bytes, unsigned wanted) {
     return std::nullopt;
 }
 
-/// Whether the resources say that the picture of all layers is none: Photoshop leaves it out if asked to.
+/// Returns whether the resources say that the picture of all layers is empty: Photoshop can leave it out.
 bool lacksPicture(const std::string& resources) {
     constexpr unsigned kVersion = 1057;
     const auto version = resource(resources, kVersion);
@@ -372,7 +372,7 @@ class PsdSections {
         return result;
     }
 
-    /// A PNG file of that layer.
+    /// Returns a PNG file of that layer.
     std::string layer(const std::string& name, std::vector<std::string>& notices) {
         constexpr unsigned kGrey = 1, kRgb = 3;
         const LayerSection section = layers();

@@ -6,13 +6,13 @@
 namespace wend {
 
 /// Reads a Photoshop file (PSD, PSB): its layers, without groups, and a PSD file of the picture of all layers
-/// alone. Necessary because OpenImageIO decodes all layers when it opens a file, refuses those that are
-/// packed as Photoshop packs 16 bits, and tells neither opacity nor blend mode. Adobe's "Photoshop File
+/// alone. This is necessary because OpenImageIO decodes all layers when it opens a file, refuses those that
+/// are packed as Photoshop packs 16 bits, and reports neither opacity nor blend mode. Adobe's "Photoshop File
 /// Formats Specification" describes the format. Throws InputError(path, reason).
 LayeredFile readPsdFile(const InputFile& file);
 
-/// A PNG file of one layer, without its mask, which `notices` tells. Throws InputError(path,
-/// reason), also for colours other than RGB and grey.
+/// Returns a PNG file of one layer, without its mask, which is mentioned in `notices`. Throws
+/// InputError(path, reason), also for colours other than RGB and grey.
 std::string readPsdLayer(const InputFile& file, const std::string& name, std::vector<std::string>& notices);
 
 }  // namespace wend

@@ -45,7 +45,7 @@ HWY_ATTR HWY_INLINE int clamped(int i, int size) {
     return i < 0 ? 0 : i < size ? i : size - 1;
 }
 
-/// Beyond the border of a picture the border's pixels go on.
+/// Copies a window of pixels. Beyond the border of a picture, the border's pixels continue.
 template <typename T, int N>
 HWY_ATTR HWY_NOINLINE void copyWindow(const TexelLevel& level, int x, int y, int columns, int rows,
                                       T* pixels) {
@@ -144,7 +144,7 @@ class Filters {
     }
     WEND_SPAN_INLINE static Eight summands(const T* p) { return associated(loadTwo<N>(p)); }
 
-    /// The colour of a sum of summands.
+    /// Returns the colour of a sum of summands.
     WEND_SPAN_INLINE static Colour colour(Colour sum) {
         if constexpr (!weighted) return sum;
         const float alpha = hn::ExtractLane(sum, N - 1);
@@ -238,7 +238,7 @@ class Filters {
         }
     }
 
-    /// Row by row over the chord of the ellipse: q = xx (dx − middle)² + rest(dy).
+    /// Adds row by row over the chord of the ellipse: q = xx (dx − middle)² + rest(dy).
     HWY_ATTR HWY_INLINE void addChords(int i, int j, float s, float t, Sum& sum) const {
         const int last = 2 * m_reachX + 1;
         const Window<T> w = m_texels.window(i - m_reachX, j - m_reachY, last + 2, 2 * m_reachY + 2);
@@ -273,7 +273,7 @@ class Filters {
     int m_reachX, m_reachY;
 };
 
-/// Where the pixels of a piece of a span come from.
+/// The sources of the pixels of a piece of a span.
 struct Places {
     static constexpr int kSize = 32;
     int i[kSize], j[kSize];    // the pixel at or before
@@ -325,8 +325,8 @@ class SpanPainter {
         if constexpr (F == Filter::Ewa) return filters.ewa(at.i[k], at.j[k], at.s[k], at.t[k]);
     }
 
-    /// Whether the filter may have made of half or float numbers what sampleCarefully() takes back. Alpha may
-    /// miss 1 by rounding.
+    /// Returns whether the filter may have made of half or float numbers what sampleCarefully() corrects.
+    /// Alpha may miss 1 by rounding.
     template <bool weighted>
     HWY_ATTR HWY_INLINE static bool isDoubtful(const SpanTask& task, Colour& colour) {
         constexpr float kLargest = sizeof(T) == 2 ? 65504.0F : 3.4e38F, kRounding = 1e-5F;

@@ -52,19 +52,19 @@ HWY_INLINE Colour low(Eight a) {
 HWY_INLINE Colour high(Eight a) {
     return hn::UpperHalf(Four(), a);
 }
-/// Number 2 k in the lower four lanes, 2 k + 1 in the upper.
+/// Returns number 2 k in the lower four lanes and 2 k + 1 in the upper ones.
 template <int k>
 HWY_ATTR HWY_INLINE Eight spreadTwo(Eight a) {
     HWY_ALIGN static constexpr std::int32_t kLanes[8] = {2 * k,     2 * k,     2 * k,     2 * k,
                                                          2 * k + 1, 2 * k + 1, 2 * k + 1, 2 * k + 1};
     return hn::TableLookupLanes(a, hn::SetTableIndices(EightTag(), kLanes));
 }
-/// One lane of each colour in all of its lanes.
+/// Returns one lane of each colour in all of its lanes.
 template <int lane>
 HWY_ATTR HWY_INLINE Eight spread(Eight a) {
     return hn::Broadcast<lane>(a);
 }
-/// `a` with the last of `channels` lanes of each colour, two or four, from `b`.
+/// Returns `a` with the last of `channels` lanes of each colour, two or four, from `b`.
 template <int channels>
 HWY_ATTR HWY_INLINE Eight lastReplaced(Eight a, Eight b) {
     const Eight odd = hn::OddEven(b, a);
@@ -183,7 +183,7 @@ HWY_INLINE void narrowed(Colour colour, half* p) {
 // -----------------------------------------------------------------------------------------------
 
 #if HWY_CAP_GE256
-/// Four numbers at p and four at p + N, with N = 4 eight in a row.
+/// Loads four numbers at p and four at p + N; with N = 4 these are eight in a row.
 template <int N, typename Number>
 HWY_ATTR HWY_INLINE auto loadNumbers(const Number* p) {
     const hn::CappedTag<Number, 8> d;
@@ -194,7 +194,7 @@ HWY_ATTR HWY_INLINE auto loadNumbers(const Number* p) {
         return hn::Combine(d, hn::LoadU(half, p + N), hn::LoadU(half, p));
 }
 
-/// The pixels of N channels at p and after it.
+/// Loads the pixels of N channels at p and after it.
 template <int N, typename T>
 HWY_ATTR HWY_INLINE Eight loadTwo(const T* p) {
     if constexpr (std::is_same_v<T, float>)

@@ -21,8 +21,9 @@ struct WarpOptions {
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour, associated, in [0, 1]
     bool antialias = true;                       // coverage along the outline
-    /// Per cell, greater is nearer, and between whole numbers runs an outline; where it is equal, or empty,
-    /// later cells lie over earlier ones. What is transparent of a cell lets those below it be seen.
+    /// The depth per cell: greater is nearer, and between whole numbers there is an outline. If depths are
+    /// equal, or empty, later cells are in front of earlier ones. Transparent pixels of a cell show those
+    /// below it.
     std::vector<float> depth;
     /// Of the mesh and that depth, made before: for a window that draws one pose after another. Or null.
     std::shared_ptr<const PaintingPlan> plan;
@@ -37,8 +38,8 @@ struct WarpOptions {
     std::function<void(double)> progress;  // fraction done; called from any thread
 };
 
-/// Where a view lies in its source of that size, if that can be said in whole pixels; otherwise, and for all
-/// of the source, a frame of its own.
+/// Returns the place of a view in its source of that size, if that can be expressed in whole pixels;
+/// otherwise, and for all of the source, a frame of its own.
 CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight);
 
 /// The picture carried by the map rest → pose: every output pixel looks up the source through the inverse
@@ -52,9 +53,9 @@ Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points
 Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
                 const WarpOptions& options = {});
 
-/// ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the compositing
-/// convention), B = 0, A = coverage. Where cells lie over one another the nearest is told: `depth` as in
-/// WarpOptions. `inverse` swaps the roles of rest and pose.
+/// Returns an ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the
+/// compositing convention), B = 0, A = coverage. Where cells overlap, the map has the nearest one; `depth` as
+/// in WarpOptions. `inverse` swaps the roles of rest and pose.
 Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth,
             int sourceHeight, const std::vector<float>& depth = {}, bool inverse = false);
 

@@ -58,7 +58,7 @@ struct WarpJob {
     Vec<2> plane(double x, double y) const { return view.origin + view.scale * Vec<2>(x, y); }
 };
 
-/// What of a band is to be painted: all, or what is not the cells'.
+/// Selects what of a band is painted: all, or everything but the cells.
 enum class BandPart { All, BesideCells };
 
 /// Paints the rows of one band of a picture of numbers of type T. `strip` has the output's width and layout,

@@ -16,8 +16,8 @@
 namespace wend {
 namespace {
 
-/// The same work in so many threads, this one among them. An exception must not leave a helper: the first one
-/// is kept for the caller, and the others are told by `failed`.
+/// Does the same work in that many threads, including this one. An exception must not leave a helper: the
+/// first one is kept for the caller, and the others notice it by `failed`.
 template <typename Work>
 void inThreads(int threads, const Work& work) {
     std::mutex mutex;
@@ -50,7 +50,7 @@ void requireFinite(const Points<2>& pose) {
     if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
 }
 
-/// Whether a grey picture is laid on a colour that it cannot hold.
+/// Returns whether a grey picture is composed over a colour that it cannot hold.
 bool needsColours(const Image& source, const WarpOptions& options) {
     const auto& colour = options.colour;
     const bool isGrey = colour[0] == colour[1] && colour[1] == colour[2];
@@ -101,7 +101,7 @@ VisibleCell visibleCell(const WarpJob& job, const SimplicialMesh<2>& rest, const
 
 constexpr std::size_t kCellsOfPiece = 1500;  // in less time no thread has begun
 
-/// In the order of painting.
+/// Returns the visible cells in the order of painting.
 std::vector<VisibleCell> visibleCells(const WarpJob& job, const PaintingPlan& plan,
                                       const SimplicialMesh<2>& rest, const Points<2>& pose,
                                       const Points<2>& pixels, int levels) {
@@ -159,7 +159,7 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     return job;
 }
 
-/// Whether the cells cover all of every pixel of a band.
+/// Returns whether the cells cover all of every pixel of a band.
 bool covered(const WarpJob& job, int band) {
     const int begin = band * kBandRows, end = std::min(job.view.height, begin + kBandRows);
     const auto width = static_cast<std::ptrdiff_t>(job.view.width);

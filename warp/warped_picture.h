@@ -9,8 +9,8 @@ namespace wend {
 
 struct WarpJob;
 
-/// A picture carried by the map rest → pose (see warpImage) whose rows are painted when they are wanted, so
-/// that it need not be in memory as a whole. What it is made of must outlive it.
+/// A picture carried by the map rest → pose (see warpImage) whose rows are painted on demand, so that the
+/// whole need not be in memory. The objects that it is made from must outlive it.
 class WarpedPicture {
   public:
     /// Makes those levels of the picture's pyramid that the warp needs. Throws InputError for a shape that is
@@ -29,7 +29,7 @@ class WarpedPicture {
     /// options' token stopped it. Not for several threads at a time.
     bool paint(int top, Image& strip) const;
 
-    /// Whether WarpOptions::makePainter's painter paints the cells.
+    /// Returns whether WarpOptions::makePainter's painter paints the cells.
     bool hasPainter() const { return m_painter != nullptr; }
 
     static constexpr int kRows = 256;  // of a strip that is worth the threads, a multiple of a band's

@@ -25,7 +25,7 @@ class WEND_API InsufficientMemory : public std::bad_alloc {
     InsufficientMemory(const std::string& what, double needed);
     ~InsufficientMemory() override;
 
-    /// One line.
+    /// Returns the message, one line.
     const char* what() const noexcept override;
     /// The bytes that are needed; 0 if it is not known.
     double needed() const { return m_needed; }

@@ -14,7 +14,7 @@
 
 namespace wend {
 
-/// What a shape keeps as it moves: area or volume, lengths, rigidity, or angles.
+/// Selects what a shape keeps as it moves: area or volume, lengths, rigidity, or angles.
 enum class Keep { Measure, Length, Rigidity, Angles };
 
 /// φ in radians of a named energy in 2 or 3 dimensions: arctan 2⁻⁹, arctan ½, π/2, and φ_CONF(d) =
@@ -26,7 +26,7 @@ WEND_API double phiOf(Keep keep, int dimension);
 /// docs/method.md (10); as in the paper, (12); or not at all.
 enum class JumpPrice { Length, Paper, None };
 
-/// What a shape is made of.
+/// The material of a shape.
 template <int Dim>
 struct FlowMaterial {
     double phi = phiOf(Keep::Length, Dim);  ///< In ]0, φ_CONF(Dim)] radians, of all cells.
@@ -37,8 +37,8 @@ struct FlowMaterial {
     JumpPrice jumps = JumpPrice::Length;  ///< Smoothness of the velocity over facets.
     double smoothing = 1.0 / 75;          ///< JumpPrice::Length: s, relative to the size of the rest shape.
     double lambda = 0.1;                  ///< JumpPrice::Paper: λ.
-    /// ρ ≥ 0, how strongly the shape is drawn back to rest, docs/method.md (22). Infinity: it is elastic,
-    /// (24), so that it depends on where the handles are and not on their way.
+    /// ρ ≥ 0, how strongly the shape is drawn back to rest, docs/method.md (22). With infinity it is elastic,
+    /// (24): the shape depends on where the handles are and not on their paths.
     double memory = 0;
 };
 
@@ -64,18 +64,18 @@ enum class Ending {
     StepTooSmall   ///< Steps became too small.
 };
 
-/// What run() returns. Unless done, the flow is at the last good shape.
+/// The result of run(). Unless done, the flow is at the last good shape.
 struct RunResult {
     Ending ending = Ending::Done;  ///< How it ended.
     double time = 0;               ///< Of the shape that the flow is at.
     int cell = -1;                 ///< The cell that would turn over; −1: none.
     std::string message = {};      ///< One line with what happened, when and where; empty when done.
 
-    /// Whether the time was reached.
+    /// Returns whether the time was reached.
     bool done() const { return ending == Ending::Done; }
 };
 
-/// What a run asks of its caller. Both are called and read in the thread that called run().
+/// What a run calls back. Both are called and read in the thread that called run().
 struct RunControl {
     std::function<void(double time)> progress = {};  ///< After every accepted step. Must not throw.
     std::stop_token stop = {};                       ///< Ends the run at the next opportunity.
@@ -145,7 +145,7 @@ class WEND_API Flow {
     /// options out of range.
     Flow(std::span<const Coordinates<Dim>> points, std::span<const CellVertices<Dim>> cells,
          const FlowMaterial<Dim>& material = {}, const FlowOptions& options = {});
-    /// The same for a mesh.
+    /// Does the same for a mesh.
     explicit Flow(const Mesh<Dim>& mesh, const FlowMaterial<Dim>& material = {},
                   const FlowOptions& options = {});
     ~Flow();
@@ -165,7 +165,7 @@ class WEND_API Flow {
     void setMovement(int handle, const Movement<Dim>& movement);
     /// Removes all handles.
     void clear();
-    /// Number of handles.
+    /// Returns the number of handles.
     int handleCount() const;
 
     /// Brings the shape back to rest, and time to 0. Handles stay.
@@ -181,24 +181,24 @@ class WEND_API Flow {
     /// @throws as run(); InvalidInput for a time before time(), or one that is not finite.
     RunResult run(double until, const RunControl& control = {});
 
-    /// Of the shape, from 0.
+    /// Returns the time of the shape, from 0.
     double time() const;
-    /// The shape: n points, in the order and unit of the constructor's. Valid until the flow changes.
+    /// Returns the n points of the shape, in the order and unit of the constructor's. They are valid until
+    /// the flow changes.
     std::span<const Coordinates<Dim>> points() const;
-    /// The shape at rest.
+    /// Returns the n points of the shape at rest.
     std::span<const Coordinates<Dim>> restPoints() const;
-    /// The cells.
+    /// Returns the cells.
     std::span<const CellVertices<Dim>> cells() const;
-    /// The velocity of every vertex at time(), in units of length per unit of time. Between two movements the
-    /// one that begins counts. Empty if it cannot be solved for.
-    /// @throws as run().
+    /// Returns the velocity of every vertex at time(), in units of length per unit of time. Between two
+    /// movements the one that begins counts. Empty if it cannot be solved for. @throws as run().
     std::vector<Coordinates<Dim>> velocity();
 
     /// How far the shape is from rest.
     FlowDistortion distortion() const;
-    /// The least det F of all cells, their change of area or volume: greater than 0.
+    /// Returns the least det F of all cells, their change of area or volume, which is greater than 0.
     double minDet() const;
-    /// The cell of the largest metric error, docs/method.md (28).
+    /// Returns the cell of the largest metric error, docs/method.md (28).
     int worst() const;
     /// W of the shape, the energy of its map from rest, docs/method.md (19), in the unit where the size is 1.
     double restEnergy() const;

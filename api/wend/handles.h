@@ -20,19 +20,19 @@ class Flow;
 template <int Dim>
 class WEND_API Place {
   public:
-    /// Vertices by number.
+    /// Holds vertices by number.
     Place(std::vector<int> vertices);
-    /// Vertices by number.
+    /// Returns a place of vertices by number.
     static Place vertices(std::vector<int> vertices);
     /// Points in the rest shape, each held by the corners of its cell.
     static Place points(std::vector<Coordinates<Dim>> points);
-    /// All vertices in a disc or ball.
+    /// Returns a place of all vertices in a disc or ball.
     static Place ball(const Coordinates<Dim>& centre, double radius);
-    /// All vertices in an axis-aligned box.
+    /// Returns a place of all vertices in an axis-aligned box.
     static Place box(const Coordinates<Dim>& min, const Coordinates<Dim>& max);
-    /// All vertices on the side of a line or plane that its normal points to.
+    /// Returns a place of all vertices on the side of a line or plane that its normal points to.
     static Place halfSpace(const Coordinates<Dim>& point, const Coordinates<Dim>& normal);
-    /// All vertices in a polygon.
+    /// Returns a place of all vertices in a polygon.
     static Place polygon(std::vector<Coordinates<2>> points) requires(Dim == 2);
 
     /// The same points, free along some coordinates (true) and held along the others.
@@ -45,10 +45,10 @@ class WEND_API Place {
     std::shared_ptr<const Data> m_data;
 };
 
-/// How a movement takes its way in its time window: evenly, or starting, ending or both at rest.
+/// Selects the speed of a movement in its time window: even, or starting, ending or both at rest.
 enum class Pacing { Even, EaseIn, EaseOut, EaseInOut };
 
-/// When a movement happens.
+/// The time in which a movement happens.
 struct TimeWindow {
     double start = 0;              ///< Its beginning.
     double end = 1;                ///< Its end, after the beginning.
@@ -75,7 +75,7 @@ struct CurveCarriage {
 template <int Dim>
 class WEND_API Movement {
   public:
-    /// Of no piece: it holds still.
+    /// Makes a movement without pieces, which holds still.
     Movement();
     /// @cond
     Movement(const Movement&);

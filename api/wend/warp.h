@@ -22,9 +22,9 @@ struct Picture {
     Depth depth = Depth::UInt8;  ///< Of the numbers.
     bool premultiplied = false;  ///< Whether colours are multiplied with alpha, the channel of 2 or 4.
     std::vector<std::byte> pixels = {};         ///< width · height · channels numbers of the depth
-    std::shared_ptr<const void> metadata = {};  ///< What its file said beside the pixels, for savePicture().
+    std::shared_ptr<const void> metadata = {};  // of the file, apart from the pixels, for savePicture()
 
-    /// Whether the last channel is alpha.
+    /// Returns whether the last channel is alpha.
     bool hasAlpha() const { return channels == 2 || channels == 4; }
 };
 
@@ -37,7 +37,7 @@ WEND_API void savePicture(const std::string& path, const Picture& picture);
 
 /// How pixels are looked up between those of the source.
 enum class Lookup { Nearest, Bilinear, Bicubic, Ewa };
-/// What is where the shape is not: nothing, the nearest colour of the shape, or the source.
+/// Selects what is shown where the shape is not: nothing, the nearest colour of the shape, or the source.
 enum class Beyond { Transparent, Clamp, Source };
 
 /// How warpPicture() paints.
@@ -71,8 +71,8 @@ struct PictureMeshing {
     PolygonMeshing mesh = {};  ///< How the outline is meshed.
 };
 
-/// A mesh of a picture, in pixels.
-/// @throws InvalidInput for a picture without opaque parts, and as meshPolygons().
+/// Returns a mesh of a picture, in pixels. @throws InvalidInput for a picture without opaque parts, and as
+/// meshPolygons().
 WEND_API Mesh<2> meshPicture(const Picture& picture, const PictureMeshing& options = {});
 
 }  // namespace wend

@@ -13,11 +13,11 @@ struct BenchOptions {
     std::vector<std::string> cases;  // of benchCases(); empty: all but "paper"
     std::string folder;              // where the case "paper" keeps its files; empty: nowhere
     int repeats = 5;
-    std::function<void(const std::string& line)> say;  // each result as soon as it is there
+    std::function<void(const std::string& line)> say;  // each result as soon as it is available
     std::stop_token stop;
 };
 
-/// "2d-5.6k", …, "3d-20k", "warp", "kernels", "paper".
+/// Returns the names of the cases: "2d-5.6k", …, "3d-20k", "warp", "kernels", "paper".
 std::vector<std::string> benchCases();
 
 /// Measures. Ratios are between rows of one case, taken in this one process. Throws InputError for a case

@@ -13,10 +13,10 @@ namespace wend {
 SimplicialMesh<2> meshBox(const Vec<2>& size, int vertices);
 SimplicialMesh<3> meshBox(const Vec<3>& size, int vertices);
 
-/// What the benchmark bends: a strip of 4 : 1 in the plane, a bar of 4 : 1 : 1 in space, meshed by the
-/// program's own meshers to about so many vertices, with diagonal 1. The left end is held; the right end goes
-/// on a half circle about a point above the middle (2D: the strip bends by 180°) or turns by 180° about the
-/// bar's axis (3D: it twists).
+/// The body that the benchmark bends: a strip of 4 : 1 in the plane, or a bar of 4 : 1 : 1 in space, meshed
+/// by the program's own meshers to about so many vertices, with diagonal 1. The left end is held; the right
+/// end moves on a half circle about a point above the middle (2D: the strip bends by 180°) or turns by 180°
+/// about the bar's axis (3D: it twists).
 template <int Dim>
 struct Body {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;

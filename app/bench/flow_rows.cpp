@@ -28,10 +28,10 @@ struct BrokenDown : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Of the way: far enough for a factor.
+// This part of the path is far enough for a factor.
 constexpr double kWarmUp = 0.02;
 
-/// A deformation of the body that is ready to go: analyzed, and once factorized as it will be.
+/// Returns a deformation of the body that is analyzed, and was factorized once as it will be.
 template <int Dim>
 Deformer<Dim> prepared(const Body<Dim>& body, const IntegrationOptions& options) {
     const auto material =
@@ -76,7 +76,8 @@ IntegrationOptions fixedSteps(Method method, int steps, int threads) {
     return options;
 }
 
-/// As in the paper: assembly on one thread and a factorization at each of the four stages of a step.
+/// Returns the paper's options: assembly on one thread and a factorization at each of the four stages of a
+/// step.
 IntegrationOptions paperScheme() {
     IntegrationOptions options = fixedSteps(Method::RungeKutta4, 10, 1);
     options.velocityTolerance = 0;
@@ -121,8 +122,8 @@ class FlowBench {
     }
 
   private:
-    /// Runs take many seconds: once each, and none by the midpoint rule, whose two hundred fields tell
-    /// nothing new.
+    /// Returns whether the body is large. Its runs take many seconds, so each is done once, and none by the
+    /// midpoint rule, whose two hundred fields add no information.
     bool large() const { return m_body.rest->vertexCount() > (Dim == 2 ? 30000 : 10000); }
 
     void addToAim(const Integrator& integrator) {

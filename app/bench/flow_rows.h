@@ -5,12 +5,13 @@
 
 namespace wend {
 
-/// The whole flow: ten steps of the classical Runge–Kutta method beside the paper's scheme, each integrator
-/// to a true error of 1e-4 of the diagonal. `bound`: the least time of a solve, from addSolverRows().
+/// Adds the whole flow: ten steps of the classical Runge–Kutta method beside the paper's scheme, each
+/// integrator to a true error of 1e-4 of the diagonal. `bound` is the least time of a solve, from
+/// addSolverRows().
 template <int Dim>
 void addFlowRows(const Body<Dim>& body, double bound, BenchRecorder& recorder);
 
-/// What the paper's table of times has: ten steps by its scheme and what they are made of, and ours.
+/// Adds the rows of the paper's table of times: ten steps by its scheme and their parts, and Wend's own.
 template <int Dim>
 void addPaperFlow(const Body<Dim>& body, BenchRecorder& recorder);
 

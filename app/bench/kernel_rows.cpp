@@ -80,12 +80,12 @@ class Fronts {
 
     int copies() const { return m_copies; }
     int below() const { return m_size.rows - m_size.columns; }
-    /// Multiplications and additions of the panel and of the lower triangle of its update matrix.
+    /// Returns the multiplications and additions of the panel and of the lower triangle of its update matrix.
     double flops() const {
         const double columns = m_size.columns, rows = below();
         return columns * (columns * columns / 3 + rows * columns + rows * rows);
     }
-    /// Bytes that a forward and a backward solve read.
+    /// Returns the bytes that a forward and a backward solve read.
     double solveBytes() const {
         return 2.0 * sizeof(Real) * m_size.columns * (m_size.rows - 0.5 * m_size.columns);
     }
@@ -176,7 +176,7 @@ class KernelBench {
 
     double rate(const Timing& time) const { return 1e-9 * m_fronts.flops() / time.processor; }
 
-    /// Of one front.
+    /// Measures the work on one front.
     Timing timed(const std::function<void()>& work, const std::function<void()>& prepare = {}) const {
         Timing time = measure(m_recorder.repeats(0.1), work, prepare);
         for (double* part : {&time.median, &time.minimum, &time.maximum, &time.processor})

@@ -18,12 +18,11 @@ Timing measure(int repeats, const std::function<void()>& work, const std::functi
 /// The work runs once, without a warm-up: for what takes many seconds.
 Timing measureOnce(const std::function<void()>& work);
 
-/// Bytes per second that one thread reads of a block of this size, when it has just been read before: what
-/// bounds a triangular solve, which reads every entry of the factor once on the way down and once on the way
-/// up.
+/// Returns the bytes per second that one thread reads of a block of this size that it has just read before.
+/// They bound a triangular solve, which reads every entry of the factor once forward and once backward.
 double readBandwidth(double bytes);
 
-/// The exponent p of the least-squares fit t = c nᵖ; 0 with fewer than two points.
+/// Returns the exponent p of the least-squares fit t = c nᵖ; 0 with fewer than two points.
 double growthExponent(const std::vector<double>& n, const std::vector<double>& t);
 
 }  // namespace wend

@@ -28,7 +28,7 @@ std::string quoted(std::string text) {
     return text;
 }
 
-/// A file's name of a scene and a material.
+/// Returns a name for the file of a scene and a material.
 std::string plain(std::string name) {
     std::erase(name, '\'');
     std::ranges::replace(name, ' ', '-');
@@ -57,7 +57,7 @@ double measureOf(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells)
     return sum;
 }
 
-/// The middle third of the shape's length at rest, with its pose.
+/// Returns the distortion of the middle third of the shape's length at rest.
 template <int Dim>
 Distortion ofMiddleThird(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) {
     const double low = rest.points.row(0).minCoeff(), length = rest.points.row(0).maxCoeff() - low;
@@ -165,7 +165,7 @@ BenchClaim judged(const PaperClaim& claim, const std::map<std::string, Figures>&
     return judged;
 }
 
-/// What holds for every row.
+/// Returns a claim that holds for every row.
 BenchClaim below(const std::string& what, const std::string& name, double bound,
                  const std::map<std::string, Figures>& results) {
     BenchClaim claim{what, true, {}};

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// What is deformed in the paper's figures, on shapes of our own: one shape and its handles, under several
-/// materials. Handles and materials are as in a project file, with quotes '.
+/// A scene of the paper's figures, on shapes of our own: one shape and its handles, under several materials.
+/// Handles and materials are written as in a project file, with quotes '.
 struct PaperScene {
     std::string name;    // also the files'
     std::string figure;  // of the paper
@@ -28,8 +28,7 @@ SimplicialMesh<2> flatShape(const std::string& name, int vertices);
 /// "bar" (4 : 1 : 1), "cube", "thick star".
 SimplicialMesh<3> solidShape(const std::string& name, int vertices);
 
-/// What the paper finds: the size of a figure of the rows grows from one result to the next
-/// ("scene/variant").
+/// A claim of the paper: a figure of the rows grows from one result to the next ("scene/variant").
 struct PaperClaim {
     std::string what, figure;
     std::vector<std::string> rising;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kThickness = 0.5;
 
-/// Five arms of length 1.45, the first upwards.
+/// Returns the outline of five arms of length 1.45, the first upwards.
 std::vector<Vec<2>> starOutline(int points) {
     std::vector<Vec<2>> outline;
     for (int i = 0; i < points; ++i) {

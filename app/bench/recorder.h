@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// Collects the rows of a case, and says each one as it comes.
+/// Collects the rows of a case, and reports each one at once.
 class BenchRecorder {
   public:
     BenchRecorder(BenchTable& table, const BenchOptions& options) : m_table(table), m_options(options) {}

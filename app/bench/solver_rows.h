@@ -5,9 +5,9 @@
 
 namespace wend {
 
-/// The parts of one evaluation of the velocity field, and the whole: with a factorization as in the paper,
-/// with the solver's own factor of this shape, and with the factor of an earlier one. Returns the least time
-/// of a solve, in seconds: that in which memory gives a factor in single precision twice.
+/// Adds the parts of one evaluation of the velocity field, and the whole: with a factorization as in the
+/// paper, with the solver's own factor of this shape, and with the factor of an earlier one. Returns the
+/// least possible time of a solve, in seconds, in which memory delivers a factor in single precision twice.
 template <int Dim>
 double addSolverRows(const Body<Dim>& body, BenchRecorder& recorder);
 

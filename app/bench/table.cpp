@@ -52,7 +52,7 @@ std::vector<Growth> growthOf(const BenchTable& table) {
     }
     std::vector<Growth> growth;
     for (const auto& [key, s] : series) {
-        // Of shapes of one size nothing can be told.
+        // Shapes of one size give no growth.
         const auto [minimum, most] = std::minmax_element(s.vertices.begin(), s.vertices.end());
         if (*most < 1.5 * *minimum) continue;
         const auto& [dimension, what, threads] = key;

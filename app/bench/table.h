@@ -47,7 +47,7 @@ struct Growth {
 };
 std::vector<Growth> growthOf(const BenchTable& table);
 
-/// For people: "assembly, cpu, 1 thread        0.412 ms   …".
+/// Returns a row as people read it: "assembly, cpu, 1 thread        0.412 ms   …".
 std::string textOf(const BenchRow& row);
 std::string headingOf(const BenchCase& one);
 /// "holds:  EQUIA keeps …: volume: strip/EQUIA 0.0001 < …".
@@ -56,7 +56,7 @@ std::string textOf(const std::vector<Growth>& growth);
 /// For programs: all of it, seconds as numbers.
 std::string jsonOf(const BenchTable& table);
 
-/// The processor's name, as the system tells it; empty if it does not.
+/// Returns the processor's name as the system gives it; empty if it gives none.
 std::string processorName();
 
 }  // namespace wend

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kWidth = 6000, kHeight = 4000;
 
-/// A turn by 20° about the middle and a wave on top: stretches between 0.7 and 1.4.
+/// Turns by 20° about the middle and adds a wave: stretches are between 0.7 and 1.4.
 Points<2> bent(const Points<2>& rest) {
     const Vec<2> middle(kWidth / 2.0, kHeight / 2.0);
     const double c = std::cos(0.35), s = std::sin(0.35);

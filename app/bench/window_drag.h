@@ -33,8 +33,8 @@ class WindowDrag : public QObject {
     };
     explicit WindowDrag(Parts parts);
 
-    /// Presses at a place, goes along the path (an offset for a time in seconds) and lets go. Throws
-    /// std::runtime_error where nothing follows, Cancelled when stopped.
+    /// Presses at a place, moves along the path (an offset for a time in seconds) and releases. Throws
+    /// std::runtime_error if nothing follows, Cancelled when stopped.
     Times drag(const QPointF& from, const std::function<QPointF(double)>& path, double seconds,
                std::stop_token stop);
 
@@ -51,7 +51,7 @@ class WindowDrag : public QObject {
     QElapsedTimer m_clock;
     QPointF m_from, m_last;
     std::vector<double> m_sent;  // when each sample of the gesture was due; the first is the press
-    int m_shown = 0;             // the newest sample that was seen
+    int m_shown = 0;             // the newest sample that was displayed
     FramePtr m_before;
     Times m_times;
 };

@@ -29,7 +29,7 @@ namespace wend {
 namespace {
 
 constexpr QSize kWindow(1280, 800), kFineWindow(3840, 2160);
-constexpr double kRound = 3;  // seconds for the way of the hand, there and back
+constexpr double kRound = 3;  // seconds for the path of the hand, there and back
 constexpr int kPictureWidth = 2400, kPictureHeight = 1500;
 
 /// The program's own, or one for the time of the rows; without a display it draws for itself, and no solids.
@@ -62,7 +62,7 @@ class OwnSettings {
     QTemporaryDir m_folder;
 };
 
-/// Both ends, which hold the shape.
+/// Returns handles for both ends, which hold the shape.
 template <int Dim>
 std::vector<Handle<Dim>> ends(double length) {
     std::vector<Handle<Dim>> handles(2);
@@ -176,7 +176,7 @@ class Stage {
         rest();
         m_tick.stop();
     }
-    /// Until nothing works: the next drag is made ready once the motion is known.
+    /// Waits until nothing is computed: the next drag is prepared once the motion is known.
     void rest() {
         QThreadPool::globalInstance()->waitForDone();  // pictures of the start page
         for (std::clock_t before = 0, now = std::clock(); now - before > CLOCKS_PER_SEC / 50;) {
@@ -211,7 +211,7 @@ BenchRow rowOf(const std::string& what, const WindowDrag::Times& times) {
     return row;
 }
 
-/// A drag of the resting shape, and the beginning of another one as soon as it is let go.
+/// Adds a drag of the resting shape, and the beginning of another one right after its release.
 template <int Dim>
 void addRow(int vertices, double phi, const QSize& size, const std::string& name, double seconds,
             BenchRecorder& recorder) {

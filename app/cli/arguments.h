@@ -15,12 +15,12 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What stands on a subcommand's line, checked against the table of options.
+/// The arguments of a subcommand, checked against the table of options.
 class Arguments {
   public:
-    /// `words` follow the subcommand's name. Throws UsageError: an unknown option, one that the subcommand
-    /// does not take, one given twice that is no output, one without its value, a value of the wrong kind or
-    /// out of range.
+    /// `words` follow the subcommand's name. Throws UsageError for an unknown option, one that the subcommand
+    /// does not take, one given twice that is not an output, one without its value, and a value of the wrong
+    /// kind or out of range.
     Arguments(const std::string& command, const std::vector<std::string>& words);
 
     const std::vector<std::string>& files() const { return m_files; }
@@ -32,9 +32,9 @@ class Arguments {
     double number(const std::string& flag) const { return m_values.number(flag); }
     int integer(const std::string& flag) const { return m_values.integer(flag); }
     std::optional<double> given(const std::string& flag) const { return m_values.given(flag); }
-    /// φ of a name or number, in the range of that dimension.
+    /// Returns φ of a name or number, in the range of that dimension.
     double phi(const std::string& flag, int dim) const;
-    /// Of any kind but a file, as a number: see Accessor.
+    /// Returns the value of an option of any kind but a file as a number: see Accessor.
     double value(const Option& option, int dim) const;
 
   private:
@@ -46,7 +46,7 @@ class Arguments {
     OptionValues m_values;
 };
 
-/// What the line says wins over the project.
+/// Applies the settings of the command line, which take precedence over the project's.
 void takeSettings(Project& project, const Arguments& arguments);
 /// An option that would change nothing in such a project is a mistake: throws UsageError.
 void requireFitting(const Project& project, const Arguments& arguments);
@@ -60,7 +60,7 @@ struct OptionWords {
 };
 /// Returns the options that the subcommand takes, in the order of the table.
 std::vector<OptionWords> optionWords(const std::string& command);
-/// `--tolerance X  …` for each of them.
+/// Returns the help for a command's options, `--tolerance X  …` for each of them.
 std::string optionHelp(const std::string& command);
 
 }  // namespace wend

@@ -35,7 +35,7 @@ std::string helpFor(const Command& command) {
     return text;
 }
 
-/// With the programs that films need.
+/// Returns the version, with the programs that films need.
 std::string versionText() {
     const std::string ffmpeg = ffmpegVersion();
     return "wend " WEND_VERSION "\nffmpeg " + (ffmpeg.empty() ? "is not installed" : ffmpeg) + "\n";

@@ -16,8 +16,8 @@ bool isCommand(const std::string& word);
 /// Runs a subcommand; needs no display. Returns the exit code.
 int runCommand(int argc, char** argv);
 
-/// The program of many processes, in the first of them: `run` alone, with these solvers. `finish` is called
-/// before the process ends. Returns the exit code.
+/// Runs the program of many processes in the first of them: `run` alone, with these solvers. `finish` is
+/// called before the process ends. Returns the exit code.
 int runDividedCommand(int argc, char** argv, const RunSolvers& solvers, const std::function<void()>& finish);
 
 }  // namespace wend

@@ -20,7 +20,7 @@ struct Command {
 std::span<const Command> commands();
 /// Returns null if there is none of that name.
 const Command* findCommand(const std::string& name);
-/// Returns what is to be said beyond the options; empty for most.
+/// Returns remarks beyond the options; empty for most commands.
 std::string remarksOn(const Command& command);
 /// Describes the exit codes.
 std::string exitCodeText();

@@ -8,7 +8,7 @@ namespace wend {
 struct RunSolvers;
 
 ExitCode runRun(const Arguments& arguments);
-/// The same by multigrid with these solvers.
+/// Does the same by multigrid with these solvers.
 ExitCode runDivided(const Arguments& arguments, const RunSolvers& solvers);
 ExitCode runMesh(const Arguments& arguments);
 ExitCode runConvert(const Arguments& arguments);
@@ -19,10 +19,10 @@ ExitCode runBench(const Arguments& arguments);
 /// pages.
 ExitCode runReference(const Arguments& arguments);
 
-/// On standard output. Throws InputError if that is full or closed.
+/// Prints on standard output. Throws InputError if that is full or closed.
 ExitCode print(const std::string& text);
 
-/// What is said of work that was cancelled.
+/// The message about work that was cancelled.
 inline constexpr const char* kCancelled = "cancelled; nothing was written";
 
 /// The only file on the line; throws UsageError if there is none or there are several.

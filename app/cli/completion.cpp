@@ -44,7 +44,8 @@ std::string flagsOf(const Command& command) {
     return text;
 }
 
-/// What follows an option: file names come from readline, where nothing is offered; a number has none.
+/// Returns the completion of an option's value: readline completes file names if nothing is offered; a number
+/// has none.
 std::string bashValue(const Command& command, const OptionWords& words) {
     if (words.value.empty() || takesFile(words)) return {};
     const std::string choices = choicesOf(words);
@@ -92,7 +93,7 @@ std::string bashCompletion() {
            "complete -o default -F _wend wend\n";
 }
 
-/// A description within the brackets of _arguments.
+/// Returns a description as it is within the brackets of _arguments.
 std::string zshMeaning(const std::string& text) {
     std::string result;
     for (const char c : text) {

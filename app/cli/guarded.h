@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// Runs, turns whatever is thrown into its one line and exit code, calls `finish` and ends the process. What
-/// is thrown for want of memory ends it at once.
+/// Runs, turns any exception into its one line and exit code, calls `finish` and ends the process. An
+/// exception for lack of memory ends it at once.
 int runToTheEnd(const std::function<ExitCode()>& run, const std::function<void()>& finish = {});
 
 }  // namespace wend

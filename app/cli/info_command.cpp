@@ -33,7 +33,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kListed = 20;  // numbers shown of a problem's cells in text; JSON has them all
 
-// --- What there is to tell, as JSON ---
+// --- Information as JSON ---
 
 Json outlineInfo(const Image& image) try {
     const Outline outline = outlineFromAlpha(image);
@@ -45,7 +45,7 @@ Json outlineInfo(const Image& image) try {
     return {{"problem", error.reason()}};
 }
 
-/// Layers of which the picture is made, as far as they are known.
+/// Lists the layers of the picture as far as they are known.
 Json layersInfo(const std::vector<PictureLayer>& layers) {
     Json list = Json::array();
     for (const PictureLayer& layer : layers) {
@@ -61,7 +61,7 @@ Json layersInfo(const std::vector<PictureLayer>& layers) {
     return list;
 }
 
-/// What of the file is not in the picture.
+/// Adds what the file has and the picture does not.
 void addFileInfo(const Image& image, Json& json) {
     const Image::Metadata& metadata = *image.metadata;
     if (const PixelBox& box = metadata.stored; box.width > 0)
@@ -160,7 +160,7 @@ Json vectorOf(const Vec<3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// What cannot be told of this surface is left out.
+/// Adds the known facts of this surface.
 void addFacts(const SurfaceFacts& facts, Json& json) {
     json["box"] = {{"low", vectorOf(facts.low)},
                    {"high", vectorOf(facts.high)},
@@ -232,7 +232,7 @@ void addDesign(Json& json, const Design<Dim>& design) {
     json["handles"] = handlesInfo(design);
 }
 
-/// The parts of a picture, from front to back.
+/// Lists the parts of a picture, from front to back.
 Json partsInfo(const Domain& domain) {
     Json list = Json::array();
     for (const PicturePart& part : domain.parts) {

@@ -37,7 +37,7 @@ Interrupt::Interrupt(std::function<void()> sayCancelled, std::chrono::millisecon
     std::signal(SIGTERM, onInterrupt);
 }
 
-/// Until this object goes, or to the end of the process.
+/// Waits until this object is destroyed, or until the end of the process.
 void Interrupt::wait() {
     const auto next = [this] {
         char why = 0;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr const char* kProject = "https://www.gnu.org/licenses/agpl-3.0.html";
 
-/// Text as roff shows it: a hyphen that can be copied as it is typed, no backslash that escapes, and no
-/// control line that begins with a dot or an apostrophe.
+/// Escapes text for roff: a hyphen can be copied as it is typed, no backslash escapes, and no line begins
+/// with a dot or an apostrophe that makes it a control line.
 std::string escaped(std::string_view text) {
     std::string result;
     bool lineBegins = true;
@@ -27,7 +27,7 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-/// An argument of a macro.
+/// Returns a text as an argument of a macro.
 std::string macroArgument(std::string_view text) {
     std::string result = "\"";
     for (const char c : escaped(text)) result += c == '"' ? std::string("\\(dq") : std::string(1, c);

@@ -29,7 +29,7 @@ bool isMeshName(const std::string& path) {
     return std::ranges::count(readableMeshExtensions(), lowerExtension(path)) > 0;
 }
 
-/// What contradicts what.
+/// Refuses options that contradict each other.
 void requireConsistent(const Arguments& arguments) {
     for (const char* other : {"--edge", "--max-volume"})
         if (arguments.has("--vertices") && arguments.has(other))
@@ -147,7 +147,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     terminal.progress("meshing", 0);
     const Meshed meshed = meshOf(input, path, interrupt.token());
     for (const std::string& notice : meshed.notices) terminal.warn(path + ": " + notice);
-    // Who asks for a quality by number hears of a small miss too.
+    // A quality that is given by number is reported as missed even if the difference is small.
     if (arguments.has("--quality") && meshed.verdict && meshed.verdict->missed() &&
         meshed.verdict->text().empty())
         terminal.warn(path + ": the worst cell has a ratio of radius to edge of " +

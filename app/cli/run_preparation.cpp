@@ -57,7 +57,7 @@ void requireOneStandardInput(const std::string& project, const RunOutputs& outpu
         throw UsageError("only one input can come from standard input (-)");
 }
 
-/// "3/8".
+/// Parses "3/8".
 Shard shardFrom(const std::string& text) {
     Shard shard;
     const char *first = text.data(), *last = first + text.size();
@@ -81,7 +81,7 @@ void requireShardOfFrames(const RunOptions& options) {
     if (others.any()) throw UsageError("with --shard nothing but --frames is written");
 }
 
-/// As the topmost layer. The line's files are named from where it is typed.
+/// Adds paint as the topmost layer. The line's files are relative to the current folder.
 void paint(Project& project, const std::string& folder, const Arguments& arguments) {
     MaterialPictures pictures;
     for (const auto& [flag, file] : {std::pair{"--paint-phi", &pictures.phi},
@@ -97,7 +97,7 @@ void paint(Project& project, const std::string& folder, const Arguments& argumen
     project.design = withPictures(project.design, "painted", frame.box, pictures);
 }
 
-/// What the line says wins over the project.
+/// Applies the command line's settings, which take precedence over the project's.
 void override(Project& project, const Arguments& arguments) {
     takeSettings(project, arguments);
     IntegrationOptions& integration = project.integration;
@@ -149,7 +149,7 @@ std::vector<std::string> takeLine(const Arguments& arguments, const std::string&
     paint(project, folderOf(path), arguments);
     takeFrameRate(project, options.at.value_or(project.end), options.outputs);
     std::vector<OwnInput> inputs = inputsOf(project, path, folderOf(path));
-    // Its own states go on growing.
+    // A file of states that is continued may be its own output.
     if (!options.from.empty() && std::ranges::none_of(options.outputs.states, [&](const std::string& file) {
             return sameFile(options.from, file);
         }))

@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// What a line of `wend run` asks for. Throws UsageError.
+/// Returns the options of a command line of `wend run`. Throws UsageError.
 RunOptions runOptionsOf(const Arguments& arguments);
 
 /// Lets the line win over what the project says that was read from `path`, and checks that both fit. Returns

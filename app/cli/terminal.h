@@ -6,8 +6,7 @@
 
 namespace wend {
 
-/// What the user sees on standard error: one line for each error and warning, and a line of progress that is
-/// drawn over.
+/// Writes to standard error: one line for each error and warning, and a line of progress that is overwritten.
 class Terminal {
   public:
     enum class Progress { Automatic, Shown, Hidden };  // Automatic: on a terminal
@@ -17,14 +16,14 @@ class Terminal {
     /// Called from any thread, as often as one likes.
     void progress(const std::string& work, double fraction);
     void warn(const std::string& text);
-    /// Where progress is shown.
+    /// Writes to the stream on which progress is shown.
     void tell(const std::string& text);
     /// Like error(), over the line of progress.
     void end(const std::string& text);
 
-    /// "wend: text" as one line, whatever the text holds.
+    /// Writes "wend: text" as one line, whatever the text contains.
     static void error(const std::string& text);
-    /// What is worked on: lastWord() names it.
+    /// Sets the file that is being worked on, which lastWord() names.
     static void setFile(const std::string& path);
     /// Says one line about the file and ends the process with that exit code: from any thread, and when there
     /// is no memory left. Nothing is cleaned up; what was being written was not yet in its place.

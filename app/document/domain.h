@@ -15,14 +15,14 @@ namespace wend {
 enum class DomainKind { Image, Mesh, Surface };
 /// The place of the cut-out whose holes are filled in the list of outlines, behind those kinds.
 inline constexpr int kFilledCutOut = 3;
-/// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
-/// surface cannot be meshed or has far more vertices than are aimed at.
+/// Selects what carries a surface: its own volume or a cage around it. `Automatic` takes the cage if the
+/// exact surface cannot be meshed or has far more vertices than the target.
 enum class Fit { Automatic, Exact, Cage };
-/// What lies on the frame of a picture: moves with the rest of it, stays where it is, or slides along the
-/// frame's sides.
+/// Selects whether the border of a picture moves with the rest of it, is fixed, or slides along the sides of
+/// the frame.
 enum class Border { Free, Fixed, Slide };
 
-/// Where cells are to be finer or coarser than elsewhere.
+/// A region where cells are finer or coarser than elsewhere.
 template <int Dim>
 struct SizeRegionIn {
     std::string name;  // regions of one name were painted together; may be empty
@@ -34,7 +34,7 @@ struct SizeRegionIn {
 };
 using SizeRegion = SizeRegionIn<3>;
 
-/// What a project deforms, as its file says it.
+/// The domain that a project deforms, as its file describes it.
 struct Domain {
     DomainKind kind = DomainKind::Image;
     std::string path;                // of the image, mesh or surface, relative to the project file

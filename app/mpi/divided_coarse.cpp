@@ -71,7 +71,7 @@ BuildStatus DividedCoarse<Modes>::build(CoarseShare<Modes> share) {
     return m_team.decide(status == BuildStatus::Done) ? BuildStatus::Done : BuildStatus::NotPositiveDefinite;
 }
 
-/// In the first process: sums the right-hand sides of all shares, in their order.
+/// Sums the right-hand sides of all shares, in their order, in the first process.
 template <int Modes>
 bool DividedCoarse<Modes>::solveWhole(const Points<Modes>& r, Points<Modes>& z) {
     m_right.setZero(Modes, m_size);

@@ -13,8 +13,8 @@ namespace wend {
 template <int Modes>
 class DividedCoarse final : public CoarseSolver<Modes> {
   public:
-    /// The graph is that of the aggregates of the whole, in the first process. What is referred to outlives
-    /// it.
+    /// In the first process, the graph is that of the aggregates of the whole. References must outlive this
+    /// object.
     DividedCoarse(const Team& team, Graph aggregates, WorkerPool& workers);
 
     BuildStatus build(CoarseShare<Modes> share) override;

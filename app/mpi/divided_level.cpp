@@ -22,7 +22,7 @@ int DividedLevel<Modes>::ownPlace(int number) const {
     return static_cast<int>(std::lower_bound(m_own.begin(), m_own.end(), number) - m_own.begin());
 }
 
-/// Both triangles of the rows of its own aggregates: what all processes add, in their order.
+/// Returns both triangles of the rows of its own aggregates, to which all processes add in their order.
 template <int Modes>
 auto DividedLevel<Modes>::exchangeRows(const CoarseShare<Modes>& share) const -> std::vector<Row> {
     using Block = Eigen::Matrix<float, Modes, Modes>;

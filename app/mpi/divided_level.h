@@ -14,7 +14,7 @@ template <int Modes>
 class DividedLevel final : public CoarseSolver<Modes> {
   public:
     /// `ownerOf` has the process of every aggregate of the whole; `groups` are the next level's aggregates of
-    /// its own ones, ascending. What is referred to outlives it.
+    /// its own ones, ascending. References must outlive this object.
     DividedLevel(const Team& team, std::vector<int> ownerOf, Aggregates groups, CoarseSolver<Modes>& next,
                  WorkerPool& workers);
 

@@ -213,7 +213,7 @@ auto DividedSolver<Dim>::levels() const -> Levels {
     return levels;
 }
 
-/// The part of every unknown vertex.
+/// Returns the part of every unknown vertex.
 template <int Dim>
 std::vector<int> DividedSolver<Dim>::owners(const Levels& levels) const {
     std::vector<int> groupOf(m_plan->vertexCount, -1);
@@ -374,7 +374,7 @@ void serve(const Team& team) {
         if (!service) service = std::make_unique<PartService<3>>(team);
         try {
             service->serve(command, packet);
-        } catch (const Abandoned&) {  // the first process says why, and goes on
+        } catch (const Abandoned&) {  // the first process reports the reason and continues
         }
         if (command == Command::Close) services.erase(solver);
     }

@@ -74,7 +74,7 @@ std::vector<int> Division<Dim>::rowsOf(int number) const {
     return rows;
 }
 
-/// The cells around a vertex, and those across their facets.
+/// Adds the cells around a vertex, and those across their facets.
 template <int Dim>
 void Division<Dim>::addCellsOf(int vertex, std::vector<char>& hasCell, std::vector<int>& cells) const {
     const auto add = [&](int cell) {

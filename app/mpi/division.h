@@ -17,8 +17,8 @@ struct Neighbour {
 };
 
 /// The share of one process in a system K = Zᵀ A Z: the cells that contribute to its own rows of K, as a mesh
-/// of their own. Vertices are numbered anew: its own unknowns first, then copies of other parts' unknowns,
-/// part by part, then the vertices that follow from unknowns or are prescribed.
+/// of their own. Its vertices have new numbers: its own unknowns come first, then copies of other parts'
+/// unknowns, part by part, then the vertices that follow from unknowns or are prescribed.
 template <int Dim>
 struct Part {
     int number = 0, own = 0, copies = 0;
@@ -50,7 +50,7 @@ class Division {
              int parts);
 
     int parts() const { return m_parts; }
-    /// Without what its neighbours copy from it.
+    /// Returns a part without the lists of what its neighbours copy from it.
     Part<Dim> part(int number) const;
 
   private:
@@ -69,11 +69,11 @@ class Division {
     int m_parts;
 };
 
-/// All parts of a division, each with all of its neighbours.
+/// Returns all parts of a division, each with all of its neighbours.
 template <int Dim>
 std::vector<Part<Dim>> allParts(const Division<Dim>& division);
 
-/// The values of a vector over the vertices of the whole mesh at those of a part.
+/// Returns the values of a vector over the vertices of the whole mesh at those of a part.
 template <int Dim>
 Points<Dim> gathered(const Points<Dim>& whole, const std::vector<int>& vertices);
 

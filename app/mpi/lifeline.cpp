@@ -64,7 +64,7 @@ bool sendAll(int socket, const void* data, std::size_t size) {
     return send(socket, data, size, MSG_NOSIGNAL) == static_cast<ssize_t>(size);
 }
 
-/// The addresses of this machine, its own for itself first.
+/// Returns the addresses of this machine, its own for itself first.
 std::vector<in_addr_t> addresses() {
     std::vector<in_addr_t> result{htonl(INADDR_LOOPBACK)};
     ifaddrs* all = nullptr;
@@ -104,7 +104,7 @@ Name shortened(const std::string& text) {
 /// Where the first process waits for connections, and the word by which it knows the team's own.
 struct Lifeline::Meeting {
     using Token = std::array<std::uint8_t, 16>;
-    /// What a process says first.
+    /// The first message of a process.
     struct Greeting {
         Token token;
         int rank;

@@ -18,9 +18,9 @@ class Lifeline {
   public:
     static constexpr int kLost = 137;  // what a shell gives to a process that was killed
 
-    /// All processes call it at the same time.
+    /// All processes must call it at the same time.
     explicit Lifeline(const Team& team);
-    /// From here on each process may end.
+    /// From then on each process may end.
     ~Lifeline();
     Lifeline(const Lifeline&) = delete;
     Lifeline& operator=(const Lifeline&) = delete;

@@ -23,7 +23,7 @@ class Packet {
         m_bytes.insert(m_bytes.end(), bytes, bytes + list.size() * sizeof(T));
     }
 
-    /// In the order in which they were put.
+    /// Takes values in the order in which they were put.
     template <class T>
     requires std::is_trivially_copyable_v<T>
     void get(T& value) {

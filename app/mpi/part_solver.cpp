@@ -175,7 +175,7 @@ typename PartSolver<Dim>::Result PartSolver<Dim>::run(const Goal& goal, const Po
     return m_iteration.run(*m_backEnd, m_system, precondition, goal, load, v, m_links);
 }
 
-/// E(v) = vᵀ A v, without the mass.
+/// Returns E(v) = vᵀ A v, without the mass.
 template <int Dim>
 double PartSolver<Dim>::energy(const Points<Dim>& v) {
     Points<Dim> Av;

@@ -99,7 +99,8 @@ std::vector<int> Team::all(int own) const {
     return values;
 }
 
-/// With all of these processes at once; what is empty is not sent. Pieces are as large as MPI can count.
+/// Exchanges with all of these processes at once; empty messages are not sent. Pieces are as large as MPI can
+/// count.
 template <typename In, typename Out>
 void Team::exchange(const std::vector<int>& others, In&& in, Out&& out) const {
     std::vector<MPI_Request> requests;
@@ -282,7 +283,7 @@ PartLinks::Rows TeamLinks::copiedRows(std::span<const int> start, std::span<cons
     return all;
 }
 
-/// In the order of the processes: the same bits in all of them, every time.
+/// Sums in the order of the processes, with the same bits in all of them, every time.
 double TeamLinks::sum(double part) const {
     double total = 0;
     for (double one : m_team.all(part)) total += one;

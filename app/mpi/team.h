@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// Thrown in every process but the first where one of them has failed: the first one tells why.
+/// Thrown in every process but the first if one of them has failed; the first one reports the reason.
 class Abandoned : public std::exception {
   public:
     const char* what() const noexcept override { return "abandoned"; }
@@ -32,7 +32,7 @@ class Team {
     int size() const { return m_size; }
     bool isFirst() const { return m_rank == 0; }
 
-    /// The first process's bytes, in all.
+    /// Sends the first process's bytes to all.
     void broadcast(Packet& packet) const;
     /// From one process to another, called by those two.
     void send(int to, const Packet& packet) const;
@@ -40,7 +40,7 @@ class Team {
     void send(int to, std::span<const double> values) const;
     void receive(int from, std::span<double> values) const;
 
-    /// One number of every process, in all.
+    /// Returns one number of every process, in all of them.
     std::vector<double> all(double own) const;
     std::vector<int> all(int own) const;
     /// From every process to every other: what each has got, by the processes that it comes from.

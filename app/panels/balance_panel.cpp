@@ -20,7 +20,7 @@ BalancePanel::BalancePanel(ShapeSession& session, QWidget* parent)
     showProject();
 }
 
-/// Without smoothing the length is 0 and can still be set.
+/// Shows the project. Without smoothing the length is 0 and can still be set.
 void BalancePanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;

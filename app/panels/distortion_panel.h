@@ -79,7 +79,7 @@ class DistortionPanel : public QWidget {
     QToolButton* m_find;
     QLabel* m_areaName = nullptr;
     PoseWatch m_watch;
-    QToolButton *m_crossings, *m_blown;  // counts; each click goes to the next place
+    QToolButton *m_crossings, *m_blown;  // counts; each click shows the next place
     QLabel* m_crossingsName = nullptr;
     std::vector<Vec<3>> m_crossed, m_grown;          // their places …
     std::size_t m_nextCrossed = 0, m_nextGrown = 0;  // … and the index of the next one

@@ -27,7 +27,7 @@ QString asTable(const QString& title, const QString& lines) {
     return QStringLiteral("<b>%1</b><table>").arg(title.toHtmlEscaped()) + lines + QStringLiteral("</table>");
 }
 
-/// The lines of the table.
+/// Returns the lines of the table.
 QString factsText(const MeshInspection& found, const QString& unit) {
     const SurfaceFacts& facts = *found.facts;
     const auto with = [&unit](const QString& value, const char* power) {

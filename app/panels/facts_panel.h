@@ -20,7 +20,7 @@ class FactsPanel : public QWidget {
     explicit FactsPanel(ShapeSession& session, QWidget* parent = nullptr);
 
   signals:
-    /// Requests a view of a tetrahedron.
+    /// Emitted to request a view of a tetrahedron.
     void cellWanted(int cell);
 
   protected:

@@ -89,7 +89,7 @@ std::optional<Vec<3>> HandlePanel::middle() const {
     return amountOf<Dim>(meanOf<Dim>(centres));
 }
 
-/// In the plane the numbers are beside the kind of step; in space they need a row of their own.
+/// Places the numbers: in the plane beside the kind of step, in space in a row of their own.
 void HandlePanel::placeNumbers() {
     const int kind = m_kind->currentIndex();
     m_axis->setVisible(kind == 1 && isSolid());

@@ -211,7 +211,7 @@ void LayerPanel::takeItem(QListWidgetItem* item) {
     changeBy(tr("Rename layer"), withGroupName(design, before, name));
 }
 
-/// The list shows the topmost first. What is given cell by cell stays at the bottom.
+/// Moves a layer. The list shows the topmost first. Values given per cell stay at the bottom.
 void LayerPanel::takeOrder(int from, int to) {
     if (m_session.document().isEmpty() || to >= m_list->count()) return;
     const QListWidgetItem* moved = m_list->item(to);
@@ -341,7 +341,7 @@ bool LayerPanel::isNameless() const {
     return m_list->currentItem() && selected().empty();
 }
 
-/// Selects the layer that was chosen elsewhere, or the unnamed one; nothing if it is gone.
+/// Selects the layer that was chosen elsewhere, or the unnamed one; nothing if it no longer exists.
 void LayerPanel::select(bool nameless, bool cells) {
     const std::string name = m_chosen.now().name;
     int row = -1;

@@ -28,11 +28,11 @@ class Legend : public QWidget {
     std::vector<int> m_histogram;
 };
 
-/// The bar and its values in a rectangle, in the painter's font.
+/// Paints the bar and its values into a rectangle, in the painter's font.
 void paintLegend(QPainter& painter, const QRect& where, Measure measure, const MeasureRange& range,
                  const QColor& textColour);
 
-/// The same on a card at the lower right of a view of that size.
+/// Paints the same on a card at the lower right of a view of that size.
 void paintLegendCard(QPainter& painter, const QSize& view, Measure measure, const MeasureRange& range,
                      const QPalette& palette, int dimension);
 

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace wend {
 
-/// What the whole shape keeps: the slider with its stops, and a suggestion if the shape grew too much.
+/// Shows what the whole shape keeps: the slider with its stops, and a suggestion if the shape grew too much.
 class MaterialPanel : public QWidget {
     Q_OBJECT
 

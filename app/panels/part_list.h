@@ -14,9 +14,9 @@ namespace wend {
 class NumberBox;
 class ShapeSession;
 
-/// The parts of a picture, the frontmost first: an eye, a name that a double click changes, and an order that
-/// dragging and Alt with the arrow keys change. Below it what the chosen part is: its opacity, what it is
-/// joined to, and what it rides on. Hidden for a picture that is one part.
+/// Lists the parts of a picture, the frontmost first: an eye, a name that a double click changes, and an
+/// order that dragging and Alt with the arrow keys change. Below are the properties of the chosen part: its
+/// opacity, its joints, and the part to which it is attached. Hidden for a picture of a single part.
 class PartList : public QWidget {
     Q_OBJECT
 

@@ -31,7 +31,7 @@ class PinList : public QWidget {
   signals:
     /// The keyboard is for the view now.
     void done();
-    /// Requests the menu of the selection.
+    /// Emitted to request the menu of the selection.
     void menuWanted(QPoint global);
 
   protected:

@@ -66,7 +66,7 @@ std::optional<double> RegionPanel::radius() const {
     return isPoint<Dim>() ? std::optional(0.0) : std::nullopt;
 }
 
-/// Consecutive numbers merge into one undo step. A region without vertices is rejected.
+/// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
 void RegionPanel::apply(const Region<3>& next) {
     const auto frame = m_session.frame<3>();
     const Region<3>* now = region<3>();
@@ -94,7 +94,7 @@ void RegionPanel::applyRadius() {
     if (radius<3>()) widen<3>();
 }
 
-/// Poses change nothing here.
+/// Updates after a change of the shape; poses change nothing here.
 void RegionPanel::takeFrame() {
     const FramePtr& frame = m_session.frame();
     if (!frame || frame->shape != m_mesh || isHidden()) showHandle();
@@ -118,7 +118,7 @@ void RegionPanel::showHandle() {
     if (isSolid) showCount<3>();
 }
 
-/// Decimals depend on the size of the shape; whole pixels in a picture.
+/// Shows the radius with decimals that depend on the size of the shape; whole pixels in a picture.
 void RegionPanel::showRadius(double radius, double diagonal) {
     m_radius->showDigits(place<2>() ? 2 : digitsFor(diagonal));
     m_radius->put(radius);

@@ -132,7 +132,7 @@ void SizePanel::allowSelected(bool allowed) {
     allow(m_selected, allowed, tr("First select a pin that holds a ball, a box or one side."));
 }
 
-/// The place in sizeGroups(); −1 for the next stroke.
+/// Returns the position in sizeGroups(); −1 for the next stroke.
 int SizePanel::group() const {
     return m_list->currentRow() - 1;
 }
@@ -149,7 +149,7 @@ void SizePanel::changeFactor(double factor) {
                           QStringLiteral("size factor %1").arg(group()));
 }
 
-/// Consecutive numbers merge into one undo step.
+/// Changes the shape of the group. Consecutive numbers merge into one undo step.
 void SizePanel::changeShape(const Region<3>& shape, double feather) {
     if (group() < 0) return;
     Document& document = m_session.document();

@@ -21,7 +21,7 @@ class SizePanel : public QWidget {
     Q_OBJECT
 
   public:
-    /// The regions of the chosen entry become those of the brush: none for the next stroke.
+    /// Shares the regions of the chosen entry with the brush; there are none while the next stroke is chosen.
     SizePanel(ShapeSession& session, Brush& brush, QWidget* parent = nullptr);
 
   private:

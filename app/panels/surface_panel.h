@@ -44,14 +44,14 @@ class SurfacePanel : public QWidget {
   signals:
     /// Emitted when faults are shown; with a cage, work can continue.
     void told(bool isCaged);
-    /// Requests a view of one fault of a kind.
+    /// Emitted to request a view of one fault of a kind.
     void caseChosen(int kind, int number);
-    /// Requests the solid in place of the surface and its faults.
+    /// Emitted to request the solid in place of the surface and its faults.
     void solidWanted();
     void saveRequested();
-    /// Requests a fix of the current fault only.
+    /// Emitted to request a fix of the current fault only.
     void fixRequested();
-    /// Requests a fix of all faults of the current kind.
+    /// Emitted to request a fix of all faults of the current kind.
     void fixAllRequested();
     /// Requests a preview of that fix while its button is hovered or focused.
     void fixOfAllShown(bool shown);
@@ -60,7 +60,7 @@ class SurfacePanel : public QWidget {
     void limitChanged(int largestHole);
     /// Requests a preview of the repaired surface, or of the original.
     void repairShown(bool shown);
-    /// A cage around it, or else the exact surface.
+    /// Emitted to request a cage around it, or else the exact surface.
     void fitRequested(bool cage);
 
   protected:

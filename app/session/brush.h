@@ -63,7 +63,7 @@ class Brush : public SharedValue<BrushSettings> {
     PenValue& edges() { return m_edges; }
     /// Depth of brushed places: in front if positive, behind if negative.
     PenValue& order() { return m_order; }
-    /// The selected regions of different cell size.
+    /// Returns the selected regions with another cell size.
     ChosenRegions& regions() { return m_regions; }
 
   private:

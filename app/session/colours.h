@@ -8,7 +8,7 @@ namespace wend {
 
 /// Colours with one meaning in all tools and panels.
 
-/// Selected objects, selection outlines and highlights of the light window.
+/// The colour of selected objects, selection outlines and highlights in the light window.
 inline constexpr QRgb kAccent = 0xff4a5bd4;
 /// Stiff places.
 inline constexpr QRgb kStiffColour = 0xffc8641e;

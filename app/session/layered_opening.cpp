@@ -22,7 +22,7 @@ bool hasOutline(const Image& picture) {
     }
 }
 
-/// From front to back. A Photoshop file begins with the layer at the back.
+/// Returns the layers from front to back. A Photoshop file begins with the layer at the back.
 std::vector<PictureLayer> layersOf(const Image& picture, PictureFormat format) {
     std::vector<PictureLayer> layers = fileMetadata(picture)->layers;
     if (format == PictureFormat::Psd) std::ranges::reverse(layers);
@@ -30,7 +30,7 @@ std::vector<PictureLayer> layersOf(const Image& picture, PictureFormat format) {
     return layers;
 }
 
-/// Layers without an outline ride on the next one below that has one; at the back they are left out.
+/// Attaches layers without an outline to the next one below that has one; at the back they are left out.
 void letSmallOnesRide(std::vector<PicturePart>& parts, const PartPictures& pictures) {
     std::string below;
     for (std::size_t i = parts.size(); i-- > 0;) {

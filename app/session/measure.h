@@ -2,8 +2,8 @@
 
 namespace wend {
 
-/// What a map shows: a distortion measure, the distance from rest, the material (φ, relative stiffness), the
-/// speed, the influence of the selected handles, or the cell size.
+/// The quantity that a map shows: a distortion measure, the distance from rest, the material (φ, relative
+/// stiffness), the speed, the influence of the selected handles, or the cell size.
 enum class Measure { Angle, Area, Length, Shear, Way, Phi, Stiffness, Speed, Influence, CellSize };
 
 }  // namespace wend

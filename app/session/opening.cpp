@@ -81,14 +81,15 @@ bool isBlank(const Image& image) {
     return true;
 }
 
-/// The file of a picture that stands for the project: of parts, of the first one that has one.
+/// Returns the file of a picture that represents the project: of parts, that of the first one that has a
+/// file.
 std::string shownFile(const Domain& domain) {
     const auto part =
         std::ranges::find_if(domain.parts, [](const PicturePart& one) { return !one.path.empty(); });
     return part == domain.parts.end() ? domain.path : part->path;
 }
 
-/// What a new picture begins with where it differs from the project file's defaults: it springs back fully.
+/// Makes a new picture elastic, in which it differs from the project file's defaults.
 void beginElastic(Project& project) {
     designOf<2>(project).material.memory = std::numeric_limits<double>::infinity();
 }

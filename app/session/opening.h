@@ -14,13 +14,13 @@ class NothingToSee : public InputError {
     using InputError::InputError;
 };
 
-/// Reads a project, a picture or a mesh, told apart by the extension, and makes a project of it. A spatial
+/// Reads a project, a picture or a mesh, distinguished by the extension, and makes a project of it. A spatial
 /// mesh becomes a solid: tetrahedra are its mesh, a surface its boundary. Thread-safe. Throws InputError with
 /// advice, and NothingToSee for a blank picture unless `evenIfBlank`.
 OpenedFile openFile(const QString& path, bool evenIfBlank = false);
 
-/// Reads several pictures as the parts of one, the first one in front, each where it lies in its own picture.
-/// Throws as openFile(), and for files that are no pictures.
+/// Reads several pictures as the parts of one, the first one in front, each at its place in its own picture.
+/// Throws as openFile(), and for files that are not pictures.
 OpenedFile openTogether(const QStringList& paths);
 
 /// The files that a project needs and that are not there, by their absolute paths.
@@ -37,7 +37,7 @@ QString proposedFolder(const Document& document);
 /// Returns whether openFile() reads this kind of file, by its extension or, for pictures, by its first bytes.
 bool mayBeOpened(const QString& path);
 
-/// Patterns of a file dialog, "*.png *.tif …".
+/// Return the patterns of a file dialog, "*.png *.tif …".
 QString pictureExtensions();
 QString meshExtensions();
 

@@ -46,7 +46,7 @@ std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
 template <int Dim>
 Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points);
 
-/// The corners of the convex hull, in order.
+/// Returns the corners of the convex hull, in order.
 std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points);
 
 /// The path of a handle's point from where it begins, sampled for drawing, with the times of the samples.

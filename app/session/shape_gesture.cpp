@@ -140,7 +140,7 @@ void ShapeGesture::moveBy(const Amount& amount, double seconds) {
     emit pinsChanged();
 }
 
-/// The shape, to the newest sample.
+/// Posts the newest sample to the compute thread.
 void ShapeGesture::lead() {
     if (!m_drag) return;
     m_waits.stop();

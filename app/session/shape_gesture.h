@@ -91,7 +91,7 @@ class ShapeGesture : public QObject {
     const ShownPins& m_pins;
     std::optional<DragGesture> m_drag;
     double m_from = 0;  // when it began, by the clock of the motion
-    /// The handles of the gesture, as they were at its start.
+    /// The handles of the gesture at its start.
     std::tuple<std::vector<PinView<2>>, std::vector<PinView<3>>> m_grabbed;
     bool m_records = false;                    // every drag
     bool m_poses = false;                      // a drag sets a pose at its time

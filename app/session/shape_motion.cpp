@@ -227,7 +227,7 @@ void ShapeMotion::showTime() {
     else if (frame)
         show(frame, !m_trackIsCurrent && !m_sameShape);
     else if (m_trackIsCurrent && !m_track.isEmpty() && (!m_frame || isIn(m_track, m_frame)))
-        show(m_track.last(), true);  // as far as it was computed
+        show(m_track.last(), true);  // the part that was computed
     else
         show(m_frame, m_frame && !m_sameShape);
 }

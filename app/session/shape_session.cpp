@@ -41,7 +41,7 @@ void ShapeSession::reset() {
 
 void ShapeSession::takeProject() {
     if (m_document.isEmpty()) return;
-    cancelDrag();  // undo during the drag: its handles may be gone
+    cancelDrag();  // undo during the drag: its handles may no longer exist
     std::vector<int> kept = m_selection.handles();
     std::erase_if(kept, [count = handleCount()](int h) { return h >= count; });
     m_selection.set(std::move(kept));

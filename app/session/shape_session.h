@@ -43,7 +43,7 @@ class ShapeSession : public QObject {
     bool isStale() const { return m_motion.isStale(); }
     /// Returns true if the project cannot be computed: an older shape is shown.
     bool hasFailed() const { return m_motion.hasFailed(); }
-    /// Returns true if that is for want of memory.
+    /// Returns whether memory is lacking for that.
     bool lacksMemory() const { return m_motion.lacksMemory(); }
     /// Returns true while something is being computed.
     bool isBusy() const { return m_motion.isBusy(); }
@@ -93,7 +93,7 @@ class ShapeSession : public QObject {
     /// Adds a pin at a point of the shown shape. Returns −1 and emits a notice if the point is outside.
     template <int Dim = 2>
     int addPin(const Vec<Dim>& p);
-    /// The same at a place of it.
+    /// Does the same at a place of it.
     template <int Dim>
     int addPin(const std::optional<Location<Dim>>& place);
     /// Adds a handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
@@ -164,7 +164,7 @@ class ShapeSession : public QObject {
     void busyChanged(bool busy);
     /// Emitted with the time up to which the motion is computed.
     void progress(double time, double end);
-    /// Emitted with the time that a step on the way is about at.
+    /// Emitted with the approximate time that the current step has reached.
     void within(double time, double end);
     /// Emitted with a line for the status bar: what could not be done, and where.
     void notice(QString text);

@@ -34,7 +34,7 @@ class DrawnOutline {
     bool isNewlyBrushed(const QPointF& p) const;
     /// Returns whether the whole line stayed at its start.
     bool isClick() const;
-    /// Radius of the brush in pixels.
+    /// Sets the radius of the brush in pixels.
     void setRadius(double radius) { m_radius = radius; }
     /// Returns the radius after a key, or nothing for other keys and without a brush.
     std::optional<double> radiusAfter(const QKeyEvent& event) const;

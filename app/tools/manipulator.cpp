@@ -33,7 +33,7 @@ QPolygonF projected(const std::vector<Vec<3>>& line, const SolidSurface& surface
     return polygon;
 }
 
-/// The point of the line nearest to the ray.
+/// Returns the point of the line nearest to the ray.
 Vec<3> nearestOnLine(const Vec<3>& centre, const Vec<3>& along, const Ray& ray) {
     const double cosine = along.dot(ray.direction), sine2 = std::max(1 - cosine * cosine, 1e-6);
     const Vec<3> offset = ray.origin - centre;

@@ -28,7 +28,7 @@ class Manipulator : public GizmoBase<3> {
     /// Returns the hint over a part.
     static QString hint();
 
-    /// The part under the pointer.
+    /// Returns the part under the pointer.
     std::optional<Part> partAt(const SolidSurface& surface, const QPointF& widget) const;
     /// Starts a drag, which drag() measures from here; the centre stays until the end.
     void begin(const Part& part, const SolidSurface& surface, const QPointF& widget);

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// What becomes of an area that is drawn: Ctrl exchanges the first two.
+/// Selects what a drawn area does; Ctrl exchanges the first two.
 enum class OutlineUse { Add, TakeAway, MakePart };
 
 /// Settings shared by the outline tools.

@@ -75,7 +75,7 @@ std::vector<Vec<2>> borderOf(const Endless&) {
     return {};
 }
 
-/// The part of a polygon where n·p ≤ d.
+/// Returns the part of a polygon where n·p ≤ d.
 std::vector<Vec<2>> clipped(const std::vector<Vec<2>>& polygon, const Vec<2>& n, double d) {
     std::vector<Vec<2>> part;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

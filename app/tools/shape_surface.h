@@ -24,7 +24,7 @@ class ShapeSurface {
     virtual ~ShapeSurface() = default;
     virtual ShapeSession& session() = 0;
     virtual QPointF toWidget(const Vec<Dim>& p) const = 0;
-    /// Length in the domain of a pixel of the screen at a point.
+    /// Returns the length in the domain of a pixel of the screen at a point.
     virtual double pixelSize(const Vec<Dim>& at) const = 0;
     virtual std::optional<Touch<Dim>> touch(const QPointF& widget) const = 0;
     /// The session's frame, with the material that is being painted.

@@ -36,8 +36,7 @@ inline std::optional<double> brushAfter(const QKeyEvent& key, double radius, dou
     return std::clamp(radius * (key.text() == QStringLiteral("[") ? 0.8 : 1.25), 4.0, largest);
 }
 
-/// A way of editing the shape with pointer and keys. Views forward all events that they do not need for
-/// navigation.
+/// Edits the shape with pointer and keys. Views forward all events that they do not need for navigation.
 class Tool {
   public:
     virtual ~Tool() = default;
@@ -47,7 +46,7 @@ class Tool {
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
     /// Returns whether a press here belongs to the tool even if the left button rotates the view.
     virtual bool wants(const QPointF&) const { return false; }
-    /// The handle under the pointer, or −1.
+    /// Returns the handle under the pointer, or −1.
     virtual int hovered() const { return -1; }
     virtual void press(const QMouseEvent& event) = 0;
     /// Returns whether the tool uses a press of a button other than the left one, whatever that does

@@ -35,7 +35,7 @@ struct ToolMakers {
     const Make& of(int dimension) const { return dimension == 3 ? solid : picture; }
 };
 
-/// A constructor argument of a tool: a value, or a member such as &Workbench::brush.
+/// Returns a constructor argument of a tool: a value, or a member such as &Workbench::brush.
 template <class Part>
 const Part& partOf(const Workbench&, const Part& part) {
     return part;

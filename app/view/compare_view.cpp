@@ -32,7 +32,7 @@ QString nameOf(double phi, int dimension) {
     return CompareView::tr("%1 – %2").arg(scale.stops()[below].name, scale.stops()[below + 1].name);
 }
 
-/// The three of the properties, in their order.
+/// Returns the three totals in the order of the properties.
 QString totalsOf(const ShapeSession& session) {
     if (!session.frame()) return CompareView::tr("is being computed …");
     const Distortion& distortion = *session.frame()->distortion;

@@ -29,7 +29,7 @@ class CompareView : public QWidget {
 
     Comparison& comparison() { return m_comparison; }
     bool isSplit() const { return m_split; }
-    /// The other half for pictures.
+    /// Returns the other half for pictures.
     ShapeCanvas& picture() { return *m_picture; }
     /// The other half for solids; null before the first one is compared.
     SolidCanvas* solid() { return m_solid; }

@@ -43,7 +43,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     focusView();
 }
 
-/// The shape, or the start page.
+/// Focuses the shape, or the start page.
 void MainWindow::focusView() {
     m_pages->currentWidget()->setFocus();
 }

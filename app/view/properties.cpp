@@ -203,8 +203,8 @@ std::vector<Properties::Section> Properties::sections() const {
     return all;
 }
 
-/// Panels also show and hide themselves. The height for the selection stays reserved, so that what is below
-/// does not jump.
+/// Follows panels that show and hide themselves. The height for the selection stays reserved, so that
+/// everything below stays in place.
 bool Properties::eventFilter(QObject* watched, QEvent* event) {
     auto& part = static_cast<QWidget&>(*watched);
     if (event->type() == QEvent::LayoutRequest && part.objectName() == QStringLiteral("selectionArea"))

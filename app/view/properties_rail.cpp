@@ -72,7 +72,7 @@ void PropertiesRail::fitTo(int windowWidth) {
     arrange();
 }
 
-/// In a narrow window the panels open over the view for now; otherwise the choice is stored.
+/// Opens the panels over the view in a narrow window, for now; otherwise the choice is stored.
 void PropertiesRail::take(bool shown) {
     if (m_narrow) {
         const auto sections = m_properties.sections();

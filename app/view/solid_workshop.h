@@ -43,15 +43,16 @@ class SolidWorkshop : public QObject {
     void takeUpTool();
     /// Asks for size and name and writes the view as a picture.
     void exportView();
-    /// The same for a film of the motion.
+    /// Does the same for a film of the motion.
     void exportFilm();
-    /// The solid from where the view looks, as files get it: without map and cut. Null without one.
+    /// Returns the solid from the direction of the view, as files show it: without map and cut. Null without
+    /// a solid.
     QImage smallView(const QSize& size);
     /// Connects the view options of a canvas, for both halves.
     void connectLooks(wend::SolidCanvas* canvas);
     /// Asked before a file is written.
     void setMayReplace(std::function<bool(const QString&)> may) { m_mayReplace = std::move(may); }
-    /// The page of the window; null before the first solid.
+    /// Returns the page of the window; null before the first solid.
     QWidget* page() const { return m_page; }
     /// Returns null if OpenGL is missing.
     SolidCanvas* canvas() const { return m_canvas; }

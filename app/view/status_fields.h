@@ -27,7 +27,8 @@ class StatusFields : public QObject {
 
   public slots:
     void setHint(const QString& hint);
-    /// Shows a message for ten seconds, even if tips come and go meanwhile; an empty text removes it.
+    /// Shows a message for ten seconds, even if tips appear and disappear meanwhile; an empty text removes
+    /// it.
     void showMessage(const QString& text);
     /// Shows the view's description of the place under the pointer.
     void setPointer(const QString& text);

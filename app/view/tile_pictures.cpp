@@ -67,7 +67,7 @@ void TilePictures::begin() {
     ask();
 }
 
-/// The next one.
+/// Requests the next picture.
 void TilePictures::ask() {
     const auto project = copyOf(*m_project);
     Domain& domain = domainOf(*project);

@@ -20,7 +20,7 @@ class TilePictures : public QObject {
     Q_OBJECT
 
   public:
-    /// `solid`: the view of solids, null before the first one.
+    /// `solid` returns the view of solids, null before the first one.
     TilePictures(ShapeSession& session, const ShapeCanvas& picture, std::function<SolidCanvas*()> solid,
                  EnergySlider& tiles);
     /// Returns whether the pictures match the shown shape.

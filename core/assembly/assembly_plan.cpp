@@ -6,7 +6,7 @@
 namespace wend {
 namespace {
 
-/// A contribution on its way to its block; facet −1: both corners lie in one cell.
+/// A contribution before it is sorted into its block. Facet −1 means that both corners are in one cell.
 struct PlannedContribution {
     int row, facet, left, right;
 };

@@ -18,7 +18,7 @@ namespace {
 
 using namespace wend::HWY_NAMESPACE;
 
-/// g hᵀ, column-major.
+/// Returns g hᵀ, column-major.
 HWY_INLINE Row<4> outerProduct(const double* g, const double* h) {
     Row<4> product;
 #if HWY_CAP_GE256
@@ -34,7 +34,7 @@ HWY_INLINE Row<4> outerProduct(const double* g, const double* h) {
 
 }  // namespace
 
-/// With O = g hᵀ: Σ b O + (Σ a O)ᵀ + tr(Σ a O) I.
+/// Computes, with O = g hᵀ, the blocks Σ b O + (Σ a O)ᵀ + tr(Σ a O) I.
 void blocksInPlane(const int* start, const Contribution* contributions, const double* gradients,
                    const double* coefficients, int begin, int end, double* values) {
     for (int block = begin; block < end; ++block) {

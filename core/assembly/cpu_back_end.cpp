@@ -66,7 +66,7 @@ class CpuBackEnd final : public BackEnd<Dim> {
     void computeCornerTerms(int c);
     Mat<Dim> ownBlock(int left, int right) const;
     Mat<Dim> crossBlock(int left, int right, int facet) const;
-    /// B of a cell, or I.
+    /// Returns B of a cell, or I.
     Mat<Dim> anisotropy(int c) const { return m_B.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : m_B[c]; }
     EnergyWeights facetWeights(int f) const;
     Mat<Dim> facetAnisotropy(int f) const;
@@ -111,7 +111,8 @@ void CpuBackEnd<Dim>::prepareCell(const SimplicialMesh<Dim>& rest, int c) {
     if (!m_B.empty()) m_restInverse.push_back(edgeMatrix<Dim>(rest.points, rest.cells[c]).inverse());
 }
 
-/// B(t) = R B₀ Rᵀ with R the rotation of the cell's map from rest (docs/method.md, (7)).
+/// Computes the stress matrix with B(t) = R B₀ Rᵀ, where R is the rotation of the cell's map from rest
+/// (docs/method.md, (7)).
 template <int Dim>
 void CpuBackEnd<Dim>::updateStressMatrix(const Points<Dim>& shape, int c) {
     const Mat<Dim>& B0 = m_material.anisotropy[c];
@@ -150,7 +151,7 @@ int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     return -1;
 }
 
-/// Of q between the facet's two cells (docs/method.md, (11)).
+/// Returns the weights of q between the facet's two cells (docs/method.md, (11)).
 template <int Dim>
 EnergyWeights CpuBackEnd<Dim>::facetWeights(int f) const {
     const auto [i, j] = m_plan->facets[f].cells;
@@ -163,7 +164,7 @@ Mat<Dim> CpuBackEnd<Dim>::facetAnisotropy(int f) const {
     return 0.5 * (anisotropy(i) + anisotropy(j));
 }
 
-/// D_f S for a jump S of the strain, q = ¼ S : D_f S.
+/// Returns D_f S for a jump S of the strain, with q = ¼ S : D_f S.
 template <int Dim>
 Strain<Dim> CpuBackEnd<Dim>::facetStress(int f, const Strain<Dim>& jump) const {
     const EnergyWeights w = facetWeights(f);
@@ -210,7 +211,7 @@ Mat<Dim> CpuBackEnd<Dim>::crossBlock(int left, int right, int facet) const {
            stressBlock<Dim>(facetWeights(facet), facetAnisotropy(facet), gradient(left), gradient(right));
 }
 
-/// ε V (1 + δ_ab) / ((d + 1)(d + 2)) I: the consistent mass of linear hat functions.
+/// Returns ε V (1 + δ_ab) / ((d + 1)(d + 2)) I, the consistent mass of linear hat functions.
 template <int Dim>
 Mat<Dim> CpuBackEnd<Dim>::massBlock(int left, int right) const {
     const int c = left / kCorners;
@@ -270,7 +271,7 @@ void CpuBackEnd<Dim>::assemble(std::span<double> values) {
     });
 }
 
-/// S = J + Jᵀ of a field on a cell.
+/// Returns S = J + Jᵀ of a field on a cell.
 template <int Dim>
 Strain<Dim> CpuBackEnd<Dim>::strain(const Points<Dim>& v, int c) const {
     Mat<Dim> J = Mat<Dim>::Zero();
@@ -282,8 +283,8 @@ Strain<Dim> CpuBackEnd<Dim>::strain(const Points<Dim>& v, int c) const {
     return S;
 }
 
-/// ½ ∂E/∂S of a cell: ¼ V P + ¼ Σ_facets weight D_f (S − S_neighbour), so that A v = Σ_cells Gᵀ load; with
-/// the paper's kind ¼ V P + D Σ_facets weight (P − P_neighbour).
+/// Returns ½ ∂E/∂S of a cell: ¼ V P + ¼ Σ_facets weight D_f (S − S_neighbour), so that A v = Σ_cells Gᵀ load;
+/// with the paper's kind ¼ V P + D Σ_facets weight (P − P_neighbour).
 template <int Dim>
 Strain<Dim> CpuBackEnd<Dim>::load(int c) const {
     Strain<Dim> load = 0.25 * m_geometry[c].measure * m_stress[c];
@@ -298,7 +299,7 @@ Strain<Dim> CpuBackEnd<Dim>::load(int c) const {
     return load;
 }
 
-/// Strain and stress of a field on every cell.
+/// Computes strain and stress of a field on every cell.
 template <int Dim>
 void CpuBackEnd<Dim>::computeFields(const Points<Dim>& v) {
     m_pool.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {

@@ -51,7 +51,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     void cellTerms(int begin, int end, Terms& terms) const;
     void facetTerms(int begin, int end, Terms& terms) const;
     void addMassTimes(const Points<Dim>& v, int p, Points<Dim>& Av) const;
-    /// ε V / ((d + 1)(d + 2)): the consistent mass of two different corners.
+    /// Returns ε V / ((d + 1)(d + 2)), the consistent mass of two different corners.
     double mass(int c) const { return m_massRegularization[c] * m_measure[c] / (kCorners * (kCorners + 1)); }
     double gradient(int corner, int axis) const;
     Strain<Dim> tensor(int cell) const;
@@ -71,7 +71,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     std::vector<int> m_sumStart,
         m_sumCorners;  // of the plan's corners, each vertex's as a multiple of kPadding
     std::vector<double> m_force, m_massRegularization;
-    // For the assembly: the contributions of every block in one list.
+    // The assembly needs the contributions of every block in one list.
     std::vector<int> m_start;
     std::vector<Contribution> m_contributions;
     Terms m_terms;
@@ -91,7 +91,7 @@ IsotropicBackEnd<Dim>::IsotropicBackEnd(std::shared_ptr<const Plan> plan, const 
     connect();
 }
 
-/// Entries beyond the last cell repeat it.
+/// Repeats the last cell in the entries beyond it.
 template <int Dim>
 void IsotropicBackEnd<Dim>::prepareCells(const SimplicialMesh<Dim>& rest, const Material<Dim>& material) {
     const int count = isotropic::padded(m_cellCount);
@@ -225,7 +225,7 @@ double IsotropicBackEnd<Dim>::gradient(int corner, int axis) const {
     return -sum;
 }
 
-/// The lists of the plan in one, own contributions first.
+/// Merges the lists of the plan into one, own contributions first.
 template <int Dim>
 void IsotropicBackEnd<Dim>::listContributions() {
     m_start.assign(1, 0);
@@ -241,9 +241,9 @@ void IsotropicBackEnd<Dim>::listContributions() {
     }
 }
 
-/// Own: ¼ (V D + Σ weight D_facet), so a = 2 (V q + Σ weight q_facet), b = V r + Σ weight r_facet. With
-/// stress jumps ¼ V D + β D², D² X = 16 q² X + (8 q r + d r²) Tr(X) I, β the sum of the weights: a = 2 (V q +
-/// 16 β q²), b = V r + 4 β (8 q r + d r²).
+/// Computes the terms of contributions within one cell: ¼ (V D + Σ weight D_facet), so a = 2 (V q + Σ weight
+/// q_facet), b = V r + Σ weight r_facet. With stress jumps it is ¼ V D + β D², D² X = 16 q² X + (8 q r + d
+/// r²) Tr(X) I, with β the sum of the weights: a = 2 (V q + 16 β q²), b = V r + 4 β (8 q r + d r²).
 template <int Dim>
 void IsotropicBackEnd<Dim>::cellTerms(int begin, int end, Terms& terms) const {
     for (int c = begin; c < end; ++c) {
@@ -337,7 +337,7 @@ void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
     });
 }
 
-/// In Mandel coordinates.
+/// Returns the tensor of a cell in Mandel coordinates.
 template <int Dim>
 Strain<Dim> IsotropicBackEnd<Dim>::tensor(int cell) const {
     Strain<Dim> T;

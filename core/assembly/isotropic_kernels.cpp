@@ -130,7 +130,7 @@ HWY_ATTR HWY_INLINE void geometryOf(const Cells<Dim>& s, int begin, int end, con
     }
 }
 
-/// J = Σ_k e_k g_kᵀ.
+/// Computes J = Σ_k e_k g_kᵀ.
 template <int Dim>
 HWY_ATTR HWY_INLINE void jacobian(const V (&e)[Dim][Dim], const double* gradients, std::ptrdiff_t n,
                                   V (&J)[Dim][Dim]) {
@@ -192,7 +192,8 @@ HWY_ATTR HWY_INLINE void tensorsOf(const Cells<Dim>& s, int begin, int end, cons
     }
 }
 
-/// What a block's cells have of their neighbours: the sums over the facets of weight · (S − S_neighbour).
+/// The jumps between a block's cells and their neighbours: the sums over the facets of weight · (S −
+/// S_neighbour).
 template <int Dim>
 struct Jumps {
     HWY_ALIGN double first[kBlock][4];
@@ -326,7 +327,7 @@ HWY_ATTR HWY_INLINE void sumForcesOf(const int* start, const int* corners, const
     }
 }
 
-/// Of a block's facets: the edges to vertex 0, and between the two cells' centroids.
+/// The edges of a block's facets to their vertex 0, and the vectors between the two cells' centroids.
 template <int Dim>
 struct FacetRows {
     HWY_ALIGN double edge[kBlock][4], other[kBlock][4], between[kBlock][4];
@@ -349,7 +350,7 @@ HWY_ATTR HWY_INLINE void gatherFacets(const Facets<Dim>& s, const Cells<Dim>& ce
     }
 }
 
-/// The facets' measures, and the squares of the distances between centroids.
+/// Computes the facets' measures, and the squares of the distances between centroids.
 HWY_INLINE void measureFacets(const FacetRows<2>& rows, int i, V& measure, V& squared) {
     V x, y, dx, dy;
     loadLanes(rows.edge[i], 4, x, y, dx, dy);

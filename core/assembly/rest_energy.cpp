@@ -13,7 +13,8 @@ namespace {
 template <int Dim>
 using Bernstein = std::array<double, Dim + 1>;
 
-/// Of det(E + s D). The mixed coefficients are means over the columns that are taken from E + D.
+/// Returns the Bernstein coefficients of det(E + s D). The mixed ones are means over the columns that are
+/// taken from E + D.
 Bernstein<2> determinants(const Mat<2>& E, const Mat<2>& end) {
     const double mixed =
         E(0, 0) * end(1, 1) + end(0, 0) * E(1, 1) - E(0, 1) * end(1, 0) - end(0, 1) * E(1, 0);
@@ -88,7 +89,7 @@ void RestEnergy<Dim>::gather(Points<Dim>& sum, WorkerPool& workers) const {
     });
 }
 
-/// ∂W/∂x_k = V₀ ∂w/∂F g_k with the hat gradients g_k at rest, the columns of E₀⁻ᵀ.
+/// Sums ∂W/∂x_k = V₀ ∂w/∂F g_k with the hat gradients g_k at rest, the columns of E₀⁻ᵀ.
 template <int Dim>
 void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers) {
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
@@ -99,7 +100,7 @@ void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, 
     gather(gradient, workers);
 }
 
-/// ∂²W/∂x_k ∂x_l = V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the modes M_m.
+/// Computes ∂²W/∂x_k ∂x_l = V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the modes M_m.
 template <int Dim>
 void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, WorkerPool& workers) {
     m_hessian.resize(m_plan->cells.size());
@@ -118,7 +119,7 @@ void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, Worke
     });
 }
 
-/// Of two corners of one cell.
+/// Returns the block of the Hessian for two corners of one cell.
 template <int Dim>
 Mat<Dim> RestEnergy<Dim>::hessianBlock(int left, int right) const {
     const CellHessian& H = m_hessian[left / (Dim + 1)];

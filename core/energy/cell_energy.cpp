@@ -6,7 +6,7 @@
 namespace wend {
 namespace {
 
-/// A + Aᵀ entry by entry: exactly symmetric (and g++ 12 warns of Eigen's J + J.transpose()).
+/// Returns A + Aᵀ entry by entry, which is exactly symmetric (g++ 12 warns of Eigen's J + J.transpose()).
 template <int N>
 Eigen::Matrix<double, N, N> plusTranspose(const Eigen::Matrix<double, N, N>& A) {
     Eigen::Matrix<double, N, N> S;

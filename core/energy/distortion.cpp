@@ -15,8 +15,8 @@ struct CellDistortion {
     double angle = 0, volume = 0, metric = 0;
 };
 
-/// docs/method.md (24)–(26): Σ_pairs (σj/σk + σk/σj − 2), Πσ + 1/Πσ − 2, and Σ (σj − 1)² − Σ_pairs (σj − σk)²
-/// / (d + 2).
+/// Computes the measures of docs/method.md, (24)–(26): Σ_pairs (σj/σk + σk/σj − 2), Πσ + 1/Πσ − 2, and Σ (σj
+/// − 1)² − Σ_pairs (σj − σk)² / (d + 2).
 template <int Dim>
 CellDistortion measure(const Vec<Dim>& sigma) {
     CellDistortion d;

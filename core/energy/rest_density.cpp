@@ -18,7 +18,7 @@ bool isIdentity(const Mat<Dim>& B) {
     return B == Mat<Dim>::Identity();
 }
 
-/// C − I, entry by entry (g++ 12 warns of the products of small matrices otherwise).
+/// Returns C − I entry by entry (g++ 12 warns of the products of small matrices otherwise).
 template <int Dim>
 Mat<Dim> twiceGreenStrain(const Mat<Dim>& F) {
     Mat<Dim> E = F.transpose().lazyProduct(F);
@@ -33,7 +33,8 @@ struct Stretch {
     Vec<Dim> sigma;
 };
 
-/// By half the sum and half the difference of the angles of the conformal and the anticonformal part of F.
+/// Computes the singular values from half the sum and half the difference of the angles of the conformal and
+/// the anticonformal part of F.
 Stretch<2> stretchOf(const Mat<2>& F) {
     const double even = 0.5 * (F(0, 0) + F(1, 1)), turn = 0.5 * (F(1, 0) - F(0, 1)),
                  odd = 0.5 * (F(0, 0) - F(1, 1)), shear = 0.5 * (F(1, 0) + F(0, 1));
@@ -58,7 +59,8 @@ auto flat(const Mat<Dim>& M) {
     return Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(M.data());
 }
 
-/// With a = 4 w_q J^(−2/d), k = 4 w_q/d + w_r, s = Σσ² and b = k (J − 1/J) − a s/d: ∂ψ/∂σ_i = a σ_i + b/σ_i.
+/// Computes the modes with ∂ψ/∂σ_i = a σ_i + b/σ_i, where a = 4 w_q J^(−2/d), k = 4 w_q/d + w_r, s = Σσ² and
+/// b = k (J − 1/J) − a s/d.
 template <int Dim>
 RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
     const auto [U, V, sigma] = stretchOf(F);
@@ -91,7 +93,7 @@ RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
     return result;
 }
 
-/// The derivative of restStress() in every direction e_a e_bᵀ, for B₀ ≠ I.
+/// Computes the derivative of restStress() in every direction e_a e_bᵀ, for B₀ ≠ I.
 template <int Dim>
 Modes<Dim> anisotropicHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     const Mat<Dim> E = twiceGreenStrain<Dim>(F), BE = B0 * E, inverse = F.inverse();

@@ -73,7 +73,8 @@ HWY_INLINE V thirdOfAngle(V r) {
 
 }  // namespace
 
-/// Half the sum and half the difference of both, each of a conformal or anticonformal part of F.
+/// Computes σ as half the sum and half the difference of the lengths of the conformal and the anticonformal
+/// part of F.
 void stretchesInPlane(Stretches<2>& cells) {
     for (int i = 0; i < Stretches<2>::kCells; i += static_cast<int>(hn::Lanes(D()))) {
         const auto& m = cells.maps;

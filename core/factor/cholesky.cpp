@@ -47,7 +47,8 @@ Function* blasFunction(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));  // NOLINT: the way of dlsym
 }
 
-/// One BLAS thread: repeatable, and no slower on blocks of this size. Absent with the reference BLAS.
+/// Limits the BLAS to one thread, which makes it repeatable and is no slower on blocks of this size. The
+/// reference BLAS has no such setting.
 void useOneBlasThread() {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -140,9 +141,10 @@ struct Cholesky::Handles {
     Ordering ordering = Ordering::MinimumDegree;
 };
 
-/// The fill-reducing order of the graph of blocks: a third of the work of the scalar graph. Nested dissection
-/// by METIS's cuts, whose parts and cuts CHOLMOD orders by minimum degree: METIS's own order of a cut
-/// scatters what is added to its front, so that a factorization in the plane takes a sixth longer.
+/// Returns the fill-reducing order of the graph of blocks, which is a third of the work of the scalar graph.
+/// It is nested dissection with METIS's cuts; CHOLMOD orders the parts and cuts by minimum degree, because
+/// METIS's own order of a cut scatters what is added to its front, so that a factorization in the plane takes
+/// a sixth longer.
 std::vector<int> Cholesky::Handles::orderBlocks() {
     const auto* start = static_cast<const int*>(matrix->p);
     const auto* row = static_cast<const int*>(matrix->i);
@@ -260,8 +262,8 @@ std::span<double> Cholesky::values() {
     return {static_cast<double*>(m_handles->matrix->x), m_handles->matrix->nzmax};
 }
 
-// cholmod_factorize returns TRUE also where it stopped at a pivot ≤ 0: only `minor` tells; NaN passes through
-// all of it.
+// cholmod_factorize also returns TRUE if it stopped at a pivot ≤ 0, which only `minor` shows; NaN passes
+// through all of it.
 Cholesky::Status Cholesky::factorize(const std::stop_token& stop) {
     if (!allFinite(values())) return Status::NotFinite;
     if (!run([](Handles& handles) { handles.factorize(); }, stop)) return Status::Stopped;

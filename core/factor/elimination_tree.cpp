@@ -26,7 +26,7 @@ void connect(const Supernodes& symbolic, EliminationTree& tree) {
     }
 }
 
-/// Of every supernode and all below it.
+/// Returns the work on every supernode and all below it.
 std::vector<double> workOfSubtrees(const Supernodes& symbolic, const EliminationTree& tree) {
     std::vector<double> work(symbolic.count(), 0.0);
     for (int s = 0; s < symbolic.count(); ++s) {

@@ -16,12 +16,12 @@ struct Limits {
     double single, twice;
 };
 constexpr double kAlways = std::numeric_limits<double>::infinity();
-// By SimdTarget. Measured on an EPYC with AVX2 (November 2026, one thread, processor time), which is hard on
-// the lesser targets: CHOLMOD's OpenBLAS used AVX2 there. CHOLMOD's time through ours, single and double, at
-// 173, 227, 502 and 1119 operations an entry (2d-40k, 3d-1.5k, 3d-5k, 3d-20k):
-// sse2 1.7 1.2 0.9 0.6, 1.4 0.7 0.6 0.4; ssse3 1.5 1.3 1.2 0.7, 1.9 0.6 0.6 0.5; sse4 2.0 1.1 1.0 0.7,
-// 1.8 0.9 0.7 0.5; avx2 5.3 2.0 2.7 1.8, 3.1 1.3 1.4 0.9. With AVX-512 it was 2.8 to 5.8 before. At 180
-// operations (2d-11k) sse2 has 1.5 and 0.97.
+// The limits are indexed by SimdTarget. They were measured on an EPYC with AVX2 (November 2026, one thread,
+// processor time). That is hard on the lesser targets, because CHOLMOD's OpenBLAS used AVX2 there. CHOLMOD's
+// time divided by ours, single and double, at 173, 227, 502 and 1119 operations an entry (2d-40k, 3d-1.5k,
+// 3d-5k, 3d-20k): sse2 1.7 1.2 0.9 0.6, 1.4 0.7 0.6 0.4; ssse3 1.5 1.3 1.2 0.7, 1.9 0.6 0.6 0.5; sse4 2.0 1.1
+// 1.0 0.7, 1.8 0.9 0.7 0.5; avx2 5.3 2.0 2.7 1.8, 3.1 1.3 1.4 0.9. With AVX-512 it was 2.8 to 5.8 before. At
+// 180 operations (2d-11k) sse2 has 1.5 and 0.97.
 constexpr std::array<Limits, 5> kLimits = {
     {{300, 175}, {400, 180}, {400, 180}, {kAlways, 1000}, {kAlways, kAlways}}};
 

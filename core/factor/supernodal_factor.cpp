@@ -13,7 +13,7 @@ namespace {
 constexpr double kSharedWork = 2e6;
 constexpr int kPanelColumns = 64, kUpdateColumns = 64;  // of a piece
 
-/// to += from.
+/// Computes to += from.
 template <class Real>
 inline void add(Real* to, const Real* from, int count) {
     int i = 0;
@@ -45,7 +45,7 @@ int SupernodalFactor<Real>::updateLeading(int s) const {
     return dense::padded<Real>(updateRows(s));
 }
 
-/// One after another, with a cache line between them for the kernels to look at.
+/// Places the panels one after another, with a cache line between them into which the kernels may read.
 template <class Real>
 void SupernodalFactor<Real>::placePanels() {
     m_panelStart.assign(1, 0);
@@ -74,8 +74,9 @@ void SupernodalFactor<Real>::placeUpdates() {
     m_threadStacks = m_separatorStacks + placeUpdates(m_tree.separator);
 }
 
-/// Update matrices wait for their parent on two stacks of their group, by the parity of their depth: a front
-/// can then be built on one stack while its children lie on top of the other. Returns the size of both.
+/// Places update matrices on two stacks of their group, by the parity of their depth, where they wait for
+/// their parent: a front can then be built on one stack while its children are on top of the other. Returns
+/// the size of both.
 template <class Real>
 std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group) {
     std::vector<int> stack(m_symbolic.count());
@@ -149,8 +150,8 @@ void SupernodalFactor<Real>::mapUpdates() {
     }
 }
 
-/// Where every value of the matrix goes. Those above the diagonal (the diagonal blocks are full) are left
-/// out.
+/// Maps every value of the matrix to its place. Values above the diagonal (the diagonal blocks are full) are
+/// left out.
 template <class Real>
 void SupernodalFactor<Real>::mapEntries(std::span<const int> columnStart, std::span<const int> row) {
     const int unknowns = static_cast<int>(m_symbolic.order.size());
@@ -180,10 +181,10 @@ void SupernodalFactor<Real>::mapEntries(std::span<const int> columnStart, std::s
     }
 }
 
-/// The child's update matrix into the columns [begin, end) of the parent's front: pivot columns lie in the
-/// panel, the others in its own update matrix, both with rows counted from the front's first. Block by block,
-/// so that one length of runs serves many columns: most are short, and a mispredicted end costs more than
-/// their sums.
+/// Adds the child's update matrix to the columns [begin, end) of the parent's front: pivot columns are in the
+/// panel, the others in the parent's own update matrix, both with rows counted from the front's first. It
+/// works block by block, so that one length of runs serves many columns: most are short, and a mispredicted
+/// end costs more than their sums.
 template <class Real>
 void SupernodalFactor<Real>::extendAdd(int child, int parent, int begin, int end, Real* stacks) {
     const Real* const from = update(child, stacks);

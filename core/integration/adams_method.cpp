@@ -47,7 +47,7 @@ double AdamsMethod<Dim>::firstStep(double speed) const {
     return kFirstAdamsMove * std::sqrt(m_tolerance) / speed;
 }
 
-/// The integral from m_from to `to` of the polynomial through the last fields.
+/// Returns the integral from m_from to `to` of the polynomial through the last fields.
 template <int Dim>
 std::vector<WeightedField<Dim>> AdamsMethod<Dim>::integral(const std::vector<PastField<Dim>>& fields,
                                                            int count, double to) const {
@@ -60,7 +60,7 @@ std::vector<WeightedField<Dim>> AdamsMethod<Dim>::integral(const std::vector<Pas
     return terms;
 }
 
-/// The difference of the corrections with k + 1 and with k fields, of order h^(k + 1).
+/// Returns the difference of the corrections with k + 1 and with k fields, of order h^(k + 1).
 template <int Dim>
 double AdamsMethod<Dim>::estimate(StageVectors<Dim>& stages, int order) const {
     const int known = static_cast<int>(m_fields.size());

@@ -53,7 +53,7 @@ namespace {
 // Relative to the largest velocity: frames are tabulated to about 1e-10.
 constexpr double kAgree = 1e-7;
 
-/// The rows of points, and those of welds behind them.
+/// Returns the rows of points, and those of welds behind them.
 template <int Dim>
 std::vector<ConstraintRow> withWelds(const Constraints<Dim>& constraints, const std::vector<int>& ids) {
     std::vector<ConstraintRow> rows = rowsOf(constraints, ids);

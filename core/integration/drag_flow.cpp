@@ -29,8 +29,8 @@ constexpr int kMostAttempts = 8;
 // Largest exponent of the memory's decay in one step, and the largest number of parts of a displacement.
 constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
-// Elastic shapes: of the last Newton step, in sizes; and the iterations that a frame has the time for. What
-// is left is done with the next one.
+// These are, for elastic shapes, the tolerance of the last Newton step, in sizes, and the number of
+// iterations that a frame has time for. The next frame continues with what is left.
 constexpr double kElasticTolerance = 1e-4;
 constexpr int kMostIterations = 6;
 

@@ -12,8 +12,9 @@ namespace wend {
 
 namespace {
 
-/// Errors of the fields disturb the step control. With prescribed steps there is no control; the result then
-/// differs from that of exact fields by a fraction of the tolerance, so tight tolerances are still honoured.
+/// Returns the velocity tolerance. Errors of the fields disturb the step control. With prescribed steps there
+/// is no control; the result then differs from that of exact fields by a fraction of the tolerance, so tight
+/// tolerances are still honoured.
 double velocityTolerance(const IntegrationOptions& options) {
     constexpr double kGivenSteps = 4, kManyDigits = 1e-6;
     if (options.velocityTolerance >= 0) return options.velocityTolerance;
@@ -129,7 +130,7 @@ int Deformer<Dim>::Integrator::firstInverted(const Points<Dim>& shape) const {
     return cell >= 0 ? cell : m_domainOrientation.firstInverted(inDomain(shape));
 }
 
-/// The constraints that hold on one side of the current time.
+/// Activates the constraints that hold on one side of the current time.
 template <int Dim>
 void Deformer<Dim>::Integrator::activate(Side side) {
     m_activeSide = side;

@@ -8,13 +8,13 @@
 namespace wend {
 namespace {
 
-// Elastic: how far the minimum may be from where it was predicted, in sizes and as a part of the predicted
-// way, and how little of that a step of the least length has to allow.
+// These limit, for elastic shapes, how far the minimum may be from where it was predicted, in sizes and as a
+// part of the predicted path; the third is how little of that a step of the least length has to allow.
 constexpr double kTracked = 0.03, kTrackedPart = 0.5;
 // More iterations are a sign that the branch has ended.
 constexpr int kMostTracked = 15;
 constexpr int kMostToMinimum = 300;
-// Where a minimum ended the next one may be this far away without being called a snap.
+// After a minimum has ended, the next one may be this far away without being called a snap.
 constexpr double kNoSnap = 0.02;
 // Of the last Newton step, in sizes: quadratic convergence leaves its square.
 constexpr double kMinimumTolerance = 1e-7, kProximalTolerance = 1e-5;
@@ -36,7 +36,8 @@ typename Deformer<Dim>::Integrator::Relaxation Deformer<Dim>::Integrator::relaxa
     return isStrong ? Relaxation::Memory : Relaxation::Explicit;
 }
 
-/// Returns the least length of an elastic step: where a minimum ends, the shape goes on from the next one.
+/// Returns the least length of an elastic step, at which the shape continues from the next minimum if the
+/// current one ends.
 template <int Dim>
 double Deformer<Dim>::Integrator::leastElasticStep() const {
     constexpr double kPart = 1e-3;  // of the stretch between two breakpoints
@@ -44,7 +45,7 @@ double Deformer<Dim>::Integrator::leastElasticStep() const {
 }
 
 /// Returns whether constraints have changed so that an elastic shape is at rest elsewhere, as after a handle
-/// lets go.
+/// is released.
 template <int Dim>
 bool Deformer<Dim>::Integrator::springs() {
     if (!std::isinf(m_memory) || state.time == 0 || lastBreakpoint(state.time) != state.time) return false;
@@ -126,7 +127,7 @@ bool Deformer<Dim>::Integrator::settle(double from, double to, const Points<Dim>
     return descend(to, result, kMinimumTolerance, kMostToMinimum).outcome.done();
 }
 
-/// Two steps of half the length, and one of the whole for an estimate of the error.
+/// Takes two steps of half the length, and one of the whole length to estimate the error.
 template <int Dim>
 bool Deformer<Dim>::Integrator::relaxWithMemory(double from, double to, const Points<Dim>& start,
                                                 Points<Dim>& result, double& error) {
@@ -138,7 +139,7 @@ bool Deformer<Dim>::Integrator::relaxWithMemory(double from, double to, const Po
                  second = pull(middle, to);
     error = 0;
     result = start;
-    if (whole == 0 || first == 0 || second == 0) {  // a motion stands still for a moment
+    if (whole == 0 || first == 0 || second == 0) {  // a motion pauses for a moment
         project(to, result);
         return true;
     }
@@ -203,7 +204,7 @@ void Deformer<Dim>::Integrator::relaxFrame(double t, Points<Dim>& shape) {
     m_failure = {};
 }
 
-/// Elastic shapes move with the derivative of the minimizer.
+/// Computes the velocity of an elastic shape, which moves with the derivative of the minimizer.
 template <int Dim>
 bool Deformer<Dim>::Integrator::elasticVelocity(double t, Side side, Points<Dim>& velocity) {
     m_failure = {};

@@ -110,7 +110,7 @@ void Deformer<Dim>::Integrator::failForSmallStep(double to) {
         m_failure.stepTooSmall = true;
 }
 
-/// Returns whether memory has made explicit steps so short that implicit ones are to go on.
+/// Returns whether memory has made explicit steps so short that implicit ones should take over.
 template <int Dim>
 bool Deformer<Dim>::Integrator::isTooStiff() const {
     constexpr double kShort = 100;  // smallest steps
@@ -200,7 +200,7 @@ void Deformer<Dim>::Integrator::record(StepRecord<Dim> step) {
     m_watch->onStep(step);
 }
 
-/// After the last one the state is what that run went on with.
+/// Takes a step of the source. After the last one the state is that with which the earlier run continued.
 template <int Dim>
 void Deformer<Dim>::Integrator::takeKnownStep() {
     StepSource<Dim>& known = *m_watch->known;
@@ -210,7 +210,7 @@ void Deformer<Dim>::Integrator::takeKnownStep() {
     statistics = m_before;
 }
 
-/// What accept() and standStill() do of the step.
+/// Does what accept() and standStill() do after a computed step.
 template <int Dim>
 void Deformer<Dim>::Integrator::repeat(const StepRecord<Dim>& step) {
     if (!step.next) {
@@ -224,7 +224,7 @@ void Deformer<Dim>::Integrator::repeat(const StepRecord<Dim>& step) {
     arrive(step.to);
 }
 
-/// The frames before a time up to which nothing moves.
+/// Emits the frames before a time up to which nothing moves.
 template <int Dim>
 void Deformer<Dim>::Integrator::emitStanding(double to) {
     for (; hasFramesBefore(to); ++m_frame) {
@@ -235,7 +235,7 @@ void Deformer<Dim>::Integrator::emitStanding(double to) {
     }
 }
 
-/// No handle moves: v̂ = 0, nothing to solve.
+/// Advances while no handle moves: v̂ = 0, and there is nothing to solve.
 template <int Dim>
 void Deformer<Dim>::Integrator::standStill(double to) {
     const double from = state.time;

@@ -10,8 +10,8 @@
 
 namespace wend {
 
-/// The constrained point that is the fastest where the attempt began or failed; −1 without any. What is not a
-/// number is the fastest.
+/// Returns the fastest constrained point where the attempt began or failed; −1 without any. A speed that is
+/// NaN counts as the greatest.
 template <int Dim>
 int Deformer<Dim>::Integrator::fastestPoint() const {
     int fastest = -1;

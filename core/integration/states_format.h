@@ -38,7 +38,7 @@ inline constexpr std::uint64_t kBeforeBlock = 12, kAfterBlock = 4;
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-/// Makes bytes of values.
+/// Serializes values to bytes.
 template <int Dim>
 class Storing {
   public:

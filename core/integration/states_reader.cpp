@@ -28,7 +28,7 @@ void StatesReader<Dim>::failAt(std::uint64_t at) const {
                                  ": remove it, and keep the states again (--states)");
 }
 
-/// Up to the first block that is not whole.
+/// Finds the blocks up to the first one that is incomplete.
 template <int Dim>
 void StatesReader<Dim>::scan() {
     const std::string magic = m_file.bytes(0, kMagic.size());
@@ -87,7 +87,7 @@ void StatesReader<Dim>::requireSame(const StatesHeader& wanted) const {
     if (m_header.parts.size() != wanted.parts.size()) throw InputError(path(), "holds states of another run");
 }
 
-/// Of a block whose sum is right.
+/// Returns the content of a block whose checksum is right.
 template <int Dim>
 std::string StatesReader<Dim>::payload(const Block& block) const {
     std::string bytes = m_file.bytes(block.at, kBeforeBlock + block.size + kAfterBlock);

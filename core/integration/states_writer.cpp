@@ -141,7 +141,7 @@ void StatesWriter<Dim>::add(const StepRecord<Dim>& step) {
     std::erase_if(m_ids, [](const auto& one) { return one.first.expired(); });
 }
 
-/// What it counts for is on the disk before it.
+/// Writes the checkpoint after everything that it counts for is on the disk.
 template <int Dim>
 void StatesWriter<Dim>::checkpoint(const State<Dim>& state, const Statistics& statistics) {
     const auto begin = Clock::now();

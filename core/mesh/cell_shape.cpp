@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-/// The edges from the first corner, as columns.
+/// Returns the edges from the first corner as columns.
 template <int Dim>
 Mat<Dim> edgeMatrix(const Points<Dim>& points, const Cell<Dim>& cell) {
     Mat<Dim> edges;
@@ -24,7 +24,7 @@ double angleBetween(const Vec<2>& a, const Vec<2>& b) {
     return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
-/// The angles at the corners of a triangle.
+/// Computes the angles at the corners of a triangle.
 void measureAngles(const std::array<Vec<2>, 3>& p, CellShape& shape) {
     for (int k = 0; k < 3; ++k) {
         const double angle = angleBetween(Vec<2>(p[(k + 1) % 3] - p[k]), Vec<2>(p[(k + 2) % 3] - p[k]));

@@ -164,7 +164,8 @@ std::string siblingProgram(const std::string& name) {
     if (dladdr(reinterpret_cast<const void*>(&siblingProgram), &own) != 0 && own.dli_fname &&
         own.dli_fname[0] == '/') {
         const auto library = std::filesystem::path(own.dli_fname).parent_path();
-        // In lib, in lib/TRIPLE, and as a module of Python in lib/python3/dist-packages.
+        // The places are for a library in lib, in lib/TRIPLE, and as a module of Python in
+        // lib/python3/dist-packages.
         for (const char* way : {".", "wend", "../wend", "../../wend"}) places.push_back(library / way / name);
     }
     const auto found = std::ranges::find_if(places, [&](const std::filesystem::path& place) {

@@ -21,7 +21,7 @@ void addTriangle(CutSurface& surface, const CutCorner& a, const CutCorner& b, co
     surface.onCut.push_back(onCut);
 }
 
-/// A convex polygon as a fan.
+/// Adds a convex polygon as a fan.
 void addFan(CutSurface& surface, const std::vector<CutCorner>& polygon, int cell, bool onCut) {
     for (std::size_t k = 2; k < polygon.size(); ++k)
         addTriangle(surface, polygon[0], polygon[k - 1], polygon[k], cell, onCut);

@@ -35,7 +35,7 @@ std::pair<std::vector<int>, std::vector<int>> cellsOfVertices(const SimplicialMe
     return {std::move(offsets), std::move(list)};
 }
 
-/// ∇ of the cell's hat functions, one column per vertex.
+/// Returns the gradients of the cell's hat functions, one column per vertex.
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim + 1> hatGradients(const Points<Dim>& points, const Cell<Dim>& cell) {
     Mat<Dim> edges;

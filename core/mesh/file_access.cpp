@@ -46,7 +46,7 @@ bool takeOwner(int descriptor, const struct stat& old) {
            fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) == 0;
 }
 
-/// The group's rights, as far as everybody has them.
+/// Returns a mode in which the group has only the rights that everyone has.
 mode_t withoutGroup(mode_t mode) {
     return (mode & 0707) | (mode & 070 & ((mode & 07) << 3));
 }

@@ -40,7 +40,7 @@ double cornerJacobian(const Points<3>& points, std::span<const int> nodes, const
     return lengths > 0 ? a.cross(b).dot(c) / lengths : 0;
 }
 
-/// In the plane of x and y, around a quadrilateral.
+/// Returns the corner Jacobian of a quadrilateral in the plane of x and y.
 double flatJacobian(const Points<3>& points, std::span<const int> nodes, int k) {
     const auto at = [&](int i) -> Vec<2> {
         return points.col(nodes[static_cast<std::size_t>((k + i) % 4)]).head<2>();
@@ -61,7 +61,7 @@ double leastJacobian(const MeshFile& file, const Points<3>& points, int cell, do
     return least;
 }
 
-/// −1 for cells that are numbered the other way round.
+/// Returns −1 for cells that are numbered in the opposite orientation, else 1.
 double orientationOf(const MeshFile& file, int cell) {
     return leastJacobian(file, file.points, cell, 1) < 0 && leastJacobian(file, file.points, cell, -1) > 0
                ? -1

@@ -124,7 +124,7 @@ void addMaterial(Json& gltf, Buffer& buffer, const SkinMaterial& material) {
     gltf["materials"].push_back(json);
 }
 
-/// The triangles by material, in the order of the materials; those without one get the first.
+/// Returns the triangles by material, in the order of the materials; those without one get the first.
 std::vector<std::vector<std::array<int, 3>>> trianglesByMaterial(const GltfScene& scene) {
     std::vector<std::vector<std::array<int, 3>>> parts(std::max<std::size_t>(scene.materials.size(), 1));
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {

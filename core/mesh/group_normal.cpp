@@ -16,7 +16,7 @@ namespace {
 template <int Dim>
 using FacetVertices = std::array<int, Dim>;
 
-/// Normal times length or area.
+/// Returns the normal times the length or area.
 Vec<2> areaNormal(const Points<3>& points, const FacetVertices<2>& f) {
     const Vec<3> along = points.col(f[1]) - points.col(f[0]);
     return {along.y(), -along.x()};
@@ -31,7 +31,7 @@ FacetVertices<Dim> sortedFacet(FacetVertices<Dim> facet) {
     return facet;
 }
 
-/// The facets on the boundary of the mesh, with their outward normals.
+/// Returns the facets on the boundary of the mesh with their outward normals.
 template <int Dim>
 std::map<FacetVertices<Dim>, Vec<Dim>> outwardNormals(const MeshFile& file) {
     SimplicialMesh<Dim> mesh;
@@ -53,7 +53,7 @@ std::map<FacetVertices<Dim>, Vec<Dim>> outwardNormals(const MeshFile& file) {
     return normals;
 }
 
-/// −1 for a closed surface whose triangles are ordered the other way round.
+/// Returns −1 for a closed surface whose triangles are ordered in the opposite direction.
 double outwardSign(const MeshFile& file) {
     if (isVolume(file)) return 1;
     double volume = 0;
@@ -69,7 +69,7 @@ double outwardSign(const MeshFile& file) {
     return sum.norm() < 1e-9 * area && volume < 0 ? -1 : 1;
 }
 
-/// Of the cells of the group that are facets of a mesh of that dimension.
+/// Returns the cells of the group that are facets of a mesh of that dimension.
 template <int Dim>
 std::vector<FacetVertices<Dim>> facetsIn(const MeshFile& file, const std::vector<int>& cells) {
     std::vector<FacetVertices<Dim>> facets;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kStandsOut = 0.1;  // of the largest reach of its component
 
-/// The cells of a mesh as a graph, whose edges are as long as the way from centroid to centroid.
+/// The cells of a mesh as a graph, whose edges are as long as the distance from centroid to centroid.
 class CellGraph {
   public:
     struct Neighbour {
@@ -53,13 +53,13 @@ class CellGraph {
     }
     int count() const { return static_cast<int>(m_neighbours.size()); }
     const std::vector<Neighbour>& neighbours(int cell) const { return m_neighbours[cell]; }
-    /// The lowest cell of its component.
+    /// Returns the lowest cell of the component.
     int component(int cell) { return m_components.root(cell); }
 
     double area(int cell) const { return m_areas[cell]; }
 
-    /// Of every cell's centroid to the boundary: each cell tries the edges that are nearest to its
-    /// neighbours.
+    /// Returns the distance of every cell's centroid to the boundary: each cell tries the edges that are
+    /// nearest to its neighbours.
     std::vector<double> depths() const {
         const auto away = [this](int cell, int border) {
             return std::sqrt(squaredDistanceToSegment(m_centroids[cell], m_borders[border]));
@@ -72,8 +72,8 @@ class CellGraph {
             first, away, [](int) { return true; }, distances);
         return distances;
     }
-    /// Of every cell of a set to the nearest disc, of radius `depths` about one of the seeds; negative
-    /// inside. The `distances` of the set are infinite before.
+    /// Computes the distance of every cell of a set to the nearest disc, of radius `depths` about one of the
+    /// seeds; negative inside. The `distances` of the set must be infinite before.
     template <typename Within>
     void discDistances(const std::vector<int>& seeds, const std::vector<double>& depths, const Within& within,
                        std::vector<double>& distances) const {
@@ -85,7 +85,7 @@ class CellGraph {
         spread(first, away, within, distances);
     }
 
-    /// Dijkstra's distances from the nearest of these cells; 0 where no way leads.
+    /// Returns Dijkstra's distances from the nearest of these cells; 0 where no path leads.
     std::vector<double> distances(const std::vector<int>& from) const {
         using Entry = std::pair<double, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -126,8 +126,8 @@ class CellGraph {
     static double squaredDistanceToSegment(const Vec<2>& p, const Border& border) {
         return (p - nearestOnSegment<2>(p, border.a, border.b)).squaredNorm();
     }
-    /// The least value of each cell over the sources that reach it from neighbour to neighbour, in cells that
-    /// count.
+    /// Computes the least value of each cell over the sources that reach it from neighbour to neighbour,
+    /// through cells that count.
     template <typename Value, typename Within>
     void spread(const std::vector<Candidate>& first, const Value& value, const Within& within,
                 std::vector<double>& best) const {
@@ -171,7 +171,7 @@ class BodyTree {
             if (!cells.empty()) decompose(std::move(cells));
     }
 
-    /// The place of each cell's body or limb.
+    /// Returns the position of each cell's body or limb.
     std::vector<int> places() {
         for (const int root : m_roots) place(root);
         std::vector<int> places;
@@ -236,7 +236,7 @@ class BodyTree {
         return area > 0 ? sum / area : 0;
     }
 
-    /// The parts of a node's cells that stand out of its body.
+    /// Returns the parts of a node's cells that reach out of its body.
     std::vector<std::vector<int>> limbsOf(const std::vector<int>& cells, int node, double farthest) {
         double deepest = 0;
         for (const int c : cells) deepest = std::max(deepest, m_depths[c]);
@@ -330,8 +330,8 @@ class BodyTree {
     int m_places = 0;
 };
 
-/// The join tree of the reach: what stands out becomes a limb, and where two limbs meet, both grow from a
-/// third one, which goes on from there.
+/// The join tree of the reach. A part that reaches out becomes a limb; where two limbs meet, both grow from a
+/// third one, which continues from there.
 class LimbTree {
   public:
     LimbTree(CellGraph& graph, const std::vector<double>& reach)
@@ -350,7 +350,8 @@ class LimbTree {
         std::ranges::stable_sort(falling, std::greater(), [&reach](int c) { return reach[c]; });
         for (const int cell : falling) add(cell);
     }
-    /// The place of each cell's limb, when limbs follow those that they grow from, the nearer tips first.
+    /// Returns the position of each cell's limb, when limbs follow those that they grow from, the nearer tips
+    /// first.
     std::vector<int> places() {
         std::vector<std::vector<int>> growing(m_limbs.size());
         std::vector<std::pair<int, int>> first;  // by component
@@ -376,13 +377,13 @@ class LimbTree {
     struct Limb {
         double tip = 0;   // its largest reach
         int parent = -1;  // the limb that it grows from
-        int partOf = -1;  // it does not stand out, and belongs to that one
+        int partOf = -1;  // it does not reach out, and belongs to that one
     };
     int resolved(int limb) const {
         while (m_limbs[limb].partOf >= 0) limb = m_limbs[limb].partOf;
         return limb;
     }
-    /// That which now goes on in the set of a cell.
+    /// Returns the limb that currently continues in the set of a cell.
     int limbAt(int cell) { return m_current[m_sets.root(cell)]; }
 
     void add(int cell) {
@@ -400,7 +401,7 @@ class LimbTree {
         m_limbs.push_back({tip, -1, -1});
         return static_cast<int>(m_limbs.size()) - 1;
     }
-    /// The limb that goes on where these two meet.
+    /// Returns the limb that continues where these two meet.
     int meeting(int a, int b, double reach, double farthest) {
         if (m_limbs[a].tip < m_limbs[b].tip) std::swap(a, b);
         if (m_limbs[b].tip - reach <= kStandsOut * farthest) {

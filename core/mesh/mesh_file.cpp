@@ -26,7 +26,7 @@ std::string bytesOf(const std::string& path) {
     return bytes;
 }
 
-/// The files of one mesh: this one, or its pair.
+/// Returns the files of one mesh: this one, or its pair.
 std::vector<std::string> pathsOf(const MeshFormat& format, const std::string& path) {
     if (format.together == 1) return {path};
     std::vector<std::string> paths;
@@ -161,7 +161,7 @@ bool isVolume(const MeshFile& file) {
 
 namespace {
 
-/// Cells of both orientations are numbered in two ways: all are made positive.
+/// Makes all cells positive, which are numbered in both orientations.
 template <int Dim>
 void turnInside(SimplicialMesh<Dim>& mesh) {
     std::vector<int> negative;
@@ -171,7 +171,7 @@ void turnInside(SimplicialMesh<Dim>& mesh) {
     for (const int c : negative) std::swap(mesh.cells[c][Dim - 1], mesh.cells[c][Dim]);
 }
 
-/// Whether the facet's vertices and the one opposite are an odd permutation of the cell's.
+/// Returns whether the facet's vertices and the one opposite are an odd permutation of the cell's.
 template <int Dim>
 bool isOdd(const Cell<Dim>& cell, const std::array<int, Dim>& facet) {
     std::array<int, Dim + 1> order;  // places in the cell
@@ -201,7 +201,8 @@ template std::vector<std::array<int, 2>> foldedPairs<3>(const SimplicialMesh<3>&
 
 namespace {
 
-/// The partition of cells as a file numbers them; neighbours lie on both sides of what is between them.
+/// Makes the partition of the cells as a file numbers them valid: neighbours are on both sides of the facet
+/// between them.
 template <int Dim>
 void makeValid(const MeshFile& file, SimplicialMesh<Dim>& mesh) {
     if (std::ranges::none_of(mesh.cells, [&](const auto& cell) {

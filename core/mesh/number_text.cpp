@@ -7,8 +7,8 @@
 namespace wend {
 namespace {
 
-/// from_chars does not distinguish underflow from overflow. A number without a non-zero digit before an
-/// exponent e−… is small.
+/// Distinguishes underflow from overflow, which from_chars does not. A number without a nonzero digit before
+/// an exponent e−… is small.
 bool tooSmall(std::string_view text) {
     const auto exponent = text.find_first_of("eE");
     return exponent != std::string_view::npos && exponent + 1 < text.size() && text[exponent + 1] == '-';

@@ -21,7 +21,7 @@ Points<3> usedPoints(const Points<3>& points, const std::vector<std::array<int, 
     return points(Eigen::all, used);
 }
 
-/// Across the coordinate axis k: the other two, in their order.
+/// Returns the frame across the coordinate axis k: the other two axes, in their order.
 PlaneFrame frameAcross(int k) {
     PlaneFrame frame;
     frame.axes.setZero();
@@ -30,7 +30,7 @@ PlaneFrame frameAcross(int k) {
     return frame;
 }
 
-/// Across a unit vector.
+/// Returns a frame across a unit vector.
 PlaneFrame frameAcross(const Vec<3>& normal) {
     int largest = 0;
     normal.cwiseAbs().maxCoeff(&largest);

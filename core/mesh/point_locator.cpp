@@ -131,7 +131,7 @@ template <int Dim>
 struct PointLocator<Dim>::Grid {
     const Points<Dim>& points;
     const std::vector<Cell<Dim>>& cells;
-    std::vector<int> vertices;  // those of cells (of a mere set of points all), as far as they are finite
+    std::vector<int> vertices;  // finite ones: those of cells, or all of a set without cells
     Bounds<Dim> bounds;
     Vec<Dim> maxExtent = Vec<Dim>::Zero();  // of any cell, per axis
     BinLayout<Dim> layout;

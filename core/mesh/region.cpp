@@ -53,7 +53,7 @@ double alongBlend(const Blend<Dim>& blend, const Vec<Dim>& p) {
     return lengthSquared > 0 ? std::clamp(along.dot(p - blend.from) / lengthSquared, 0.0, 1.0) : 0.0;
 }
 
-/// 3t² − 2t³ over the width, ½ on the boundary.
+/// Returns 3t² − 2t³ over the width, ½ on the boundary.
 double smoothEdge(double distance, double feather) {
     const double t = std::clamp(0.5 - distance / feather, 0.0, 1.0);
     return t * t * (3 - 2 * t);

@@ -24,7 +24,7 @@ bool hasExtension(const std::string& path, std::string_view extension) {
     return formats::sameWord(fs::path(path).extension().string(), extension);
 }
 
-/// What can be said of a skin without a file: one texture point per vertex, and labels.
+/// Returns what can be written of a skin without a file: one texture point per vertex, and labels.
 MeshFile madeFile(const Skin& skin) {
     MeshFile file;
     file.triangles = skin.triangles;
@@ -37,8 +37,8 @@ MeshFile madeFile(const Skin& skin) {
     return file;
 }
 
-/// The file that the skin comes from with polygons, lines, groups and fields, or what can be said without
-/// one.
+/// Returns the file that the skin comes from, with polygons, lines, groups and fields, or what can be written
+/// without one.
 MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
     MeshFile file = skin.path.empty() ? madeFile(skin) : readMeshFile(skin.path, MeshNeeds::Points);
     const Points<3> before = skin.path.empty() ? points : Points<3>(file.points);

@@ -10,7 +10,7 @@ namespace {
 constexpr int kLeaf = 4;  // triangles
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-/// Distance along the ray (Möller and Trumbore 1997), or infinity.
+/// Returns the distance along the ray (Möller and Trumbore 1997), or infinity.
 double distanceTo(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>& origin,
                   const Vec<3>& direction) {
     const Vec<3> e1 = b - a, e2 = c - a;
@@ -136,7 +136,7 @@ void TriangleTree::fit(Node& node, int index) {
         }
 }
 
-/// Children follow their parents in the list.
+/// Updates the boxes from the end of the list, where children follow their parents.
 void TriangleTree::refit(const Points<3>& points) {
     m_points = points;
     for (int i = static_cast<int>(m_nodes.size()) - 1; i >= 0; --i) fit(m_nodes[i], i);

@@ -89,7 +89,7 @@ class CubeMesher {
         m_points.push_back(m_grid.corner(place));
     }
 
-    /// Four tetrahedra around the line to a neighbour's middle, or two on a side without neighbour.
+    /// Adds four tetrahedra around the line to a neighbour's centre, or two on a side without a neighbour.
     void fillSide(int i, int axis, int side) {
         const int next = neighbour(i, axis, side);
         if (next >= 0 && side == 0) return;  // made from there
@@ -239,7 +239,8 @@ class CageFitter {
     double distance(double edge) const {
         return std::max(kMinDistance * m_diagonal, m_options.offset * (gap() > 0 ? gap() : edge));
     }
-    /// Room for the distance, and for a path around of the gap's width.
+    /// Returns the layers of cubes that leave room for the distance, and for a path around of the gap's
+    /// width.
     int layers(double edge) const {
         return 2 + static_cast<int>(std::ceil(distance(edge) / edge)) + static_cast<int>(gap() / edge);
     }

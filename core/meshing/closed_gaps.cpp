@@ -103,7 +103,7 @@ class GapFinder {
     }
     Vec<3> middleOf(int t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3; }
 
-    /// 0 … 5: the axis that a normal is nearest to, on either side.
+    /// Returns the axis that a normal is nearest to, in either direction: 0 … 5.
     int directionOf(int t) const {
         Eigen::Index axis = 0;
         m_normals.col(t).cwiseAbs().maxCoeff(&axis);

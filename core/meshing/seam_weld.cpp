@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOfDiagonal = 1e-3, kOfEdge = 0.1;
 
-/// The surface with one number for each place.
+/// Returns the surface with one vertex for each place.
 Surface joined(const Surface& surface) {
     Surface result = surface;
     const std::vector<int> canonical = canonicalVertices(surface.points);
@@ -44,7 +44,7 @@ OpenEdges openEdgesOf(const Surface& surface) {
     return found;
 }
 
-/// For each of the vertices the place in the list of the nearest other one within reach, −1 without one.
+/// Returns for each of the vertices the index of the nearest other one within reach, −1 if there is none.
 std::vector<int> nearestOf(const std::vector<int>& vertices, const Points<3>& points, double reach) {
     std::vector<int> nearest(vertices.size(), -1);
     std::vector<double> distance(vertices.size(), reach);

@@ -26,7 +26,7 @@ std::vector<OrderKernel::Point_3> places(const Points<3>& points) {
     return result;
 }
 
-/// Indices in the order of the curve; those before `first` stay.
+/// Returns the indices in the order of the curve; those before `first` stay.
 template <int Dim>
 std::vector<int> curveOrder(const Points<Dim>& points, int first) {
     const auto at = places(points);

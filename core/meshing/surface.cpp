@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-/// "3 open edges" of "open edge|s".
+/// Returns "3 open edges" for "open edge|s".
 std::string amount(std::size_t count, std::string what) {
     const std::size_t mark = what.find('|');
     if (mark != std::string::npos) what.erase(mark, count == 1 ? 2 : 1);

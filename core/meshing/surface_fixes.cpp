@@ -69,7 +69,7 @@ class Fixer {
 
     Surface m_all;                          // including removed triangles
     std::vector<bool> m_gone;               // triangles
-    std::vector<std::vector<int>> m_holes;  // as far as they are known
+    std::vector<std::vector<int>> m_holes;  // if they are known
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Side {
     int from, to;
 };
 
-/// In increasing order of their starts.
+/// Returns the open sides in increasing order of their starts.
 std::vector<Side> sidesOf(const Surface& surface) {
     std::vector<Side> sides;
     for (const SurfaceEdge& edge : edgesOf(surface)) {

@@ -54,7 +54,7 @@ void fill(tetgenio& in, const wend::TetgenRequest& request) {
 /// The size field, for the callback below, which TetGen hands nothing but points.
 const wend::TetgenRequest* sizeField = nullptr;
 
-/// The factor at p, trilinear between the grid's nodes.
+/// Returns the factor at p, trilinear between the grid's nodes.
 double factorAt(const std::array<double, 3>& p) {
     const double *low = sizeField->sizes.data() + 1, *spacing = low + 3, *factors = spacing + 3;
     const int* counts = sizeField->sizeCounts.data();

@@ -169,7 +169,7 @@ Vec<Dim> Constraints<Dim>::heldPart(int handle, const Vec<Dim>& v) const {
     return part;
 }
 
-/// A point inside a cell has the displacements of its vertices, weighted as they are.
+/// Takes the displacements of fields. A point inside a cell has those of its vertices, weighted as they are.
 template <int Dim>
 void Constraints<Dim>::takeFields(const std::vector<Handle<Dim>>& handles) {
     m_displacements.resize(m_points.size());

@@ -163,7 +163,8 @@ class Constraints {
 
     std::vector<ConstrainedPoint> m_points;
     std::vector<Weld> m_welds;
-    /// Per point the displacements by FieldMotions, by the number of the motion; empty without any.
+    /// The displacements of every point by FieldMotions, by the number of the motion; empty if there are
+    /// none.
     std::vector<std::vector<Vec<Dim>>> m_displacements;
     std::vector<Hold> m_holds;            // per handle
     std::vector<Vec<Dim>> m_restNormals;  // per point; empty if none slides on a surface

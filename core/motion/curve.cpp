@@ -64,9 +64,8 @@ std::vector<double> chordKnots(const std::vector<Vec<Dim>>& points) {
     return knots;
 }
 
-/// γ″ at the knots of the natural spline: the tridiagonal system
-/// h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = 6 (d_i − d_{i−1}), d the chords' slopes, m = 0 at
-/// both ends.
+/// Returns γ″ at the knots of the natural spline, by the tridiagonal system h_{i−1} m_{i−1} + 2 (h_{i−1} +
+/// h_i) m_i + h_i m_{i+1} = 6 (d_i − d_{i−1}) with d the chords' slopes and m = 0 at both ends.
 template <int Dim>
 std::vector<Vec<Dim>> naturalCurvatures(const std::vector<double>& t, const std::vector<Vec<Dim>>& p) {
     const int n = static_cast<int>(p.size());

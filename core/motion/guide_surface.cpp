@@ -16,7 +16,7 @@ const double kSharp = std::cos(50 * std::numbers::pi / 180);
 using Triangle = std::array<int, 3>;
 using Segment = std::array<int, 2>;
 
-/// Zero for a triangle of no area.
+/// Returns twice the area times the normal; zero for a triangle of no area.
 Vec<3> areaNormal(const Points<3>& points, const Triangle& t) {
     return (points.col(t[1]) - points.col(t[0])).cross(points.col(t[2]) - points.col(t[0]));
 }

@@ -71,8 +71,8 @@ void MovingFrame::makeTable(Piece& piece) const {
         }
         piece.table.push_back({middle, half});
         piece.table.push_back(node = {end, full});
-        // Steps are powers of two and only grow where the doubled one still divides what lies behind: they
-        // end at 1 exactly.
+        // Steps are powers of two, and grow only if the doubled one still divides the part that is done, so
+        // that they end at 1 exactly.
         if (error < kTolerance / 64 && std::fmod(end, 2 * step) == 0 && step < 1.0 / 16) step *= 2;
     }
 }
@@ -94,7 +94,7 @@ Mat<3> MovingFrame::turnedWithin(const Piece& piece, double v) const {
     return localFrame(piece, v) * localFrame(piece, 0).transpose();
 }
 
-/// Per unit of v.
+/// Returns ω per unit of v.
 Vec<3> MovingFrame::localOmega(const Piece& piece, double v) const {
     const TangentPiece& tangent = piece.tangent;
     if (tangent.shape() == Shape::Still || tangent.shape() == Shape::Straight) return Vec<3>::Zero();

@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-/// D(t), see reachOf().
+/// Returns D(t), see reachOf().
 template <int Dim>
 double done(const Handle<Dim>& handle, double t) {
     double sum = 0;

@@ -17,7 +17,7 @@ double sinc(double x) {
     return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
 }
 
-/// ω × v.
+/// Returns ω × v.
 Vec<2> cross(const RotationVector<2>& w, const Vec<2>& v) {
     return w[0] * Vec<2>(-v[1], v[0]);
 }
@@ -25,7 +25,7 @@ Vec<3> cross(const RotationVector<3>& w, const Vec<3>& v) {
     return w.cross(v);
 }
 
-/// The part of v along the axis ω; nothing in the plane.
+/// Returns the part of v along the axis ω; zero in the plane.
 Vec<2> along(const RotationVector<2>&, const Vec<2>&) {
     return Vec<2>::Zero();
 }
@@ -66,8 +66,8 @@ Mat<3> rotationOf<3>(const RotationVector<3>& vector) {
     return quaternionOf(vector).toRotationMatrix();
 }
 
-/// v = V(1)⁻¹ d for the shift d: along the axis d itself, across it, with a = sinc θ, b = sinc²(θ/2) / 2 and
-/// a² + (b θ)² = sinc²(θ/2), (a d − b ω × d) / sinc²(θ/2).
+/// Computes v = V(1)⁻¹ d for the shift d: along the axis d itself; across it, with a = sinc θ, b = sinc²(θ/2)
+/// / 2 and a² + (b θ)² = sinc²(θ/2), (a d − b ω × d) / sinc²(θ/2).
 template <int Dim>
 ScrewMotion<Dim>::ScrewMotion(const RigidPose<Dim>& from, const RigidPose<Dim>& to)
     : m_pivot(from.position), m_turn(turnBetween(from.rotation, to.rotation)) {

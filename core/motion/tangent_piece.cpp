@@ -74,13 +74,13 @@ Vec<3> TangentPiece::binormal(double v) const {
     return direction(v).cross(directionRate(v)).normalized();
 }
 
-/// d/dv (g / |g|).
+/// Returns d/dv (g / |g|).
 Vec<3> TangentPiece::tangentRate(double v) const {
     const Vec<3> t = tangent(v), rate = directionRate(v);
     return (rate - t * t.dot(rate)) / direction(v).norm();
 }
 
-/// det(g, g′, g″) |g| / |g × g′|².
+/// Returns det(g, g′, g″) |g| / |g × g′|².
 double TangentPiece::torsionRate(double v) const {
     const Vec<3> g = direction(v), cross = g.cross(directionRate(v));
     return cross.dot(2 * m_g[2]) * g.norm() / cross.squaredNorm();

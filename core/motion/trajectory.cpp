@@ -121,7 +121,7 @@ Mat<Dim> rotationBy(double angle, const Vec<Dim>& axis) {
     }
 }
 
-/// [axis]×: the rate of a rotation by one radian per unit of time.
+/// Returns [axis]×, the rate of a rotation by one radian per unit of time.
 template <int Dim>
 Mat<Dim> spin(const Vec<Dim>& axis) {
     if constexpr (Dim == 2) {
@@ -144,7 +144,7 @@ MovingMap<Dim> mapOf(const Rotate<Dim>& motion, double u) {
     return {{R, motion.centre - R * motion.centre}, {rate, -rate * motion.centre}};
 }
 
-/// Every point its own way: see MovingMap::share.
+/// Moves every point along a path of its own: see MovingMap::share.
 template <int Dim>
 MovingMap<Dim> mapOf(const FieldMotion<Dim>&, double u) {
     return {{}, {Mat<Dim>::Zero(), Vec<Dim>::Zero()}, u, 1};
@@ -179,7 +179,7 @@ struct Trajectory<Dim>::Path {
         MovingMap<Dim> map(double u, int piece) const;
     };
 
-    /// The way through poses.
+    /// The path through poses.
     struct Ridden {
         std::vector<double> parameters;     // u of each pose
         std::vector<AffineMap<Dim>> poses;  // relative to the first
@@ -187,7 +187,7 @@ struct Trajectory<Dim>::Path {
         Vec<Dim> origin;  // of the body, at the first pose
 
         explicit Ridden(const PoseMotion<Dim>& motion);
-        /// Screw motion `k` after pose k.
+        /// Returns screw motion `k`, which follows pose k.
         MovingMap<Dim> map(double u, size_t k) const;
     };
 
@@ -333,7 +333,7 @@ const std::vector<double>& Trajectory<Dim>::breakTimes() const {
     return m_path->breaks;
 }
 
-/// d/dt = e′(s) / (end − start) · d/du.
+/// Evaluates by d/dt = e′(s) / (end − start) · d/du.
 template <int Dim>
 MovingMap<Dim> Trajectory<Dim>::at(double t, Side side) const {
     const Path& path = *m_path;

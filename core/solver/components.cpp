@@ -42,7 +42,7 @@ class HeldSimilarities {
   public:
     static constexpr int kModes = SimilarityVelocities<Dim>::ColsAtCompileTime;
 
-    /// p relative to the middle of the shape, in terms of its size.
+    /// Adds p, relative to the middle of the shape and in terms of its size.
     void add(const Vec<Dim>& p, const Mat<Dim>& projector) {
         const SimilarityVelocities<Dim> velocities = similarityVelocities<Dim>(p);
         m_square += velocities.transpose() * projector * velocities;

@@ -8,7 +8,8 @@
 namespace wend {
 namespace {
 
-// What a last step without its product may leave of the error at least, for all that is expected of it.
+// A last step without its product is assumed to leave at least this part of the error, whatever is expected
+// of it.
 constexpr double kPlainContraction = 0.25;
 
 /// Returns aᵀ b over the unknowns of all parts.
@@ -23,13 +24,13 @@ double largest(const Matrix& v, const PartLinks& links) {
     return links.largest(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0);
 }
 
-/// How many iterations at a contraction bring a size under a goal.
+/// Returns how many iterations at a contraction bring a size under a goal.
 double iterationsTo(double goal, double size, double contraction) {
     if (contraction >= 1) return std::numeric_limits<double>::infinity();
     return std::max(0.0, std::log(goal / size) / std::log(contraction));
 }
 
-/// What an error will be after a step at a contraction, in terms of |z| before it.
+/// Returns the error after a step at a contraction, in terms of |z| before it.
 double remaining(double contraction, bool cautious) {
     const double sum = contraction / (1 - contraction);
     return cautious ? sum * (1 + contraction) / (1 - contraction) : sum;

@@ -8,8 +8,8 @@
 namespace wend {
 namespace {
 
-// What is left of a row of weights around 1 counts as nothing below this: far above rounding, far below a
-// real weight.
+// Weights of a row of weights around 1 count as nothing below this, which is far above rounding and far below
+// a real weight.
 constexpr double kNothing = 1e-10;
 
 /// A row on its way to echelon form: Σ weights · v = Σ values · prescribed.

@@ -7,33 +7,35 @@
 namespace wend {
 namespace {
 
-// Of an iteration with a factor of this very shape in double precision. In single the condition of the matrix
-// decides: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000.
+// The contraction of an iteration with a factor of this very shape in double precision. In single precision
+// the condition of the matrix decides: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160
+// 000.
 constexpr double kFreshContractionDouble = 1e-6;
 constexpr double kBestContraction = 0.05;
 // The same at the factor's own shape, where it was measured before: so many times what it was, and no less.
 constexpr double kFreshMargin = 4, kBestFresh = 0.005;
 // With a new factor the contraction grows with the distance about as it did with the last one.
 constexpr double kCarriedMargin = 2;
-// A new factor is made so far ahead of the shape, as a part of the way on which the last one served, and no
-// farther: along straight lines a shape that turns is stretched. Less than this many solves are no way.
+// A new factor is made this far ahead of the shape, as a part of the distance over which the last one served,
+// and no farther, because a shape that turns is stretched along straight lines. Fewer than this many solves
+// define no path.
 constexpr double kAhead = 0.4, kFarthest = 0.15;
 constexpr int kWay = 4;
-// Where cells would fold over on so many times the way they would be too thin at its end: such a factor is
-// blind to what they resist.
+// Cells that would fold over at this multiple of the distance would be too thin at its end; a factor made
+// there would be blind to what they resist.
 constexpr double kUnfolded = 3;
 // Nearer than this part of where the contraction was measured it is not expected to be better: a factor that
 // was made ahead is never quite met.
 constexpr double kNearest = 0.5;
-// The rotations of a shape serve for others that are nearer to it than this part of the way from the
+// The rotations of a shape serve for others that are nearer to it than this part of the distance from the
 // factor's.
 constexpr double kTurnedAgain = 0.2;
-// To make the levels of multigrid takes about as long as so many iterations with them (docs/scale.md).
+// Making the levels of multigrid takes about as long as this many iterations with them (docs/scale.md).
 constexpr double kMultigridSetUp = 18;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
-/// Whether every cell is oriented in both shapes as in the other.
+/// Returns whether every cell has the same orientation in both shapes.
 template <int Dim>
 bool noneFolds(const std::vector<Cell<Dim>>& cells, const Points<Dim>& from, const Points<Dim>& to) {
     return std::all_of(cells.begin(), cells.end(), [&](const Cell<Dim>& cell) {
@@ -215,10 +217,10 @@ const Nodal<Dim>& FactorCache<Dim>::turnedShape() {
     return m_memory.turned;
 }
 
-/// The contraction of the first iteration cannot be measured within it. At the factor's own shape it is what
-/// single precision left of the matrix, measured at the last chance; farther away it is taken to grow with
-/// the distance, as it did with the factor before. What is not known is taken to be 1, so that there is a
-/// second iteration, which measures it.
+/// Estimates the contraction of the first iteration, which cannot be measured within it. At the factor's own
+/// shape it is what single precision has left of the matrix, measured at the last opportunity; farther away
+/// it is taken to grow with the distance, as it did with the factor before. An unknown contraction is taken
+/// to be 1, so that there is a second iteration, which measures it.
 template <int Dim>
 double FactorCache<Dim>::expectedContraction(double lag) const {
     const double fresh =

@@ -87,7 +87,8 @@ void ReducedSystem<Dim>::numberUnknowns(const AssemblyPlan<Dim>& plan) {
     }
 }
 
-/// K_PQ = Σ z_pP z_qQ A_pq over all ordered pairs (p, q); A_qp = A_pqᵀ stands for the upper triangle.
+/// Builds the pattern of K_PQ = Σ z_pP z_qQ A_pq over all ordered pairs (p, q); A_qp = A_pqᵀ gives the upper
+/// triangle.
 template <int Dim>
 void ReducedSystem<Dim>::buildPattern(const AssemblyPlan<Dim>& plan) {
     std::vector<std::vector<Target>> columns(m_unknowns.size());

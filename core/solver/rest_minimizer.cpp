@@ -16,7 +16,7 @@ constexpr double kArmijo = 1e-4;
 // Parts of the negative curvature that factors have, in the order of trial.
 constexpr std::array<double, 3> kNegative = {1, 0.9, 0};
 constexpr int kMostHalvings = 30;
-// Of the way to the first flat cell that a step may take.
+// A step may take this part of the path to the first flat cell.
 constexpr double kBeforeFlat = 0.8;
 // The exact Hessian was indefinite: so many steps later it is tried again.
 constexpr int kSteps = 2;
@@ -24,8 +24,8 @@ constexpr int kSteps = 2;
 constexpr double kRounding = 1e-13;
 // A gradient of this norm is rounding: forces are of the order of 1.
 constexpr double kNoForce = 1e-14;
-// Off a saddle, in sizes. It is near where the exact Hessian is indefinite, steps are no longer than that,
-// and they promise no more than this part of W.
+// The shape is moved off a saddle by this much, in sizes. A saddle is near where the exact Hessian is
+// indefinite, steps are no longer than the second number, and they promise no more than this part of W.
 constexpr double kNudge = 1e-3, kNearSaddle = 1e-9;
 constexpr int kMostNudges = 3;
 // A factor serves again while each step is shorter than this part of the one before.

@@ -43,7 +43,7 @@ HWY_INLINE void storeMatrix(const Matrix& a, double* p) {
     p[8] = a.last;
 }
 
-/// The cofactors of R, and its determinant.
+/// Computes the cofactors of R, and returns its determinant.
 HWY_INLINE V cofactors(const V (&R)[9], V (&C)[9]) {
 #pragma GCC unroll 9
     for (int k = 0; k < 9; ++k) {
@@ -61,7 +61,7 @@ HWY_INLINE V squaredNorm(const V (&A)[9]) {
     return sum;
 }
 
-/// The matrices of kLanes vertices from p on, side by side, and back.
+/// Loads the matrices of kLanes vertices from p on side by side; storeMatrices() reverses that.
 HWY_INLINE void loadMatrices(const double* p, V (&A)[9]) {
     V again[3];
     loadLanes(p, 9, A[0], A[1], A[2], A[3]);
@@ -76,7 +76,7 @@ HWY_INLINE void storeMatrices(const V (&A)[9], double* p) {
 
 }  // namespace
 
-/// With d = y_j − y, e = x_j − x: a = Σ d₀ e₀ + d₁ e₁, b = Σ d₁ e₀ − d₀ e₁.
+/// Computes a = Σ d₀ e₀ + d₁ e₁ and b = Σ d₁ e₀ − d₀ e₁ with d = y_j − y and e = x_j − x.
 void edgeSumsInPlane(Neighbours edges, int begin, int end, const double* x, const double* y, double* sums) {
     for (int v = begin; v < end; ++v) {
         const Row<2> x0 = loadRow<2>(x + 2 * static_cast<std::ptrdiff_t>(v)),

@@ -13,10 +13,10 @@ constexpr std::size_t kFields = 3;  // a cubic guess saves nothing more
 constexpr double kRankTolerance = 1e-6;
 // Times closer than this are one time with rounding.
 constexpr double kSameTime = 1e-6;
-// Fields closer than this part of the history's span are one field: a polynomial through both, like the last
-// stages of Dormand and Prince, whose shapes differ in their errors, goes astray.
+// Fields closer than this part of the history's span count as one field. A polynomial through both, like the
+// last stages of Dormand and Prince, whose shapes differ in their errors, would be inaccurate.
 constexpr double kTooClose = 0.15;
-// Misses of a step whose width differs by more than this factor tell little.
+// Errors in a step whose width differs by more than this factor are of little use.
 constexpr double kOtherWidth = 2;
 
 bool samePlace(double a, double b) {
@@ -70,7 +70,7 @@ Points<Dim> VelocityHistory<Dim>::combined(const Eigen::VectorXd& weights) const
     return sum;
 }
 
-/// Lagrange's weights Π (t − t_j) / (t_i − t_j).
+/// Evaluates with Lagrange's weights Π (t − t_j) / (t_i − t_j).
 template <int Dim>
 Points<Dim> VelocityHistory<Dim>::through(double time) const {
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(m_fields.size()));

@@ -19,7 +19,7 @@ constexpr double kMassRegularization = 1e-4;
 // it.
 constexpr double kResidual = 1e-10;
 constexpr int kRefinements = 3;
-// Below this iterations with a stale factor save nothing.
+// Below this tolerance, iterations with a stale factor save nothing.
 constexpr double kMinTolerance = 1e-8;
 // Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
 // and they show so little of the error that they would end too early.
@@ -27,8 +27,8 @@ constexpr double kPoorestContraction = 0.33;
 // Multigrid: what rounding allows, and when the run ends with a message.
 constexpr double kMultigridTolerance = 1e-9;
 constexpr int kMostWithMultigrid = 300;
-constexpr int kTrials = 3;  // before a factor that is dear is given up
-// Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
+constexpr int kTrials = 3;  // attempts before an expensive factor is discarded
+// Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: it would need hundreds of iterations.
 constexpr double kStiffestReuse = 20;
 // Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
 constexpr double kTurningRatio = 0.5;
@@ -49,14 +49,14 @@ bool sameTerms(const ConstraintRow& a, const ConstraintRow& b) {
     return a.terms == b.terms;
 }
 
-/// Whether factors of this material last.
+/// Returns whether factors of this material last.
 template <int Dim>
 bool mayReuse(const Material<Dim>& material) {
     return std::all_of(material.phi.begin(), material.phi.end(),
                        [](double phi) { return std::cos(phi) <= kStiffestReuse * std::sin(phi); });
 }
 
-/// Whether turning the factor helps: for most of the cells.
+/// Returns whether turning the factor helps, which it must for most of the cells.
 template <int Dim>
 bool mayTurn(const Material<Dim>& material) {
     const auto cells = std::count_if(material.phi.begin(), material.phi.end(), [](double phi) {
@@ -162,7 +162,7 @@ RestEnergy<Dim>& VelocitySolver<Dim>::Impl::rested() {
     return *restEnergy;
 }
 
-/// Of W, with or without the proximal term.
+/// Returns the minimizer of W, with or without the proximal term.
 template <int Dim>
 RestMinimizer<Dim>& VelocitySolver<Dim>::Impl::minimizer() {
     if (!constrained) setConstraints({});
@@ -248,7 +248,7 @@ void VelocitySolver<Dim>::Impl::turn(const Points<Dim>& from, const Points<Dim>&
     for (auto& field : fields) fieldRotations->turn(field);
 }
 
-/// The rotations between the factor's shape and the current one, or one near it.
+/// Computes the rotations between the factor's shape and the current one, or one near it.
 template <int Dim>
 void VelocitySolver<Dim>::Impl::turnFactor() {
     const Nodal<Dim>& to = cache->turnedShape();
@@ -274,7 +274,7 @@ typename ConjugateGradients<Dim>::Result VelocitySolver<Dim>::Impl::iterateWithF
     return iteration.run(*backEnd, system, precondition, goal, loadOrNull(), v);
 }
 
-/// Conjugate gradients with the factor at hand; false if a new one is the better way.
+/// Iterates by conjugate gradients with the current factor; returns false if a new one is the better choice.
 template <int Dim>
 bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
@@ -300,7 +300,7 @@ bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
     return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();
 }
 
-/// With a factor of this very shape; one in single precision is no longer enough then.
+/// Solves with a factor of this very shape; one in single precision is no longer enough then.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solveDirectly(Points<Dim>& v) {
     if (cache->improve())

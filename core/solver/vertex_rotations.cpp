@@ -8,9 +8,9 @@
 namespace wend {
 namespace {
 
-// Rough rotations cost more iterations than none. In the plane, where a sweep is cheap, ten instead of six
-// save one factor of seven with 11 000 vertices, and those instead of three one of ten; in space more than
-// three save none.
+// The number of sweeps. Rough rotations cost more iterations than none. In the plane, where a sweep is cheap,
+// ten instead of six save one factor of seven with 11 000 vertices, and those instead of three one of ten; in
+// space more than three save none.
 template <int Dim>
 constexpr int kSweeps = Dim == 2 ? 10 : 3;
 constexpr int kVertexGrain = 512;  // vertices of a piece

@@ -11,7 +11,7 @@ namespace {
 // Thresholds above rounding: relative to an eigenvector's length, and to the sum of all eigenvalues.
 constexpr double kPartOfVector = 1e-6, kRounding = 1e-14;
 
-/// The form S of some components, in their order.
+/// Returns the form S of some components, in their order.
 template <int Dim>
 Eigen::MatrixXd weldedSquare(const std::vector<int>& group, const std::vector<SimilaritySquare<Dim>>& squares,
                              const std::vector<WeldedPoint<Dim>>& welded) {

@@ -10,7 +10,8 @@
 namespace wend {
 namespace {
 
-/// The threads that nobody waits for any more. What a library needs may not be destroyed before they end.
+/// The threads for which no caller waits any more. What a library needs must not be destroyed before they
+/// end.
 class AbandonedThreads {
   public:
     ~AbandonedThreads() {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-/// The number after a word at the beginning of a line: "MemAvailable:   123 kB".
+/// Returns the number after a word at the beginning of a line: "MemAvailable:   123 kB".
 std::optional<double> numberAfter(const std::string& path, std::string_view word) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
@@ -57,7 +57,8 @@ struct GroupFiles {
 constexpr GroupFiles kFirst{"/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file"};
 constexpr GroupFiles kSecond{"/memory.max", "/memory.current", "inactive_file"};
 
-/// What a group leaves: its cache of files that nobody uses goes when memory is asked for.
+/// Returns what a control group leaves; its cache of unused files counts as free, because it is dropped when
+/// memory is needed.
 double leftOf(const std::string& folder, const GroupFiles& files) {
     const auto limit = numberIn(folder + files.limit), usage = numberIn(folder + files.usage);
     if (!limit || !usage) return kUnknown;

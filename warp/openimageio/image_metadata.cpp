@@ -27,7 +27,7 @@ std::array<int, 8> windowsOf(const OIIO::ImageSpec& spec) {
             spec.full_x, spec.full_y, spec.full_width, spec.full_height};
 }
 
-/// The bytes of a value; texts end with zero.
+/// Returns the bytes of a value; texts end with zero.
 std::string bytesOf(const OIIO::ParamValue& value) {
     if (value.type().basetype != kString)
         return {static_cast<const char*>(value.data()), static_cast<std::size_t>(value.datasize())};

@@ -30,8 +30,7 @@ bool isWebp(const OIIO::ImageInput& input) {
     return std::string_view(input.format_name()) == "webp";
 }
 
-/// Whether the reader gives the colours as they are in the file, not multiplied with alpha, and does not say
-/// so.
+/// Returns whether the reader silently leaves the colours as they are in the file, not multiplied with alpha.
 bool keepsColours(const OIIO::ImageInput& input) {
     constexpr std::array<std::string_view, 7> kThose{"bmp", "dds", "dpx", "ico", "jpeg2000", "psd", "sgi"};
     return std::ranges::find(kThose, std::string_view(input.format_name())) != kThose.end();
@@ -115,7 +114,7 @@ std::vector<std::string> channelsLeftOut(const OIIO::ImageSpec& spec, int read) 
     return names;
 }
 
-/// Whether pixel coordinates are those of a display window that the file names.
+/// Returns whether pixel coordinates are those of a display window that the file names.
 bool hasDisplayWindow(const OIIO::ImageSpec& spec, PictureFormat format) {
     const bool isNamed =
         format == PictureFormat::Exr || (format == PictureFormat::Tiff && spec.full_width != spec.width);
@@ -124,7 +123,7 @@ bool hasDisplayWindow(const OIIO::ImageSpec& spec, PictureFormat format) {
             spec.height != spec.full_height);
 }
 
-/// Where the stored pixels lie in the picture: beyond it, too.
+/// Returns the place of the stored pixels in the picture, which may extend beyond it.
 PixelBox storedBox(const OIIO::ImageSpec& spec) {
     return {spec.x - spec.full_x, spec.y - spec.full_y, spec.width, spec.height};
 }
@@ -200,7 +199,7 @@ std::string joined(const std::vector<std::string>& names) {
     return text + (names.size() > kMost ? " …" : "");
 }
 
-/// What of the file is not in the picture, or had to be decided.
+/// Adds notices of what the file has and the picture does not, or of what had to be decided.
 void tellOfFile(const OIIO::ImageSpec& spec, bool namesExtraSamples, StoredPicture& stored) {
     const PictureMetadata& metadata = *fileMetadata(stored.image);
     if (undeclaredAlpha(spec, namesExtraSamples) > 0)
@@ -242,14 +241,15 @@ void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, Pictu
     if (hasDisplayWindow(spec, format)) requireSize(path, spec.full_width, spec.full_height, maxMegapixels);
 }
 
-/// What libjpeg finds and repairs without loss: padding between segments, unusual but harmless scan
-/// parameters.
+/// Returns whether libjpeg finds and repairs an error without loss: padding between segments, unusual but
+/// harmless scan parameters.
 bool harmless(const std::string& error) {
     return error.find("extraneous bytes before marker") != std::string::npos ||
            error.find("Invalid SOS parameters") != std::string::npos;
 }
 
-/// OpenImageIO returns true for truncated TIFF and corrupt JPEG files: only the error text tells.
+/// Throws on failure. OpenImageIO returns true for truncated TIFF and corrupt JPEG files, so only the error
+/// text is reliable.
 void requireSuccess(const std::string& path, OIIO::ImageInput& input, bool success) {
     const std::string error = firstLine(input.geterror());
     if (success && (error.empty() || harmless(error))) return;
@@ -322,7 +322,8 @@ void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, 
         readStrips(path, input, image, sink);
 }
 
-/// What the file says, with what OpenImageIO leaves to us: WebP's metadata, and one name for the inch.
+/// Returns the file's description, completed by what OpenImageIO leaves to the caller: WebP's metadata, and
+/// one name for the inch.
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
     if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
@@ -333,7 +334,7 @@ OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     return spec;
 }
 
-/// What OpenImageIO says of each picture in a file. A damaged one ends the list.
+/// Returns OpenImageIO's description of each picture in a file. A damaged one ends the list.
 std::vector<OIIO::ImageSpec> specsIn(const PictureSource& source) {
     constexpr int kMost = 1000;
     std::vector<OIIO::ImageSpec> specs;

@@ -44,8 +44,8 @@ bool isLarge(const Image& image) {
     return image.width * 1e-6 * image.height > 16;
 }
 
-/// Where the picture lies in its frame, in the coordinates of its source's file (`source` describes it): EXR
-/// has a display window for the frame, PNG and TIFF have an offset (TIFF none to the left or above).
+/// Sets the place of the picture in its frame, in the coordinates of its source's file (`source` describes
+/// it): EXR has a display window for the frame, PNG and TIFF have an offset (TIFF none to the left or above).
 void setPlace(PictureFormat format, const Image& image, const OIIO::ImageSpec& source,
               OIIO::ImageSpec& spec) {
     const CanvasPlace& place = image.place;
@@ -185,8 +185,8 @@ void writeWebpPicture(const PictureToWrite& writing, const OIIO::ImageSpec& spec
     if (!error.empty()) throw InputError(writing.path, "cannot be written: " + error);
 }
 
-/// What describes the source's colours and not its pixels. A profile is not contradicted by a name, and one
-/// of grey pictures becomes one of colours where they got some.
+/// Takes the attributes that describe the source's colours and not its pixels. No name may contradict a
+/// profile, and a profile of grey pictures becomes one of colours if the picture has become coloured.
 void takeAttributes(PictureFormat format, const Image& image, const OIIO::ImageSpec& from,
                     OIIO::ImageSpec& to) {
     for (const OIIO::ParamValue& value : from.extra_attribs)

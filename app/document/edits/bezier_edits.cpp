@@ -10,7 +10,7 @@ constexpr double kParallel = 1e-6;       // sine of the angle below which two di
 constexpr double kSameArm = 1e-9;        // fraction of the distance between the neighbours
 constexpr double kMinPieceShare = 0.02;  // of a piece that two are joined to
 
-/// The directions at a joint, both as they are travelled.
+/// The directions at a joint, both in the direction of travel.
 template <int Dim>
 struct Arms {
     Vec<Dim> in, out;

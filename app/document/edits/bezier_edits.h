@@ -37,8 +37,8 @@ template <int Dim>
 std::vector<Vec<Dim>> withMovedPoint(std::vector<Vec<Dim>> points, const std::vector<JointKind>& kinds,
                                      int point, const Vec<Dim>& by);
 
-/// The same curve with another joint at v ∈ ]0, 1[ of a piece (de Casteljau). The time at which it is passed
-/// changes: every piece takes the same share.
+/// Returns the same curve with another joint at v ∈ ]0, 1[ of a piece (de Casteljau). The time at which it is
+/// passed changes, because every piece takes the same share.
 template <int Dim>
 std::vector<Vec<Dim>> splitBezier(const std::vector<Vec<Dim>>& points, int piece, double v);
 /// Returns the chain without a joint, which must not be the first. The neighbours' directions are lengthened

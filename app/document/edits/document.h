@@ -33,9 +33,10 @@ class Document : public QObject {
 
     bool isEmpty() const { return !m_project; }
     const std::shared_ptr<const Project>& project() const { return m_project; }
-    /// 2 or 3; 0 while empty.
+    /// Returns 2 or 3; 0 while empty.
     int dimension() const;
-    /// The parts of the project. Require !isEmpty(); include only the header of the part that you use.
+    /// Return the parts of the project. They require !isEmpty(); include only the header of the part that you
+    /// use.
     const Domain& domain() const;
     const AnyDesign& design() const;
     template <int Dim>
@@ -79,10 +80,10 @@ class Document : public QObject {
     void changeDepth(const QString& name, DepthRegions after, const QString& mergeKey = {});
     /// Restores an earlier project in a new step.
     void changeBack(const QString& name, const std::shared_ptr<const Project>& before);
-    /// Merges all changes until endStep() into one step with the name of the first …
+    /// Merges all changes until endStep() into one step with the name of the first.
     void beginStep();
     void endStep() { m_stepKey.clear(); }
-    /// … unless it is dropped: then nothing of it has happened.
+    /// Undoes all changes since beginStep() and leaves no step.
     void dropStep();
     /// Returns whether a step with this key would merge with the last one.
     bool merges(const QString& mergeKey) const;

@@ -24,14 +24,14 @@ bool hasOwnTiming(const Project& project);
 /// Returns the project up to a time: running motions are cut, later ones are removed. Pins that start later
 /// now start at the very end; those that would be released later hold on.
 Project endedAt(const Project& project, double time);
-/// The motions of one handle, cut at a time.
+/// Cuts the motions of one handle at a time.
 template <int Dim>
 void endMotionsAt(Handle<Dim>& handle, double time);
 
 /// The same poses by another clock: every time is mapped by the two straight lines [0, from] → [0, to] and
 /// [from, end] → [to, end].
 Project withTimesMoved(Project project, double from, double to);
-/// The same poses in a film of another length.
+/// Returns the project with the same poses in a film of another length.
 Project withLength(Project project, double length);
 
 }  // namespace wend

@@ -27,7 +27,7 @@ Amount amountOf(const Vec<Dim>& offset) {
 template <int Dim>
 Vec<Dim> carried(const Grip& grip, const Amount& amount, const Vec<Dim>& start);
 
-/// The motion from one amount to another, in the window [0, 1].
+/// Returns the motion from one amount to another, in the window [0, 1].
 template <int Dim>
 Motion<Dim> motionBetween(const Grip& grip, const Amount& from, const Amount& to);
 

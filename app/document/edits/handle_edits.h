@@ -43,7 +43,7 @@ Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim
 Project withHandleName(const Project& project, int handle, const std::string& name);
 /// Renames a group of namedRegions() of the depth, and the handle that it belongs to.
 Project withDepthName(const Project& project, int group, const std::string& wish);
-/// The same as steps of a document.
+/// Do the same as steps of a document.
 void renameHandle(Document& document, const QString& step, int handle, const std::string& name);
 void renameDepth(Document& document, const QString& step, int group, const std::string& wish);
 

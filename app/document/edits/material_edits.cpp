@@ -16,7 +16,7 @@ AnyDesign changed(const AnyDesign& design, const Change& change) {
     return next;
 }
 
-/// The names of the groups, in the order of their first regions.
+/// Returns the names of the groups in the order of their first regions.
 template <int Dim>
 std::vector<std::string> groupNames(const Design<Dim>& design) {
     std::vector<std::string> names;

@@ -65,7 +65,7 @@ AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int b
 /// Merges the group into the one below. Returns nothing if that would change the result: if the upper one
 /// erases, one is hidden, or one consists of pictures.
 std::optional<AnyDesign> withGroupMergedDown(const AnyDesign& design, const std::string& name);
-/// The group without its regions.
+/// Returns the design without the group and its regions.
 AnyDesign withoutGroup(const AnyDesign& design, const std::string& name);
 /// Sets or removes the file of values per cell.
 AnyDesign withCellsFile(const AnyDesign& design, const std::string& file);

@@ -30,11 +30,11 @@ struct NewPart {
 /// A project with a new part in front of the one that it is cut from, which is filled behind it.
 std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart& made);
 
-/// A project of the picture in that file in the place of its parts.
+/// Returns a project of the picture in that file, in place of its parts.
 std::shared_ptr<const Project> withoutParts(const Project& project, const std::string& path);
 
-/// Returns whether a part may ride on another one: that has to end at a part with a mesh, and joints need
-/// one.
+/// Returns whether a part may be attached to another one: the chain must end at a part with a mesh, and
+/// joints need one.
 bool mayRide(const std::vector<PicturePart>& parts, int part, int on);
 
 }  // namespace wend

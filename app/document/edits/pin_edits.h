@@ -12,7 +12,7 @@ namespace wend {
 /// Edits of the pin list, none of which moves the shape.
 
 const HandleTraits& traitsOf(const AnyDesign& design, int handle);
-/// The same change of several handles.
+/// Does the same for several handles.
 AnyDesign withTraits(const AnyDesign& design, const std::vector<int>& handles,
                      const std::function<void(HandleTraits&)>& change);
 
@@ -24,7 +24,7 @@ AnyDesign withLink(const AnyDesign& design, const std::vector<int>& handles);
 /// Unlinks each of them, and a single remaining partner.
 AnyDesign withoutLink(const AnyDesign& design, const std::vector<int>& handles);
 
-/// The groups in the order of their first handles.
+/// Return the groups in the order of their first handles, and the handles of one.
 std::vector<std::string> groupNames(const AnyDesign& design);
 std::vector<int> handlesOfGroup(const AnyDesign& design, const std::string& group);
 

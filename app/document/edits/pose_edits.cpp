@@ -42,14 +42,14 @@ struct Way {
     }
 };
 
-/// The part of a recording at a fraction of its own time.
+/// Returns the offset of a recording at a fraction of its own time.
 template <int Dim>
 Vec<Dim> offsetAt(const Recorded<Dim>& stroke, double s) {
     const double time = std::lerp(stroke.times.front(), stroke.times.back(), s);
     return Way<Dim>{stroke.times, stroke.points}.at(time) - stroke.points.front();
 }
 
-/// The way of a motion that only translates, exact at one time; nothing of another one.
+/// Returns the path of a motion that only translates, exact at one time; nothing for any other motion.
 template <int Dim>
 std::optional<Way<Dim>> wayOf(const Motion<Dim>& motion, double time) {
     const auto timeAt = [&](double s) { return std::lerp(motion.start, motion.end, s); };
@@ -109,7 +109,7 @@ Motion<Dim> motionAlong(const Way<Dim>& way, const Vec<Dim>& place) {
     return motion;
 }
 
-/// Both parts of a way at a time within it.
+/// Returns both parts of a path that is split at a time within it.
 template <int Dim>
 std::pair<Way<Dim>, Way<Dim>> split(const Way<Dim>& way, double time) {
     const Vec<Dim> middle = way.at(time);

@@ -18,7 +18,7 @@ struct NamedRegions {
 
 // The listed regions of a picture: SizeRegionIn<2> for finer or coarser cells, and DepthRegion.
 
-/// Later ones win.
+/// Returns the regions by name; later ones take precedence.
 template <class Entry>
 std::vector<NamedRegions> namedRegions(const std::vector<Entry>& regions);
 

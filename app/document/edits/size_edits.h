@@ -22,7 +22,8 @@ Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& ball
                           double factor);
 /// Adds a region on top of all others, named "Region 1", "Region 2" …
 Domain withSizeRegion(const Domain& domain, const Region<3>& shape, double factor);
-/// The group of that place in sizeGroups() with another factor; the first of it with another shape.
+/// Return the domain with another factor for the group at that place in sizeGroups(), or with another shape
+/// for the first region of it.
 Domain withSizeFactor(const Domain& domain, int group, double factor);
 Domain withSizeShape(const Domain& domain, int group, const Region<3>& shape, double feather);
 Domain withoutSizes(const Domain& domain, int group);

@@ -158,7 +158,7 @@ MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
     return region;
 }
 
-/// The numbers of a matrix: in one list, or in a list of its rows.
+/// Reads the numbers of a matrix, in one list or in a list of its rows.
 template <int Dim>
 std::vector<double> readMatrixNumbers(const JsonValue& value) {
     if (!value.json().is_array() || value.json().empty() || !value.json().front().is_array())
@@ -173,7 +173,7 @@ std::vector<double> readMatrixNumbers(const JsonValue& value) {
     return numbers;
 }
 
-/// A symmetric positive definite matrix: see matrixFrom().
+/// Returns a symmetric positive definite matrix: see matrixFrom().
 template <int Dim>
 Mat<Dim> checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& value) {
     if (numbers.size() != Dim * Dim && numbers.size() != kSymmetricNumbers<Dim>)
@@ -341,7 +341,7 @@ Recorded<Dim> readRecorded(JsonObject& object) {
     return stroke;
 }
 
-/// Without a file the displacements themselves: `vertices` and `by`.
+/// Reads a field. Without a file it has the displacements themselves: `vertices` and `by`.
 template <int Dim>
 FieldMotion<Dim> readField(JsonObject& object) {
     FieldMotion<Dim> field;
@@ -363,7 +363,7 @@ FieldMotion<Dim> readField(JsonObject& object) {
     return field;
 }
 
-/// Without a file the poses themselves: rows of time, position and rotation vector.
+/// Reads poses. Without a file it has the poses themselves: rows of time, position and rotation vector.
 template <int Dim>
 PoseMotion<Dim> readPoses(JsonObject& object) {
     PoseMotion<Dim> motion;

@@ -14,13 +14,13 @@ void readMaterial(const JsonValue& value, Project& project);
 /// A handle; a motion without a time window takes [0, end].
 template <int Dim>
 Handle<Dim> readHandle(const JsonValue& value, double end);
-/// {"polygon": …}, {"circle": …} …
+/// Reads a region: {"polygon": …}, {"circle": …} …
 template <int Dim>
 Region<Dim> readRegion(const JsonValue& value);
-/// The loops of an outline.
+/// Reads the loops of an outline.
 Outline readPolygons(const JsonValue& value);
 DepthRegions readDepth(const JsonValue& value);
-/// The keys of material.cells.
+/// Reads the keys of material.cells.
 template <int Dim>
 void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec);
 

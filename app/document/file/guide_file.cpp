@@ -27,7 +27,7 @@ std::vector<Segment> linesOf(const CellList& cells) {
     return segments;
 }
 
-/// The edges of one triangle only.
+/// Returns the edges that only one triangle has.
 std::vector<Segment> borderOf(const std::vector<std::array<int, 3>>& triangles) {
     std::map<Segment, int> count;
     for (const auto& t : triangles)

@@ -27,20 +27,20 @@ class JsonValue {
     const Json& json() const { return *m_json; }
 
     JsonValue member(const std::string& key) const;
-    /// The elements of a list.
+    /// Returns the elements of a list.
     std::vector<JsonValue> elements() const;
     /// The same value, with the unknown keys in and below it kept in `extras`.
     JsonValue ownedBy(Extras& extras) const;
     /// Keeps a key that is not known and warns about it. `near`: the known key that it resembles, if any.
     void keepUnknown(const std::string& key, const std::string& near = {}) const;
 
-    /// Keeps what the value stands for, as JSON, in the place of a value that is found later.
+    /// Keeps `name`, the JSON that names this value, in the extras until the named place is found.
     void keepName(const Json& name) const;
 
     std::string text() const;
     bool boolean() const;
     double number() const;
-    /// A number in the option's range.
+    /// Returns a number in the option's range.
     double number(std::string_view optionKey) const;
     int integer() const;
     int integer(std::string_view optionKey) const;

@@ -42,8 +42,8 @@ std::string placeOf(const std::string& text, std::size_t bytes) {
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// The library's message without its prefix "[json.exception.parse_error.101] parse error at line 3, column
-/// 7: ".
+/// Returns the library's message without its prefix "[json.exception.parse_error.101] parse error at line 3,
+/// column 7: ".
 std::string bareReason(std::string what) {
     if (what.starts_with('[')) what.erase(0, what.find("] ") + 2);
     if (what.starts_with("parse error")) what.erase(0, what.find(": ") + 2);

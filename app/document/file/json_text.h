@@ -16,7 +16,7 @@ nlohmann::ordered_json parseJson(const std::string& text, const std::string& pat
 /// UTF-8.
 std::string prettyJson(const nlohmann::ordered_json& json);
 
-/// Adds unknown keys of a file again, but for those of objects that are gone.
+/// Adds unknown keys of a file again, except those of objects that no longer exist.
 nlohmann::ordered_json withExtras(nlohmann::ordered_json json, const Extras& extras);
 
 }  // namespace wend

@@ -10,8 +10,8 @@ namespace wend {
 template <int Dim>
 inline constexpr std::size_t kSymmetricNumbers = Dim*(Dim + 1) / 2;
 
-/// The matrix of Dim² numbers, row by row; or of kSymmetricNumbers in the order of VTK: xx, yy, xy in the
-/// plane, xx, yy, zz, xy, yz, xz in space.
+/// Returns the matrix of Dim² numbers, row by row; or of kSymmetricNumbers in the order of VTK: xx, yy, xy in
+/// the plane, xx, yy, zz, xy, yz, xz in space.
 template <int Dim>
 Mat<Dim> matrixFrom(const std::vector<double>& numbers) {
     if (numbers.size() == Dim * Dim)

@@ -25,7 +25,8 @@ void readCells(const std::string& path, MaterialSpec<Dim>& spec);
 /// Throws InputError(path, place and reason).
 std::vector<double> readSizes(const std::string& path, int count);
 
-/// An outline in a file of its own: {"polygons": [outer, hole, …]}. Throws InputError(path, key and reason).
+/// Reads an outline from a file of its own: {"polygons": [outer, hole, …]}. Throws InputError(path, key and
+/// reason).
 Outline readOutlineFile(const std::string& path);
 
 }  // namespace wend

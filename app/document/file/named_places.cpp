@@ -86,7 +86,7 @@ class PlaceFinder {
         return vertices;
     }
 
-    /// The mean normal of a group.
+    /// Returns the mean normal of a group.
     template <int Dim>
     std::optional<Vec<Dim>> normalOf(const std::string& group) {
         if (m_domain.kind == DomainKind::Image)
@@ -124,7 +124,7 @@ Json directionJson(const Vec<Dim>& p) {
     return std::vector<double>(p.begin(), p.end());
 }
 
-/// Of a direction whose name is in the extras.
+/// Finds a direction whose name is in the extras.
 template <int Dim>
 void findDirection(Extras& extras, const char* pointer, PlaceFinder& finder, Vec<Dim>& direction) {
     std::string* text = nameAt(extras, pointer);

@@ -10,11 +10,12 @@
 namespace wend {
 
 // A handle's place may be named: {"group": NAME}, a group of the mesh's or surface's file, or {"vertices":
-// FILE}, a list of vertex ids. What it names is looked up when the project is read; the name is kept with the
-// handle's extras under "/at", with what it stood for, and is written again while the handle is still there.
+// FILE}, a list of vertex ids. Names are resolved when the project is read. The name is kept with the
+// handle's extras under "/at", together with the place that it meant, and is written again as long as the
+// handle is still there.
 
-// So may directions of a handle be: "normal of GROUP" for an axis of rotation or a direction that is held.
-// Their names are kept under "/hold/normal", and with the motion's extras under "/axis".
+// Directions of a handle may also be named: "normal of GROUP" for an axis of rotation or a direction that is
+// held. Their names are kept under "/hold/normal", and with the motion's extras under "/axis".
 
 /// A direction, or one that is named and found with findNamedPlaces; it is zero until then.
 template <int Dim>
@@ -27,12 +28,12 @@ bool readNamedPlace(JsonObject& at, Extras& extras);
 /// read is left to who needs it. Throws InputError "handles[2].at: …".
 void findNamedPlaces(Project& project, const std::string& folder);
 
-/// Puts the name of a direction into its place in `json` if it stands for that value still.
+/// Writes the name of a direction to its place in `json` if it still means that value.
 void putNamedDirection(nlohmann::ordered_json& json, const Extras& extras, const std::string& pointer);
-/// The extras without names.
+/// Returns the extras without names.
 Extras withoutNames(Extras extras);
 
-/// The name of a handle's place if it stands for `place` still, both as JSON.
+/// Returns the name of a handle's place if it still means `place`, both as JSON.
 std::optional<nlohmann::ordered_json> nameOfPlace(const Extras& extras, const nlohmann::ordered_json& place);
 
 /// Names the files of such places from another folder.

@@ -14,7 +14,7 @@ struct NumberTable {
     std::vector<std::vector<double>> rows;
     std::vector<int> lines;  // of the rows, from 1
 
-    /// The column of one of these names.
+    /// Returns the column with one of these names.
     std::optional<std::size_t> column(const std::vector<std::string>& names) const;
     [[noreturn]] void failAt(std::size_t row, const std::string& what) const;
 };

@@ -111,7 +111,7 @@ void readRepair(const JsonValue& value, Project& project) {
     object.finish();
 }
 
-/// false: the exact surface or none.
+/// Reads the cage; `false` means the exact surface or none.
 void readCage(const JsonValue& value, Project& project) {
     project.domain.fit = Fit::Cage;
     if (!value.json().is_object()) {

@@ -13,7 +13,7 @@ namespace wend {
 void writeProject(const std::string& path, const Project& project, const std::string& folder = {});
 std::string toJson(const Project& project);
 
-/// The files that a project names, in their places.
+/// Returns pointers to the file names in a project.
 std::vector<std::string*> filesOf(Project& project);
 
 }  // namespace wend

@@ -5,7 +5,7 @@
 
 namespace wend {
 
-/// 0xRRGGBB of a text like "#d9822b"; nothing for any other text.
+/// Returns 0xRRGGBB for a text like "#d9822b"; nothing for any other text.
 std::optional<unsigned> rgbOf(const std::string& text);
 
 }  // namespace wend

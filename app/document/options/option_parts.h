@@ -6,12 +6,12 @@
 #include "app/document/options/options.h"
 #include "app/document/project.h"
 
-/// What the records of the option table are put together from.
+/// The parts from which the records of the option table are built.
 namespace wend::option_parts {
 
-// --- Where values stand ---
+// --- Accessors ---
 
-/// What `At` finds in a project.
+/// Accesses what `At` finds in a project.
 template <class At>
 constexpr Accessor at(At) {
     return {[](const Project& project) { return static_cast<double>(At{}(project)); },
@@ -21,7 +21,7 @@ constexpr Accessor at(At) {
             }};
 }
 
-/// What `At` finds in the material of the whole shape.
+/// Accesses what `At` finds in the material of the whole shape.
 template <class At>
 constexpr Accessor inMaterial(At) {
     return at([](auto& project) -> auto& {
@@ -47,7 +47,7 @@ constexpr Accessor kOutline{
         project.domain.alpha.holes = isFilled ? OutlineHoles::Filled : OutlineHoles::Kept;
     }};
 
-/// Whoever aims at a number aims no longer at a size.
+/// Accesses the aimed number of vertices. Setting it clears the edge length.
 constexpr Accessor kAim{[](const Project& project) { return static_cast<double>(project.domain.vertices); },
                         [](Project& project, double value) {
                             project.domain.vertices = static_cast<int>(value);

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Values of options by their flags, as they are written on the command line: it fills them, and so do the
-/// window's dialogs. What is not set is as the table of options says.
+/// The values of options by their flags, as they are written on the command line or set in the window's
+/// dialogs. Options that are not set have the defaults of the table.
 class OptionValues {
   public:
     void set(const std::string& flag, std::string value) { m_values[flag] = {std::move(value)}; }
@@ -21,7 +21,7 @@ class OptionValues {
     std::vector<std::string> texts(const std::string& flag) const;
     double number(const std::string& flag) const;
     int integer(const std::string& flag) const;
-    /// The place of a choice in its list, as the number of an enumeration.
+    /// Returns the position of a choice in its list as an enumerator.
     template <class Enum>
     Enum choice(const std::string& flag) const {
         return static_cast<Enum>(place(flag));

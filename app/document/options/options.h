@@ -58,8 +58,8 @@ struct Scope {
 /// The first stage that is recomputed when a setting changes, with all later ones.
 enum class Makes { Nothing, Outline, Mesh, Material, Motion };
 
-/// When a setting is written to a project's file. `ByHand`: code of its own reads and writes it, because it
-/// is more than a value there.
+/// Says when a setting is written to a project's file. `ByHand` settings have code of their own that reads
+/// and writes them, because they are more than a value there.
 enum class InFile { IfChanged, Always, ByHand };
 
 /// Accessors of a setting in a project.
@@ -103,7 +103,7 @@ struct Option {
 
 /// Returns all settings in the order of the reference page.
 std::span<const Option> options();
-/// The setting of that key or flag. It must exist.
+/// Returns the setting of that key or flag, which must exist.
 const Option& option(std::string_view keyOrFlag);
 /// The default, as a number and as one would write it (empty: none).
 double defaultOf(const Option& option);
@@ -119,9 +119,9 @@ bool isChoice(const Option& option, std::string_view value);
 /// Describes values beside the choices; empty if there are none.
 std::string formBesideChoices(const Option& option);
 
-/// φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.
+/// Returns φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.
 double phiOfName(std::string_view name, int dim);
-/// The name of exactly that φ, or empty.
+/// Returns the name of exactly that φ, or an empty string.
 std::string nameOfPhi(double phi, int dim);
 
 /// The shortest text that reads back as the same number, in the C locale.
@@ -130,7 +130,7 @@ std::string shortNumber(double value);
 /// The option's meaning, with the formats that there are in the place of {surfaces} and {volumes}.
 std::string meaningOf(const Option& option);
 
-/// The table as a page of Markdown (docs/reference.md).
+/// Returns the table as a page of Markdown (docs/reference.md).
 std::string referencePage();
 
 }  // namespace wend

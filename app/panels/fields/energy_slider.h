@@ -31,7 +31,7 @@ class EnergySlider : public QWidget {
     /// Sets the accessible name; the default is "Keep".
     void setName(const QString& name);
     const EnergyScale& scale() const { return m_scale; }
-    /// The names and the range of φ depend on it.
+    /// Sets the dimension, on which the names and the range of φ depend.
     void setDimension(int dimension);
     QSlider* slider() const { return m_slider; }
     QSize sizeHint() const override;

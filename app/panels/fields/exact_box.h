@@ -5,7 +5,7 @@
 namespace wend {
 
 /// A number box that keeps more digits than it shows: until the user enters another number, exact() returns
-/// the number as it was put. Text that is being typed survives updates with the same number.
+/// the number that was set. Text that is being typed survives updates with the same number.
 class ExactBox : public NumberBox {
   public:
     using NumberBox::NumberBox;

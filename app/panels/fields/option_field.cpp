@@ -82,7 +82,7 @@ void OptionField::makeFlag() {
     connect(m_check, &QCheckBox::toggled, this, &OptionField::changed);
 }
 
-/// Words without choices stand for their indices.
+/// Makes a combo box. Options without choices show the words of their indices.
 void OptionField::makeChoice() {
     m_choice = new QComboBox(this);
     for (const std::string& choice : choicesOf(m_option))

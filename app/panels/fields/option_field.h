@@ -34,7 +34,7 @@ class OptionField : public QWidget {
     /// Restricts the choices; an excluded current choice becomes the default.
     void setChoices(const QStringList& choices);
     QStringList choices() const;
-    /// A choice in other words than usual.
+    /// Shows a choice in words other than the usual ones.
     void setWords(const QString& choice, const QString& words);
     /// Enables or disables the choice at an index, with a reason.
     void allow(int place, bool allowed, const QString& why);

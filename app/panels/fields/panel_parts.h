@@ -19,7 +19,7 @@ class ExactBox;
 QLabel* panelTitle(const QString& text, QWidget* parent);
 QLabel* secondLabel(const QString& text, QWidget* parent);
 QFrame* panelLine(QWidget* parent);
-/// Layouts of a section, and a column or a row without margins.
+/// Make the layout of a section, and a column or a row without margins.
 QVBoxLayout* sectionColumn(QWidget* in);
 QVBoxLayout* bareColumn(QWidget* in, int spacing);
 QHBoxLayout* bareRow(QWidget* in, int spacing);
@@ -34,7 +34,7 @@ QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
 QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent);
 /// Makes a box as wide as its longest translated entry, and at least `least`.
 void fitToEntries(QComboBox* box, int least = kControlWidth);
-/// Boxes for three coordinates side by side, each of at most so much, forward and backward.
+/// Makes boxes for three coordinates side by side, each limited to ±`limit`.
 std::array<ExactBox*, 3> coordinateBoxes(double limit, int decimals, const QString& name, const QString& help,
                                          QWidget* parent);
 /// A line of two columns, for a table in a label; the value is HTML.

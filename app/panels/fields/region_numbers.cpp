@@ -22,7 +22,7 @@ void put(const std::array<ExactBox*, 3>& boxes, const Vec<3>& values) {
     for (int k = 0; k < 3; ++k) boxes[k]->put(values[k]);
 }
 
-/// The middle and the reach of any of the three.
+/// Returns the middle and the reach of any of the three.
 std::pair<Vec<3>, double> extentOf(const Region<3>& region, double fallback) {
     if (const auto* ball = std::get_if<Ball<3>>(&region)) return {ball->centre, ball->radius};
     if (const auto* box = std::get_if<Box<3>>(&region))

@@ -21,7 +21,7 @@ class SettingRows : public QObject {
     /// `whyNot`: the reason shown for settings that a project does not have.
     SettingRows(Document& document, QWidget* panel, QString whyNot = {});
 
-    /// Label and field, side by side in a widget.
+    /// Makes a widget with label and field side by side.
     QWidget* row(std::string_view key);
     OptionField& field(std::string_view key) const { return *m_fields.at(key); }
     /// Call this after every change of the project.

@@ -75,7 +75,7 @@ double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
 constexpr double kNothing = 1e-9;          // below: distances and speeds count as zero
 constexpr double kLeastDistortion = 1e-6;  // of distortions: less is none
 
-/// In the order of the list.
+/// The measures in the order of the list.
 const MeasureRow kMeasures[] = {
     // measure, flat, scale, least, before, after, ranks, of a cell, words
     MeasureRow{Measure::Length, true, Scale::Even, 0.01, "", "", &Distortion::metric, stretch<2>, stretch<3>,

@@ -30,8 +30,8 @@ template <int Dim>
 Points<Dim> fieldOf(const ShapeSession& session, Measure measure);
 /// Returns the field to solve for: that of the map if one is shown, otherwise that of arrows.
 ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows);
-/// The value of one cell: the errors of docs/method.md for angle and length, the ratio det F for area.
-/// Without a field (no columns) nothing has a speed or an influence.
+/// Returns the value of one cell: the errors of docs/method.md for angle and length, the ratio det F for
+/// area. Without a field (no columns) there is no speed and no influence.
 template <int Dim>
 double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell);
 /// Returns the values of all cells.

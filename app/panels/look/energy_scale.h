@@ -20,10 +20,10 @@ class EnergyScale {
 
     explicit EnergyScale(int dimension = 2);
     const std::array<EnergyStop, kStops>& stops() const { return m_stops; }
-    /// φ at a position in [0, 3], and the inverse.
+    /// Return φ at a position in [0, 3], and the position of φ.
     double phiAt(double position) const;
     double positionOf(double phi) const;
-    /// The stop at φ, or −1.
+    /// Returns the stop at φ, or −1.
     int stopAt(double phi) const;
 
   private:

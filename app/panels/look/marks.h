@@ -16,7 +16,7 @@ inline const QColor kInk(20, 22, 30);
 /// Colour of faults of a surface or a pose.
 inline constexpr QRgb kWrong = qRgb(214, 44, 60);
 
-/// Default colours of pins, distinguishable by lightness, too.
+/// Returns the default colours of pins, which lightness alone distinguishes as well.
 const std::array<QColor, 8>& pinColours();
 /// Returns the colour of a pin in the list and on the shape.
 QColor pinColour(int handle, const HandleTraits& traits);

@@ -25,7 +25,7 @@ enum class Appearance { System, Light, Dark };
 
 /// Returns the palette of the window: of the system's lightness at the start, or of the chosen one.
 QPalette wendPalette(Appearance appearance, const QPalette& system);
-/// Shapes of controls, in the colours of the palette.
+/// Returns a style sheet for the shapes of controls, in the colours of the palette.
 QString wendStyleSheet(const QPalette& palette);
 
 /// Returns the palette for icons on accent-coloured buttons.
@@ -34,7 +34,7 @@ QPalette primaryPalette(const QPalette& palette);
 /// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp
 /// at every scale.
 QIcon wendIcon(const QString& name, const QPalette& palette);
-/// The same in one colour.
+/// Returns the same icon in one colour.
 QIcon wendIcon(const QString& name, const QColor& colour);
 
 }  // namespace wend

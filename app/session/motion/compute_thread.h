@@ -30,7 +30,7 @@ class ComputeThread : public QObject {
     void frameReady(wend::FramePtr frame);
     void fieldReady(int number, wend::VelocityPtr field);
     void progress(double time, double end);
-    /// Emitted with the time that a step on the way is about at.
+    /// Emitted with the approximate time that the current step has reached.
     void within(double time, double end);
     /// Emitted at the end of the motion; `problem` says what could not be completed, or is empty.
     void finished(double time, QString problem, QString remark);

@@ -21,8 +21,8 @@ double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return symmetricEigenvalues<Dim>(frame.material->anisotropy[cell]).maxCoeff();
 }
 
-/// Directions at 45° between the longest and the shortest axis of the deformation enclose 2
-/// arctan(σ_min/σ_max).
+/// Returns the shear. Directions at 45° between the longest and the shortest axis of the deformation enclose
+/// 2 arctan(σ_min/σ_max).
 template <int Dim>
 double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     const Cell<Dim>& corners = frame.rest->cells[cell];

@@ -5,9 +5,9 @@
 
 namespace wend {
 
-/// Values of one cell. Only speedAt() and influenceOn() use the field; the others take it so that all fit in
-/// one table.
-/// φ, and the largest eigenvalue of B₀: the stiffness relative to an isotropic cell.
+/// Return values of one cell. Only speedAt() and influenceOn() use the field; the others take it so that all
+/// fit in one table. phiAt() returns φ, and the stiffness relative to an isotropic cell is the largest
+/// eigenvalue of B₀.
 template <int Dim>
 double phiAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 template <int Dim>
@@ -25,7 +25,7 @@ double influenceOn(const PosedFrame<Dim>& frame, const Points<Dim>& influence, i
 /// Returns the edge length of a regular cell of the same rest area or volume.
 template <int Dim>
 double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
-/// The length of the velocity in its middle.
+/// Returns the length of the velocity in the middle of a cell.
 template <int Dim>
 double speedAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 

@@ -21,7 +21,7 @@ class MotionPass {
     struct Sink {
         std::function<void(const State<Dim>&, double pinError)> onFrame;
         std::function<void(double time, double end)> progress;
-        /// Gets the time that a step on the way is about at; from any thread.
+        /// Gets the approximate time that the current step has reached; from any thread.
         std::function<void(double time, double end)> within;
         std::function<void()> meanwhile;  // called while uninterruptible work runs in a thread of its own
     };

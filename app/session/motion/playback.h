@@ -20,7 +20,7 @@ class Playback : public QObject {
     double end() const { return m_end; }
     bool isPlaying() const { return m_timer.isActive(); }
     bool loops() const { return m_loops; }
-    /// Playback speed relative to real time.
+    /// Returns the playback speed relative to real time.
     double speed() const { return m_speed; }
     bool isAtEnd() const { return m_time >= m_end; }
 

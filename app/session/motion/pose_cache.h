@@ -27,7 +27,7 @@ class PoseCache {
         }
         m_states = std::move(states);
     }
-    /// The newest state, or null.
+    /// Returns the newest state, or null.
     const State<Dim>* last() const { return m_states.empty() ? nullptr : &m_states.rbegin()->second; }
     std::size_t size() const { return m_states.size(); }
 

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// The barycentric coordinates of a point in a cell of a pose.
+/// Returns the barycentric coordinates of a point in a cell of a pose.
 template <int Dim>
 Location<Dim> locationIn(const PosedFrame<Dim>& frame, int cell, const Vec<Dim>& p);
 /// Returns the rotation of a cell from rest to the pose: the polar factor of its deformation gradient.

@@ -29,7 +29,7 @@ class ShapeEngine {
     virtual int dimension() const = 0;
     /// Returns whether there is nothing to compute until the next request.
     virtual bool isIdle() const = 0;
-    /// For tests: returns whether the next drag starts without an analysis.
+    /// Returns, for tests, whether the next drag starts without an analysis.
     virtual bool isReadyForDrag() const = 0;
     /// Sets what work() computes.
     virtual void setShape(const SetShape& request) = 0;

@@ -15,7 +15,7 @@ constexpr double kReach = 0.02;  // fraction of the shape's size that an image m
 constexpr double kSame = 1e-3;   // of the shape's size: closer pins are one
 constexpr int kSamples = 500;    // of the vertices
 
-/// The mean length of an edge, by one of each cell.
+/// Returns the mean length of an edge, using one of each cell.
 template <int Dim>
 double edgeOf(const SimplicialMesh<Dim>& mesh) {
     double sum = 0;

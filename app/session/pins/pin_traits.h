@@ -11,10 +11,10 @@ namespace wend {
 
 void setLocked(ShapeSession& session, const std::vector<int>& pins, bool locked);
 void setHidden(ShapeSession& session, const std::vector<int>& pins, bool hidden);
-/// An empty name: they leave their groups.
+/// Puts the pins into a group; an empty name removes them from their groups.
 void setGroup(ShapeSession& session, const std::vector<int>& pins, const QString& name);
 void renameGroup(ShapeSession& session, const QString& group, const QString& name);
-/// Pins without a colour get that of their position in the list.
+/// Sets the colour of pins. Pins without a colour get that of their position in the list.
 void setColour(ShapeSession& session, const std::vector<int>& pins, std::optional<unsigned> colour);
 /// Makes the pins hold for the whole animation, except locked ones.
 void holdThroughout(ShapeSession& session, const std::vector<int>& pins);

@@ -9,8 +9,8 @@ inline std::optional<PixelRect> bounded(std::optional<PixelRect> part) {
     return part;
 }
 
-/// What exports keep of a picture, drawn by the user; nothing: all of it. It belongs to the window, not to
-/// the document.
+/// The part of a picture that exports keep, drawn by the user; nothing means all of it. It belongs to the
+/// window, not to the document.
 using Crop = SharedValue<std::optional<PixelRect>>;
 
 }  // namespace wend

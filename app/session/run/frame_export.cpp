@@ -81,7 +81,8 @@ View FrameExport::view(ExportKind kind, const CanvasChoice& canvas) const {
     return canvasView(m_size, extent(kind), isMotion(kind) ? canvas.forFrames() : canvas);
 }
 
-/// The outline is grown beyond what is seen: what of it lies outside at rest is no loss.
+/// Returns the overhang. The outline is grown beyond what is visible, so whatever of it is outside at rest is
+/// no loss.
 Overhang FrameExport::overhang(ExportKind kind) const {
     if (!m_picture) return {};
     const Extent<2> shape = extent(kind), rest = extentOf<2>(m_source->points, m_source->cells);

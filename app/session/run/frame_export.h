@@ -22,38 +22,38 @@ struct Overhang {
     bool any() const { return left + top + right + bottom > 0; }
 };
 
-/// A frame of the window with all that is needed to write it: immutable values, for any thread. What comes
-/// out is what `wend run` writes of the same shape.
+/// A frame of the window with everything that is needed to write it: immutable values, for any thread. The
+/// files are the same as those that `wend run` writes of the same shape.
 class FrameExport {
   public:
-    /// `motion`: all frames, `seconds`: how long they last.
+    /// `motion` has all frames, and `seconds` is their duration.
     FrameExport(const Document& document, FramePtr frame, std::vector<FramePtr> motion, double seconds);
 
     int dimension() const { return m_frame->dimension; }
     const FramePtr& frame() const { return m_frame; }
     double seconds() const { return m_seconds; }
     double frameRate() const;
-    /// Of a sequence or film.
+    /// Returns the frames of a sequence or film.
     FrameSpan span(bool loop) const;
     bool hasParts() const { return !m_levels.empty(); }
-    /// That a mesh file with this extension gets.
+    /// Returns the number of vertices in a mesh file with this extension.
     int vertexCount(const std::string& extension) const;
 
     /// The picture that the shape carries, or null; rest and pose are in its pixels.
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     const SimplicialMesh<2>& restInPixels() const { return *m_rest; }
     const Points<2>& poseInPixels() const { return m_pose; }
-    /// Where the picture's pixels are from.
+    /// Returns the source position of every pixel of the picture.
     Image stMapOf(const View& view) const;
     const std::vector<float>& depths() const { return m_depths; }
-    /// What the canvas shows of it; of a sequence, all of the motion. Throws InputError.
+    /// Returns the view that the canvas shows; for a sequence, of all of the motion. Throws InputError.
     View view(ExportKind kind, const CanvasChoice& canvas) const;
-    /// What a canvas of the picture's size cuts off.
+    /// Returns what a canvas of the picture's size cuts off.
     Overhang overhang(ExportKind kind) const;
     WarpOptions warpOptions(const RunOptions& options) const;
 
-    /// Writes the file, or all of a sequence, whose name has #### in it, or a film. `remark` is told what the
-    /// user should know of what was written. Throws InputError and Cancelled.
+    /// Writes the file, all of a sequence, whose name contains ####, or a film. `remark` receives what the
+    /// user should know about the files. Throws InputError and Cancelled.
     void write(ExportKind kind, const std::string& path, const RunOptions& options, const RunWatch& watch,
                std::string& remark) const;
 

@@ -11,7 +11,8 @@
 namespace wend {
 namespace {
 
-/// The pixels of the view in which cells are seen, with one more on every side; empty if there are none.
+/// Returns the pixels of the view in which cells are visible, with one more on every side; empty if there are
+/// none.
 PixelBox boxIn(const View& view, const Points<2>& pixels, const std::vector<Cell<2>>& cells) {
     const Extent<2> extent = extentOf<2>(pixels, cells);
     const Vec<2> low = ((extent.low - view.origin) / view.scale).array().floor() - 1;
@@ -29,7 +30,7 @@ std::vector<Cell<2>> cellsOf(const SimplicialMesh<2>& mesh, const MeshPart& part
     return {mesh.cells.begin() + part.firstCell, mesh.cells.begin() + part.endCell};
 }
 
-/// One part, with the order of its own cells.
+/// Returns one part, with the order of its own cells.
 LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& pixels, const View& view,
                         WarpOptions options) {
     const MeshPart& part = texture.drawn->parts[k];

@@ -36,8 +36,8 @@ class OutputSet {
 /// The file and what is written with it: TetGen's come in pairs.
 std::vector<std::string> writtenAlong(const std::string& path);
 
-/// Throws InputError if a file cannot be put there: to be told before the work begins. "-" always can; empty
-/// names are none.
+/// Throws InputError if a file cannot be written there, so that this is known before the work begins. "-" is
+/// always possible; empty names are ignored.
 void requirePlaces(const std::vector<std::string>& paths);
 
 /// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.

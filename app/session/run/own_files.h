@@ -12,7 +12,7 @@ namespace wend {
 /// another name of it; with #### in the path, one of the first `count` frames.
 std::optional<OwnFile> ownFileAt(const Document& document, const QString& path, int count = 0);
 
-/// How many of these frames exist.
+/// Returns how many of these frames exist.
 int existingFrames(const QString& pattern, int count);
 
 }  // namespace wend

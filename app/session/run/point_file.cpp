@@ -24,7 +24,7 @@ bool isGlb(const std::string& path) {
     return lowerExtension(path) == ".glb";
 }
 
-/// The file's own bytes with other vertices.
+/// Returns whether the file keeps its own bytes with other vertices.
 bool staysObj(const std::string& from, const std::string& to) {
     return lowerExtension(from) == ".obj" && lowerExtension(to) == ".obj";
 }

@@ -58,7 +58,7 @@ class PointTable::Reader {
     std::string_view view(const Field& field) const {
         return std::string_view(m_text).substr(field.begin, field.end - field.begin);
     }
-    /// Without blanks and quotes around it.
+    /// Returns a field without blanks and quotes around it.
     Field trimmed(Field field, std::string_view without = " \t\r\"'") const {
         while (field.begin < field.end && without.find(m_text[field.begin]) != std::string_view::npos)
             ++field.begin;

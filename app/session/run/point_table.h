@@ -7,10 +7,10 @@
 
 namespace wend {
 
-/// Points in the rows of a text: numbers between commas, semicolons, tabs or blanks. Everything but the
-/// coordinates is kept as it is: other columns, comments (#, // and %), empty lines and line ends. The
+/// Reads points from the rows of a text: numbers between commas, semicolons, tabs or blanks. Everything but
+/// the coordinates is kept unchanged: other columns, comments (#, // and %), empty lines and line ends. The
 /// coordinates are the columns that a header calls x, y and z (ParaView: Points:0 …), or else the first
-/// numbers of a row. Of an .xyz file that begins with the number of its atoms, the second line is a comment.
+/// numbers of a row. In an .xyz file that begins with the number of its atoms, the second line is a comment.
 class PointTable {
   public:
     /// Throws InputError with the line.

@@ -8,17 +8,17 @@
 
 namespace wend {
 
-/// Poses that have to wait, such as until it is known how large a canvas holds them all: on the disk, since a
-/// long sequence would fill the memory. They go with this object.
+/// Keeps poses that have to wait, such as until the size of a canvas for all of them is known. They are on
+/// the disk, since a long sequence would fill the memory, and are deleted with this object.
 class PoseFile {
   public:
     /// In the folder of `path`, where the errors say it is.
     explicit PoseFile(const std::string& path);
 
-    /// All of one size. Throws InputError when the disk is full.
+    /// Appends a pose; all have one size. Throws InputError when the disk is full.
     void add(const Points<2>& pose);
     int count() const { return m_count; }
-    /// The k-th, bit for bit.
+    /// Returns the k-th pose, bit for bit.
     Points<2> read(int k);
 
   private:

@@ -20,7 +20,7 @@ std::vector<HandleReach> reachedAt(const AnyDesign& design, double time);
 /// empty.
 std::string fallsShort(const Project& project);
 
-/// What a report tells (contract of the command line).
+/// The content of a report (contract of the command line).
 struct RunFigures {
     int vertices = 0, cells = 0, dimension = 0;
     double time = 0, total = 0;  // reached; seconds
@@ -43,8 +43,8 @@ std::string verdictJson(const MeshVerdict& verdict);
 /// text.
 template <int Dim>
 std::string faultsJson(const PoseFaults<Dim>& faults);
-/// {"before", "after"}, each {"scaledJacobian", "aspectRatio", "minAngle", "maxAngle"} with the worst value,
-/// its cell and the mean (see CellShape; degrees), as text.
+/// Returns, as text, {"before", "after"}, each {"scaledJacobian", "aspectRatio", "minAngle", "maxAngle"} with
+/// the worst value, its cell and the mean (see CellShape; degrees).
 template <int Dim>
 std::string qualityJson(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
 /// "the canvas of 400 x 300 pixels begins at x -12, y 0 of the picture".

@@ -44,7 +44,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What helps where a factor of the project's shape does not fit into memory.
+/// Suggests what to do if a factor of the project's shape does not fit into memory.
 std::string adviceOnMemory(const Project& project) {
     const Domain& domain = domainOf(project);
     const bool isMultigrid = integrationOf(project).solver == SolverKind::Multigrid;
@@ -69,8 +69,8 @@ std::string nameOf(FieldWork work) {
 
 constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
 
-/// One run: the shape, its deformer, and the files that are being made. Frames are written as they come, so
-/// that a long sequence needs no more memory than a short one.
+/// One run: the shape, its deformer, and the files that are being made. Frames are written as soon as they
+/// are computed, so that a long sequence needs no more memory than a short one.
 template <int Dim>
 class Run {
   public:
@@ -167,7 +167,8 @@ class Run {
                 m_states.emplace_back(to, header);
     }
 
-    /// Frames with these numbers, and the shape at the end where the integration goes on beyond it.
+    /// Returns a watch for the frames with these numbers, and for the shape at the end if the integration
+    /// continues beyond it.
     typename Deformer<Dim>::Watch watchFor(int firstFrame, int endFrame) {
         typename Deformer<Dim>::Watch watch;
         watch.stop = m_watch.stop;
@@ -304,7 +305,7 @@ class Run {
                        ": the format holds no colour profile: the colours' numbers are kept as they are");
     }
 
-    /// What may be so: parts of a picture lie over each other, in the order of their depth.
+    /// Reports faults of poses. Parts of a picture may overlap each other in the order of their depth.
     void tellOfFaults() const {
         if (!m_watch.summary) return;
         if (Dim == 2 && !m_faults.crossings.empty()) m_watch.summary(crossingText(m_faults));
@@ -374,7 +375,7 @@ class Run {
         return Dim;
     }
 
-    /// The mesh that carries points: with the parts of a picture that ride on others.
+    /// Returns the mesh that carries points, with the attached parts of a picture.
     std::shared_ptr<const SimplicialMesh<Dim>> carrier() const {
         if constexpr (Dim == 2) return drawnRest(m_shape);
         return m_shape.rest;
@@ -440,7 +441,7 @@ class Run {
         return options;
     }
 
-    /// The picture at a time in the pixels of `view`.
+    /// Returns the picture at a time in the pixels of `view`.
     WarpedPicture warped(double time, const Points<2>& pixels, const View& view,
                          const std::function<void(double)>& progress) {
         WarpOptions options = warpOptions(time, progress);

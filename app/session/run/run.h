@@ -62,8 +62,8 @@ struct Shard {
     int part(int k, int frames) const { return static_cast<int>(static_cast<long>(k) * frames / count); }
 };
 
-/// What part of the plane a picture shows: as large as the source, as the shape needs, or a part of the
-/// source.
+/// Selects the part of the plane that a picture shows: as large as the source, as large as the shape needs,
+/// or a part of the source.
 enum class Canvas { Picture, Fit, Part };
 struct CanvasChoice {
     CanvasChoice(Canvas as = Canvas::Picture) : kind(as) {}
@@ -73,7 +73,8 @@ struct CanvasChoice {
     int width = 0;      // of what is written, in pixels, in the place of `scale` if it is positive
     bool even = false;  // a canvas that fits or is scaled has an even width and height
 
-    /// For pictures that follow each other, which encoders of films want to have even sizes.
+    /// Returns the canvas for pictures that follow each other, whose sizes are even because encoders of films
+    /// need that.
     CanvasChoice forFrames() const {
         CanvasChoice canvas = *this;
         canvas.even = true;
@@ -99,7 +100,7 @@ struct RunSolvers {
 struct RunOptions {
     RunOutputs outputs;
     std::optional<double> at;    // instead of the project's end
-    std::string from;            // a file of states to go on from
+    std::string from;            // a file of states to continue from
     std::optional<Shard> shard;  // of the frames: then nothing else is written, and all comes from the states
     BackEndKind backEnd = BackEndKind::Automatic;
     RunSolvers solvers;
@@ -109,7 +110,7 @@ struct RunOptions {
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour
     bool lossy = false;                          // of WebP
-    bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
+    bool fields = true;  // meshes have distortion, φ, B and velocity if the format supports them
     MeshWriteOptions meshes;
     bool inverse = false;  // points are mapped from the deformed shape to the rest
     bool partial = false;  // if the deformation stops early, write the last good shape anyway
@@ -117,7 +118,7 @@ struct RunOptions {
     std::vector<std::string> notices = {};  // that the report lists before those of the run
 };
 
-/// With RunOptions::strict: a notice that ended the run.
+/// Thrown for a notice that ends a run with RunOptions::strict.
 class NoticeError : public std::runtime_error {
   public:
     NoticeError(const std::vector<std::string>& notices, bool ofShape)
@@ -133,9 +134,9 @@ class NoticeError : public std::runtime_error {
 };
 
 struct RunWatch {
-    /// What is being done, and how much of it is, in [0, 1].
+    /// Gets a description of the current work, and the fraction of it that is done, in [0, 1].
     std::function<void(const std::string& work, double fraction)> progress;
-    /// A sentence that the user should hear, such as that a device failed and the processor goes on.
+    /// Gets a sentence that the user should read, such as that a device failed and the processor continues.
     std::function<void(const std::string& text)> notice;
     std::stop_token stop;
     /// How it went, in one line, when all is written.
@@ -155,8 +156,8 @@ void requirePossible(const Project& project, const RunOutputs& outputs);
 AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
                          const RunWatch& watch = {});
 
-/// Whether the frames go into one file: a .webp of pictures, a .glb of a solid, without a place for the
-/// number.
+/// Returns whether the frames are written to one file: a .webp of pictures, a .glb of a solid, without a
+/// place for the number.
 bool isAnimation(const std::string& frames);
 /// The collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd"; empty for others.
 std::string collectionName(const std::string& pattern);
@@ -170,11 +171,11 @@ FrameSpan frameSpan(const Project& project, double end, const RunOutputs& output
 /// Returns how many frames such a span has at that rate.
 int frameCount(const FrameSpan& span, double framesPerSecond, bool loop);
 
-/// The pixels that a picture shows of a shape (or of all frames of one) that lies there. Throws InputError
-/// for more than pictures may have. `size`: of the plane that is rendered.
+/// Returns the part of the plane that a picture shows of a shape (or of all frames of one) within that box.
+/// Throws InputError for more pixels than pictures may have. `size` is that of the plane that is rendered.
 View canvasView(const std::array<int, 2>& size, const Extent<2>& shapeInPixels, const CanvasChoice& canvas);
 
-/// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
+/// Returns the nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
 template <int Dim>
 std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity);
 

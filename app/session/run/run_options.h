@@ -11,7 +11,7 @@ struct WarpOptions;
 RunOptions runOptionsFrom(const OptionValues& values);
 MeshWriteOptions meshOptionsFrom(const OptionValues& values);
 
-/// Of a picture of that project.
+/// Returns the options of warping a picture of that project.
 WarpOptions warpOptionsOf(const Project& project, const RunOptions& options);
 
 /// Throws InputError for a depth that the format of this picture does not hold.

@@ -15,7 +15,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-/// FNV-1a over 64 bits: tells two runs of one user apart, nothing more.
+/// Computes FNV-1a over 64 bits, which distinguishes two runs of one user, nothing more.
 class Digest {
   public:
     template <class Number>

@@ -6,8 +6,9 @@
 
 namespace wend {
 
-/// What the states of a project's motion up to a time depend on: the mesh and its material as they were made,
-/// handles, and settings; not where files are, and nothing that is only seen.
+/// Returns the header of the states of a project's motion up to a time, with everything that they depend on:
+/// the mesh and its material as they were made, handles, and settings, but neither the locations of files nor
+/// what only affects the display.
 template <int Dim>
 StatesHeader statesHeader(const Project& project, const Shape<Dim>& shape, double end);
 

@@ -109,7 +109,8 @@ void turnFields(const PlaneFrame& plane, std::vector<MeshField>& fields) {
     }
 }
 
-/// Nodes between the corners of cells, and those of lines and vertices apart, move as the shape around them.
+/// Moves the nodes between the corners of cells, and those of separate lines and vertices, as the shape
+/// around them.
 template <int Dim>
 void carryNodes(const Shape<Dim>& shape, const Points<Dim>& pose, const Points<3>& before, MeshFile& file) {
     const std::vector<int> nodes = carriedNodes(file);
@@ -233,7 +234,7 @@ void requireShapeFormat(const std::string& path, const std::string& extension, i
     throw InputError(path, "is in no known mesh format; known are" + list);
 }
 
-/// Of those that get the skin, two.
+/// Returns whether a format keeps fields: two of those with the skin do.
 bool holdsFields(const std::string& path) {
     return !isSkinFile(path) || lowerExtension(path) == ".ply" || lowerExtension(path) == ".vtp";
 }

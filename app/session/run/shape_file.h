@@ -11,9 +11,9 @@ namespace wend {
 
 struct MeshFile;
 
-/// The values that go along with a deformed mesh: per cell "error_angle", "error_volume", "error_metric",
-/// "ratio" (of its volume or area), "phi", and "B" (row-major) if the material has directions; per vertex
-/// "velocity", if it has columns. `pose` may be the rest.
+/// Returns the values that are written with a deformed mesh: per cell "error_angle", "error_volume",
+/// "error_metric", "ratio" (of its volume or area), "phi", and "B" (row-major) if the material has
+/// directions; per vertex "velocity", if it has columns. `pose` may be the rest.
 template <int Dim>
 std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
                                    const Points<Dim>& velocity = {});
@@ -43,12 +43,13 @@ template <int Dim>
 void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
-/// What of the shape's file would not be in one of that name, in one line; empty if all would be.
+/// Describes in one line what a file of that name would not hold of the shape's file; empty if it would hold
+/// everything.
 template <int Dim>
 std::string lostInShape(const std::string& path, const Shape<Dim>& shape, const MeshWriteOptions& options);
 
-/// What the user should hear of hexahedra, wedges, pyramids and cells of second order whose Jacobian a pose
-/// turns over at a corner; empty if there are none.
+/// Describes, for the user, hexahedra, wedges, pyramids and cells of second order whose Jacobian a pose turns
+/// over at a corner; empty if there are none.
 template <int Dim>
 std::string turnedOver(const Shape<Dim>& shape, const Points<Dim>& pose);
 
@@ -61,7 +62,7 @@ void requireHeldBy(const std::string& path, const Shape<Dim>& shape);
 /// lower case with its dot, is of none. `path` is what the user named.
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension);
 
-/// True for formats of solids that keep shapeFields().
+/// Returns whether a format of solids keeps shapeFields().
 bool holdsFields(const std::string& path);
 
 /// True for formats in which shapeFields() are to be found again by other programs.
@@ -69,14 +70,14 @@ bool carriesValues(const std::string& path);
 /// True for formats whose numbers can be text or binary.
 bool knowsEncodings(const std::string& path);
 
-/// True for formats that get the skin of a solid.
+/// Returns whether a format is written with the skin of a solid.
 bool isSkinFile(const std::string& path);
 
-/// Poses one after another as one file: morph targets of a .glb, `framesPerSecond` of them a second.
+/// Writes consecutive poses to one file as morph targets of a .glb, `framesPerSecond` of them a second.
 void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
                     double framesPerSecond);
 
-/// A ParaView collection (.pvd) of files that lie beside it.
+/// Returns a ParaView collection (.pvd) of files in the same folder.
 std::string collectionText(const std::vector<std::string>& files, const std::vector<double>& times);
 
 }  // namespace wend

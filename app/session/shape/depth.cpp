@@ -33,7 +33,7 @@ void lift(const SimplicialMesh<2>& mesh, const std::vector<int>& levels, std::ve
             depths[static_cast<std::size_t>(c)] += step * static_cast<float>(levels[i]);
 }
 
-/// Where a part is at a time.
+/// Returns the place of a part in the order at a time.
 double placeAt(const std::vector<PicturePart>& parts, std::size_t part, double time) {
     double place = static_cast<double>(part);
     for (const PartOrder& order : parts[part].order)

@@ -23,8 +23,8 @@ std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const Sim
 std::vector<int> partLevels(const std::vector<PicturePart>& parts, const SimplicialMesh<2>& mesh,
                             double time);
 
-/// Cached depths and painting plan, recomputed only for other regions, another mesh or other levels of its
-/// parts, which lie whole over one another.
+/// Caches depths and painting plan. They are recomputed only for other regions, another mesh or other levels
+/// of its parts, which are entirely over one another.
 class CellDepths {
   public:
     using Values = std::shared_ptr<const std::vector<float>>;

@@ -59,7 +59,8 @@ std::vector<Vec<2>> handlePoints(const Design<2>& design, const Outline& outline
     return points;
 }
 
-/// With an alpha outline the mesh may be as coarse as asked for at the cost of some of the margin.
+/// Returns how much of the margin may be given up, so that the mesh with an alpha outline is as coarse as
+/// requested.
 double outlineSlack(const Domain& domain) {
     return domain.outline == OutlineKind::Alpha ? std::max(0.0, domain.alpha.margin - domain.alpha.simplify)
                                                 : 0;

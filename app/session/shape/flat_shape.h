@@ -25,7 +25,7 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const
 /// Tells of a mesh that has far more vertices than were aimed at.
 void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<std::string>& notices);
 
-/// The shape of a file's mesh in the plane, without material. Throws InputError that names the file.
+/// Returns the shape of a file's mesh in the plane, without material. Throws InputError that names the file.
 Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder);
 
 /// Returns WarpOptions::restMargin for the domain's outline: the margin that was added to an outline from

@@ -6,10 +6,10 @@
 
 namespace wend {
 
-/// Meaning of the grey values of a material picture. Keep: φ, black Area, one third Length, two thirds Rigid,
-/// white Angle, linear in φ between them. Stiffness: black ×1 to white ×1000, logarithmic. Direction: the
-/// counter-clockwise angle to the horizontal, black 0°, mid grey 90°, white 180° (equal to 0°). Values are
-/// read without gamma or profile. Transparent pixels keep the existing material.
+/// The meaning of the grey values of a material picture. Keep: φ, black Area, one third Length, two thirds
+/// Rigid, white Angle, linear in φ between them. Stiffness: black ×1 to white ×1000, logarithmic. Direction:
+/// the counter-clockwise angle to the horizontal, black 0°, mid grey 90°, white 180° (equal to 0°). Values
+/// are read without gamma or profile. Transparent pixels keep the existing material.
 enum class MaterialPart { Keep, Stiffness, Direction };
 inline constexpr double kStiffestGray = 1000;
 

@@ -149,7 +149,7 @@ class MaterialLayers {
 
 }  // namespace
 
-/// B₀ = I + (s − 1) a aᵀ (docs/method.md, (6)).
+/// Returns B₀ = I + (s − 1) a aᵀ (docs/method.md, (6)).
 template <int Dim>
 Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
     const Vec<Dim> a = stiffness.axis.stableNormalized();

@@ -20,17 +20,17 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& 
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder = {});
 
-/// Adds whole layers to a material, in the same way as rasterizeMaterial().
+/// Adds whole layers to a material, as rasterizeMaterial() does.
 template <int Dim>
 void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
                 const std::string& folder, Material<Dim>& material);
-/// The cover c of a layer, per cell.
+/// Returns the cover c of a layer, per cell.
 template <int Dim>
 std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder);
 
-/// B₀ of a stiffness, and the stiffness nearest to a B₀: along its largest eigenvalue, by the ratio to the
-/// smallest.
+/// Return B₀ of a stiffness, and the stiffness nearest to a B₀: along its largest eigenvector, by the ratio
+/// of the largest eigenvalue to the smallest.
 template <int Dim>
 Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness);
 template <int Dim>

@@ -33,7 +33,7 @@ double twiceArea(const std::vector<Vec<2>>& loop) {
     return std::abs(twice);
 }
 
-/// The largest loop of the boundary of some cells.
+/// Returns the largest loop of the boundary of some cells.
 Polygon outlineOf(const SimplicialMesh<2>& mesh, const std::vector<int>& cells) {
     SimplicialMesh<2> part{mesh.points, {}};
     for (const int c : cells) part.cells.push_back(mesh.cells[c]);

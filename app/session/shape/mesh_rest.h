@@ -8,9 +8,9 @@
 
 namespace wend {
 
-/// The rest mesh of a file's mesh: parts that touch vertex to vertex are connected. What the user should hear
-/// of vertices that were joined, or that no cell has, is added to the notices; `carried` are those that cells
-/// of the file have all the same.
+/// Returns the rest mesh of a file's mesh, in which parts that touch vertex to vertex are connected.
+/// `notices` receives what the user should know about vertices that were joined, or that no cell uses;
+/// `carried` are those that cells of the file use all the same.
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
                                                       std::vector<std::string>& notices,

@@ -15,10 +15,10 @@ struct CutPictures {
     std::shared_ptr<const Image> left;  // what remains of the other one
 };
 
-/// Cuts a part out of a picture. At rest both over one another are the picture again. Without
+/// Cuts a part out of a picture. At rest, both over one another give the picture again. Without
 /// PicturePart::fill, pixels that the part does not hide at rest remain below it, and the others become
-/// transparent. With it, what the part hides is inpainted, and the ground's colours are removed from the
-/// part's soft edge (see separated()); `notices` tells if that is not possible. Throws InputError and
+/// transparent. With it, the area that the part hides is inpainted, and the ground's colours are removed from
+/// the part's soft edge (see separated()); `notices` says if that is not possible. Throws InputError and
 /// Cancelled.
 CutPictures cutOut(const PicturePart& part, const Sheet& from, std::vector<std::string>* notices,
                    const std::stop_token& stop);

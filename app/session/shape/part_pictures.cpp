@@ -71,7 +71,7 @@ class PartReader {
     std::map<std::string, LayersOfFile> m_files;
 };
 
-/// Colours are compared, and laid over one another, as the numbers that they are.
+/// Adds a notice if colour profiles differ. Colours are compared and combined without conversion.
 void tellOfProfiles(const std::vector<Sheet>& sheets, std::vector<std::string>& notices) {
     const auto colours = [](const Sheet& sheet) {
         const bool isOfExr = sheet.picture->metadata && sheet.picture->metadata->isOfExr;

@@ -34,14 +34,13 @@ struct PartPictures {
     std::vector<PartCut> cuts;
 };
 
-/// Reads the pictures of parts and makes the cuts, as far as `known` does not have them. Notices are those of
-/// reading, and tell of blend modes that layers are not shown with. Throws InputError that names the file,
-/// and Cancelled.
+/// Reads the pictures of parts and makes the cuts, except those that `known` has. Notices are those of
+/// reading, and name blend modes that are not shown. Throws InputError that names the file, and Cancelled.
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
                        const PartPictures& known, std::vector<std::string>* notices,
                        const std::stop_token& stop = {});
 
-/// The parts without what is seen only in motion and takes time: the grounds that are filled behind cuts.
+/// Returns the parts without what takes time and is visible in motion only: the filled grounds behind cuts.
 std::vector<PicturePart> atRest(std::vector<PicturePart> parts);
 
 }  // namespace wend

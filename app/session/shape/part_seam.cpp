@@ -57,7 +57,7 @@ class BorderSamples {
     std::size_t size() const { return m_places.size(); }
     const Vec<2>& at(std::size_t i) const { return m_places[i % size()]; }
 
-    /// The stretches where the picture goes on, the longest first; none if it does so everywhere.
+    /// Returns the stretches where the picture continues, the longest first; none if it does so everywhere.
     std::vector<Stretch> stretches() const {
         std::vector<Stretch> all;
         const auto start = std::ranges::find(m_goesOn, false);

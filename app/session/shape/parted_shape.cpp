@@ -22,7 +22,7 @@ std::string keyOf(std::size_t part) {
     return "domain.parts[" + std::to_string(part) + "]";
 }
 
-/// The domain of one part alone.
+/// Returns the domain of one part alone.
 Domain domainOf(const Domain& whole, const PicturePart& part) {
     Domain own = whole;
     own.parts.clear();
@@ -65,7 +65,7 @@ class PartedShape {
                                         parts().begin());
     }
 
-    /// Outlines in domain coordinates, as far as they are not known.
+    /// Finds the outlines in domain coordinates that are not known yet.
     void findOutlines() {
         std::vector<PartOutline> from;
         std::vector<Outline> outlines;

@@ -19,10 +19,11 @@ struct PartedCache {
     std::vector<Vec<2>> places;  // of the sheets in it
 };
 
-/// The shape of a picture of parts, without material. Each part has an outline and a mesh of its own; one
-/// mesh holds them all, from the back to the front (SimplicialMesh::parts), with the welds of their joints.
-/// Its picture is the parts' atlas. A part that rides on another is drawn, and not in that mesh: its points
-/// are embedded in the mesh of the part at the end of the chain. Throws InputError: "domain.parts[1]: …".
+/// Returns the shape of a picture of parts, without material. Each part has an outline and a mesh of its own;
+/// one mesh holds them all, from the back to the front (SimplicialMesh::parts), with the welds of their
+/// joints. Its picture is the parts' atlas. A part that is attached to another is drawn, but is not in that
+/// mesh: its points are embedded in the mesh of the part at the end of the chain. Throws InputError:
+/// "domain.parts[1]: …".
 Shape<2> loadPartedShape(const Domain& domain, const Design<2>& design, const std::string& folder,
                          PartedCache& cache, std::stop_token stop);
 

@@ -29,7 +29,7 @@ struct PictureMap {
 
 /// A part that follows the map of another one and has no mesh in the equations.
 struct Rider {
-    SimplicialMesh<2> host;  // all points of the shape, and the cells of the part that it rides on
+    SimplicialMesh<2> host;  // all points of the shape, and the cells of the part that it is attached to
     Embedding<2> embedding;  // of its points in that
 };
 
@@ -81,7 +81,7 @@ struct Shape {
 };
 using AnyShape = std::variant<Shape<2>, Shape<3>>;
 
-/// Coordinates of the shape's rest of points in space: of a flat mesh, in its plane.
+/// Returns the coordinates of points of space in the shape's rest: for a flat mesh, those in its plane.
 template <int Dim>
 Points<Dim> ownCoordinates(const Shape<Dim>& shape, const Points<3>& points) {
     if constexpr (Dim == 2)
@@ -103,10 +103,11 @@ Points<3> inSpace(const Shape<Dim>& shape, const Points<3>& points, const Points
 const SimplicialMesh<2>& restInPixels(const Shape<2>& shape);
 Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose);
 
-/// The same mesh in domain coordinates: the shape's, with the parts that ride on others behind it.
+/// Returns the same mesh in domain coordinates: the shape's, followed by the parts that are attached to
+/// others.
 std::shared_ptr<const SimplicialMesh<2>> drawnRest(const Shape<2>& shape);
 
-/// The rest mesh in the pixels that ST maps refer to: of the picture, of parts as they lie at rest.
+/// Returns the rest mesh in the pixels that ST maps refer to: of the picture, or of its parts at rest.
 const SimplicialMesh<2>& sourceRest(const Shape<2>& shape);
 
 /// The size of the plane that is rendered, in pixels; the shape has a picture.

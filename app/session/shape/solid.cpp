@@ -21,7 +21,7 @@
 namespace wend {
 namespace {
 
-/// 1, times the painted factors, and then the regions one after another.
+/// Returns sizes of 1 times the painted factors, and then the regions one after another.
 SizeGrid sizesOf(const Domain& domain, const std::string& folder, const Surface& surface) {
     if (domain.sizes.empty() && domain.sizesFile.empty()) return {};
     std::vector<double> painted;
@@ -214,7 +214,7 @@ Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
     return solid;
 }
 
-/// A surface becomes the skin, points and polylines go along beside it.
+/// Takes a surface as the skin; points and polylines are kept beside it.
 void takeDetail(const std::string& path, Shape<3>& solid) {
     const auto detail = std::make_shared<const Skin>(readSkin(path, MeshNeeds::Points));
     (detail->triangles.empty() ? solid.cloud : solid.skin) = detail;

@@ -36,7 +36,7 @@ bool isComment(const std::string& line, const std::string& extension) {
     return line.starts_with('#');
 }
 
-/// The first word of a unit behind the word "unit" or "units".
+/// Returns the first word of a unit after the word "unit" or "units".
 std::string unitIn(const std::string& line) {
     static const std::map<std::string, std::string> names{{"mm", "mm"},
                                                           {"millimeter", "mm"},

@@ -22,9 +22,10 @@ namespace wend {
 
 namespace {
 
-constexpr double kCut = 2;       // pixels of the screen: a cut while it is drawn
-constexpr double kSlit = 0.002;  // pixels of the picture: wide enough to separate parts, too thin to be seen
-constexpr double kClose = 8;     // pixels of the screen
+constexpr double kCut = 2;  // pixels of the screen: a cut while it is drawn
+constexpr double kSlit =
+    0.002;                    // pixels of the picture: wide enough to separate parts, too thin to be visible
+constexpr double kClose = 8;  // pixels of the screen
 constexpr double kOutlineDetail = 0.5;  // pixels of the screen that the drawn outline may deviate
 constexpr double kSmallest = 9;         // pixels² of the picture: parts and holes below it are noise
 constexpr QRgb kAway = 0xB3261E;

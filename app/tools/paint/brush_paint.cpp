@@ -83,7 +83,7 @@ bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
            std::abs(region.stiffness->ratio / brush.ratio - 1) < kSameValue;
 }
 
-/// Hidden layers are skipped: nobody would see the paint.
+/// Returns whether a layer takes paint. Hidden layers do not, because the paint would be invisible.
 template <int Dim>
 bool takes(const Design<Dim>& design, const std::string& layer, const BrushSettings& brush,
            const ChosenLayer& chosen, const std::string& aim) {

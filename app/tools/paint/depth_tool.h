@@ -20,7 +20,7 @@ class DepthTool : public StrokeTool<2> {
     QColor colour() const override;
 
   private:
-    /// Greater than 0 in front, less behind.
+    /// Returns the order, greater than 0 in front and less behind.
     double order() const;
 
     mutable CellDepths m_orders{cellOrders};

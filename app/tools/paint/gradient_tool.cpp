@@ -75,7 +75,7 @@ std::vector<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handles() con
     return found;
 }
 
-/// The topmost.
+/// Returns the topmost handle under the pointer.
 template <int Dim>
 std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(const QPointF& at) const {
     std::optional<Handle> found;

@@ -11,7 +11,7 @@ namespace wend {
 /// rotate with the shape.
 void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& size);
 
-/// Half of the long axis of one, in pixels.
+/// Returns half of the long axis of a mark, in pixels.
 double markLength(double ratio);
 
 }  // namespace wend

@@ -18,14 +18,15 @@ class CurveEditor : public CurveEditing {
   public:
     explicit CurveEditor(SurfaceOf<Dim>& surface) : m_surface(surface), m_session(surface.session()) {}
 
-    /// The point within reach, or −1. The first one is where the handle is when the motion begins: fixed.
+    /// Returns the point within reach, or −1. The first point is fixed, because the handle is there when the
+    /// motion begins.
     int pointAt(const QPointF& widget) const;
     /// Returns whether the curve itself is within reach.
     bool isOnCurve(const QPointF& widget) const { return placeAt(widget).piece >= 0; }
     bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_session.document().project(); }
     /// Chooses the point and drags it.
     void begin(int point, const QPointF& widget);
-    /// `freely`: the other direction of the joint stays.
+    /// Moves the point; with `freely` the other direction of the joint stays.
     void drag(const QPointF& widget, bool freely = false);
     /// Puts the points into the document.
     void finish();

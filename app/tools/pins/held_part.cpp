@@ -30,7 +30,7 @@ double sizeOf(const QPolygonF& polygon) {
     return std::abs(twice) / 2;
 }
 
-/// The largest piece of an area, without its holes.
+/// Returns the largest piece of an area, without its holes.
 QPolygonF outlineOf(const QPainterPath& area) {
     QPolygonF best;
     for (const QPolygonF& piece : area.simplified().toSubpathPolygons())
@@ -38,7 +38,7 @@ QPolygonF outlineOf(const QPainterPath& area) {
     return best;
 }
 
-/// The same outline with no edge longer than kLongestEdge.
+/// Returns the same outline with no edge longer than kLongestEdge.
 QPolygonF refined(const QPolygonF& outline) {
     QPolygonF result;
     for (qsizetype i = 0; i < outline.size(); ++i) {

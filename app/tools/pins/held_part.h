@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// What a handle will hold: in a picture an area of the screen, which becomes a polygon of the rest shape; in
-/// a solid vertices in increasing order.
+/// The part that a handle will hold: in a picture an area of the screen, which becomes a polygon of the rest
+/// shape; in a solid vertices in increasing order.
 template <int Dim>
 using HeldPart = std::conditional_t<Dim == 2, QPainterPath, std::vector<int>>;
 

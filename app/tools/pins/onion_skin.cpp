@@ -26,7 +26,7 @@ constexpr std::size_t kMostTriangles = 60000;  // of an embedded surface; of a f
 
 constexpr double kSeen = 0.5;  // alpha above which a pixel counts as drawn
 
-/// Closed lines along the edges of a boundary, each edge once.
+/// Returns closed lines along the edges of a boundary, with each edge once.
 std::vector<std::vector<int>> loopsOf(const std::vector<Facet<2>>& edges) {
     std::multimap<int, int> next;
     for (const Facet<2>& edge : edges) next.emplace(edge.vertices[0], edge.vertices[1]);

@@ -12,9 +12,9 @@ namespace wend {
 template <int Dim>
 class Embedding;
 
-/// Ghosts of the shape before and after the shown time: three each way, a tenth of the film apart, in two
-/// colours, fading with distance. Of a picture they show the drawing without the transparent margin. Hidden
-/// during playback.
+/// Draws ghosts of the shape before and after the shown time: three in each direction, a tenth of the film
+/// apart, in two colours, fading with distance. For a picture they show the drawing without the transparent
+/// margin. Hidden during playback.
 template <int Dim>
 class OnionSkin {
   public:

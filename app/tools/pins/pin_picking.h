@@ -26,7 +26,7 @@ class PinPick {
         m_distance = distance;
         m_covered = covered;
     }
-    /// −1: none.
+    /// Returns the handle; −1 for none.
     int handle() const { return m_handle; }
 
   private:

@@ -17,13 +17,13 @@ constexpr double kTurnDetail = 0.005;  // radians, or a factor: tolerance of rec
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
 constexpr double kPinDrag = 3;         // pixels: less is a click
 
-/// Returns the step of an arrow key: pixels of the picture, whose axes are those of the screen …
+/// Returns the step of an arrow key: pixels of the picture, whose axes are those of the screen.
 Vec<2> nudgeOf(ToolSurface& surface, const Vec<2>&, const QPointF& by) {
     const double down = surface.toShape({0, 1}).y() - surface.toShape({0, 0}).y();
     return surface.session().pixel() * Vec<2>(by.x(), std::copysign(by.y(), down * by.y()));
 }
 
-/// … or pixels of the screen, along it.
+/// Returns the step in a solid: pixels of the screen, across the direction of view.
 Vec<3> nudgeOf(SolidSurface& surface, const Vec<3>& p, const QPointF& by) {
     const QPointF at = surface.toWidget(p);
     return acrossTheScreen(surface, p, at + by) - acrossTheScreen(surface, p, at);

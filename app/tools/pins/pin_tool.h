@@ -43,7 +43,7 @@ class PinTool : public ShapeTool<Dim> {
     void paint(QPainter& painter) const override;
     bool hasManipulator() const override { return placeGizmo(); }
 
-    /// The handle within reach of a point of the widget, or around it, or −1.
+    /// Returns the handle within reach of a point of the widget, or around it, or −1.
     int handleAt(const QPointF& widget) const;
 
   private:

@@ -25,7 +25,7 @@ class ActionMaker : public QObject {
     };
     QAction* add(const Words& words, const QKeySequence& keys, const QString& icon = {});
     QAction* addToggle(const Words& words, const QKeySequence& keys, const QString& icon = {});
-    /// The same action in other words.
+    /// Gives an action other words.
     static void reword(QAction* action, const Words& words);
     void enable(QAction* action, bool enabled, const QString& whyNot);
     static void setKeysOf(QAction* action, const QList<QKeySequence>& keys);

@@ -19,7 +19,7 @@ class BackdropChoice : public ActionMaker {
     explicit BackdropChoice(QObject* parent);
 
     QMenu* menu() const { return m_menu.get(); }
-    /// Invalid for checks and workspace.
+    /// Returns the colour, which is invalid for checks and workspace.
     QColor colour() const;
 
   signals:

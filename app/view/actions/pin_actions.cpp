@@ -118,7 +118,7 @@ void PinActions::makeActions() {
             QKeySequence(tr("Ctrl+Shift+F")));
 }
 
-/// In the order of pinColours().
+/// Makes the colours in the order of pinColours().
 void PinActions::makeColours() {
     const QStringList names = {tr("Blue"),   tr("Orange"), tr("Green"),     tr("Red"),
                                tr("Violet"), tr("Brown"),  tr("Turquoise"), tr("Plum")};

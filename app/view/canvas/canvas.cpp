@@ -171,7 +171,7 @@ CellDepths::Values ShapeCanvas::depths() const {
     return m_depths.of(document.depth(), mesh, partLevels(document.domain().parts, *mesh, seen->time));
 }
 
-/// The plan of the mesh without parts that ride on others.
+/// Returns the plan of the mesh without attached parts.
 std::shared_ptr<const PaintingPlan> ShapeCanvas::cellPlan() const {
     const auto frame = drawnFrame();
     if (!depths() || !frame || !frame->built ||

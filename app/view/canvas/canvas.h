@@ -22,7 +22,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     /// Returns the part that handles tools and looks.
     Viewport& viewport() { return m_viewport; }
     const ViewTransform& view() const { return m_view; }
-    /// The same part of the domain as another canvas of that size shows.
+    /// Shows the same part of the domain as another canvas of that size.
     void takeView(const ShapeCanvas& other);
     /// Shows the view of another canvas, without adapting to its own size.
     void followOther() { m_follows = true; }
@@ -74,7 +74,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
 
   signals:
     void viewChanged();
-    /// The picture.
+    /// Emitted when the picture is prepared.
     void prepared();
 
   protected:

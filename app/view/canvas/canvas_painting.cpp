@@ -1,4 +1,4 @@
-// Drawing of pictures.
+// This file draws pictures.
 #include "app/panels/look/smooth_map.h"
 #include "app/session/shape/shape.h"
 #include "app/tools/paint/stiffness_marks.h"

@@ -31,7 +31,7 @@ QRgb alphaOf(QRgb colour) {
     return colour >> 24;
 }
 
-/// The middle of those of 8 × 8 places, in the pixel.
+/// Returns the middle of the set samples, of 8 × 8 places in the pixel.
 Vec<2> middleOf(std::uint64_t samples) {
     Vec<2> sum = Vec<2>::Zero();
     for (std::uint64_t rest = samples; rest != 0; rest &= rest - 1) {

@@ -16,7 +16,7 @@ namespace wend {
 /// share of each. QPainter's paths take several times as long.
 class CellFiller {
   public:
-    /// For an image of that size; `toPixels` maps `points` to its pixels.
+    /// Fills an image of that size; `toPixels` maps `points` to its pixels.
     CellFiller(const QSize& size, const PaintingPlan& plan, const Points<2>& points,
                const QTransform& toPixels);
 

@@ -51,7 +51,7 @@ void MovingCells::begin(const std::shared_ptr<const SimplicialMesh<2>>& rest,
     make();
 }
 
-/// Vertices of the outline, and of others one in each square of a grid.
+/// Keeps the vertices of the outline, and one other in each square of a grid.
 void MovingCells::thinOut() {
     m_vertices.clear();
     m_taken.assign(static_cast<std::size_t>(m_rest->vertexCount()), false);

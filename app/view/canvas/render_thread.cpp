@@ -32,7 +32,7 @@ Points<2> poseOf(const RenderRequest& request) {
     return pose;
 }
 
-/// The picture on the screen, by the same code as an export.
+/// Returns the picture on the screen, made by the same code as an export.
 QImage warped(const RenderRequest& request, std::stop_token stop) {
     View view;
     view.width = static_cast<int>(std::lround(request.size.width() * request.scale()));

@@ -26,10 +26,9 @@ struct RenderRequest {
     std::shared_ptr<const Texture>
         texture;  // of a file's mesh, or of parts: its placement in the picture; or null
     PosedPtr<2> frame;
-    std::shared_ptr<const PaintingPlan> plan;  // of what is drawn; null: all cells are equally deep
-    std::shared_ptr<const PaintingPlan>
-        cellPlan;                 // of the frame's mesh: the same, without what rides on parts
-    MovingCells::DrawnPtr cells;  // of that mesh, in the place of its own; or null
+    std::shared_ptr<const PaintingPlan> plan;      // of what is drawn; null: all cells are equally deep
+    std::shared_ptr<const PaintingPlan> cellPlan;  // of the frame's mesh: the same, without attached parts
+    MovingCells::DrawnPtr cells;                   // of that mesh, in the place of its own; or null
     ViewTransform view;
     QSize size;          // of the widget
     double ratio = 1;    // device pixels per widget pixel

@@ -23,7 +23,7 @@ float encoded(float linear) {
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
 
-/// Red, green, blue and alpha of a pixel in [0, 1], as associated as they were.
+/// Writes red, green, blue and alpha of a pixel in [0, 1], associated or not as in the source.
 void putPixel(const Image& from, const float* pixel, std::uint8_t* to) {
     const bool linear = from.type == PixelType::Half || from.type == PixelType::Float;
     const int colours = from.colours();

@@ -14,7 +14,7 @@ namespace wend {
 
 class OptionField;
 
-/// What is exported, and what the screen already has of it.
+/// The subject of an export, and what the screen already has of it.
 struct ExportSubject {
     ExportKind kind = ExportKind::Picture;
     std::shared_ptr<const FrameExport> shape = {};

@@ -12,8 +12,8 @@ struct ExportFormat {
     bool film = false;        // all frames in one file
 };
 
-/// Returns that the program which makes films of this extension is missing, and a way out; empty if it is
-/// there or none is needed.
+/// Says that the program that makes films of this extension is missing, and what to do; empty if it is there
+/// or none is needed.
 QString missingFilmProgram(const QString& extension);
 
 /// Returns the formats for a shape, the most suitable first.

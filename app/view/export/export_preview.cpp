@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kFrameMargin = 12;  // around the picture in its frame
 
-/// The same part of the plane with fewer pixels.
+/// Returns the same part of the plane with fewer pixels.
 View smaller(const View& view, const QSize& room) {
     const QSizeF size = QSizeF(view.width, view.height).scaled(room, Qt::KeepAspectRatio);
     View small = view;

@@ -32,7 +32,7 @@ class Exporter : public QObject {
     };
     void setLooks(Looks looks) { m_looks = std::move(looks); }
 
-    /// The crop of the picture; reset for another document.
+    /// Returns the crop of the picture, which is reset for another document.
     Crop& crop() { return m_crop; }
     /// Why nothing can be written now; empty if it can be.
     QString whyNot() const;

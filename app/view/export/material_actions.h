@@ -25,7 +25,7 @@ class MaterialActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
 
-    /// Pictures of a part as the topmost layer.
+    /// Adds a picture of a part of the material as the topmost layer.
     void take(MaterialPart part, const QString& path);
     void takeCells(const QString& path);
 

@@ -52,7 +52,7 @@ class PictureDialog : public QDialog {
   public:
     using Draw = std::function<QImage(const PictureChoice&)>;
 
-    /// With `film` it asks for a film.
+    /// Asks for a film with `film`, else for a picture.
     PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {},
                   std::optional<FilmSubject> film = {});
     PictureChoice choice() const;

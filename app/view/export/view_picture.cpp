@@ -108,7 +108,8 @@ void runBeside(const std::function<void()>& job) {
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Progress of a cancellable job. Modal from the start, so that nobody changes the view meanwhile.
+/// Shows the progress of a cancellable job. It is modal from the start, so that the view cannot be changed
+/// meanwhile.
 class Progress {
   public:
     Progress(const QString& what, int steps, SolidCanvas& canvas)

@@ -41,7 +41,7 @@ class FileWorkflow : public QObject {
     /// Deletes the copy after the user confirmed twice.
     void discard(const wend::LostWork& work);
     void open(const QString& path);
-    /// Several pictures become the parts of one.
+    /// Opens several pictures as the parts of one.
     void openAll(const QStringList& paths);
     bool save();
     bool saveAs();

@@ -21,7 +21,7 @@ ProjectWatch::ProjectWatch(QObject* parent) : QObject(parent) {
         connect(&m_watcher, changed, this, [this] { m_settle.start(); });
 }
 
-/// The folder, too: most programs put a new file in the place of the old one.
+/// Watches the folder, too, because most programs replace the old file by a new one.
 void ProjectWatch::watch(const QString& path, const QByteArray& stamp) {
     if (const QStringList all = m_watcher.files() + m_watcher.directories(); !all.isEmpty())
         m_watcher.removePaths(all);

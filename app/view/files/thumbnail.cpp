@@ -46,7 +46,7 @@ QString placeOf(const QString& path, const ProjectLook& look, const QString& fol
     return QDir(folder).filePath(QString::fromLatin1(name.toHex()) + QStringLiteral(".png"));
 }
 
-/// The newest stay.
+/// Removes the oldest thumbnails.
 void makeRoomIn(const QString& folder) {
     const QStringList kept = QDir(folder).entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
     for (const QString& old : kept.mid(kMostKept)) QFile::remove(QDir(folder).filePath(old));

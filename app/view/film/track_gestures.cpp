@@ -236,7 +236,7 @@ bool TrackView::event(QEvent* event) {
     return QAbstractScrollArea::event(event);
 }
 
-/// Left and Right move the chosen bars with Alt, otherwise the shown time.
+/// Moves the chosen bars by Left and Right with Alt, otherwise the shown time.
 bool TrackView::nudge(const QKeyEvent& event) {
     const double way = event.key() == Qt::Key_Left ? -kStep : event.key() == Qt::Key_Right ? kStep : 0;
     if (way == 0) return false;

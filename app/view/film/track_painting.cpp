@@ -1,4 +1,4 @@
-// Drawing of the tracks.
+// This file draws the tracks.
 #include <QLocale>
 #include <QPainter>
 #include <QScrollBar>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMinTick = 64;  // pixels between numbers of the ruler
 
-/// 1, 2 or 5 times a power of ten, no less than `least`.
+/// Returns 1, 2 or 5 times a power of ten, no less than `least`.
 double roundStep(double least) {
     const double power = std::pow(10, std::floor(std::log10(least)));
     for (const double factor : {1, 2, 5})
@@ -86,7 +86,7 @@ void TrackView::paintRow(QPainter& painter, int row) const {
             paintKey(painter, {xOf(time), rect.center().y()});
 }
 
-/// A key pose: an end of a motion.
+/// Paints a key pose, which is an end of a motion.
 void TrackView::paintKey(QPainter& painter, const QPointF& at) const {
     constexpr double kHalf = 4.5;
     painter.setPen(QPen(palette().color(QPalette::Window), 1));
@@ -95,7 +95,7 @@ void TrackView::paintKey(QPainter& painter, const QPointF& at) const {
         {at + QPointF(-kHalf, 0), at + QPointF(0, -kHalf), at + QPointF(kHalf, 0), at + QPointF(0, kHalf)}));
 }
 
-/// A line, with a stop at its ends to drag them by.
+/// Paints a line with stops at its ends, by which it is dragged.
 void TrackView::paintHold(QPainter& painter, const Bar& hold) const {
     const QRectF box = barRect(hold);
     const double y = box.center().y(), left = box.left(), right = std::max(left, xOf(timeOf(hold).end));
@@ -113,7 +113,7 @@ void TrackView::paintBand(QPainter& painter) const {
     painter.drawRect(QRectF(m_band->from, m_band->to).normalized());
 }
 
-/// Full opacity at constant speed, lighter where the motion eases.
+/// Paints a bar with full opacity at constant speed, lighter where the motion eases.
 void TrackView::paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const {
     const Theme theme = Theme::of(palette());
     const QRectF box = barRect(bar).adjusted(0.5, 0, -0.5, 0);

@@ -186,7 +186,7 @@ void TrackView::resizeEvent(QResizeEvent*) {
     arrange();
 }
 
-/// Deferred until the first layout.
+/// Shows the first motion once the layout is done.
 void TrackView::showEvent(QShowEvent*) {
     QMetaObject::invokeMethod(this, &TrackView::showFirstMotion, Qt::QueuedConnection);
 }

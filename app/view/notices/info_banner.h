@@ -10,14 +10,14 @@ class QToolButton;
 
 namespace wend {
 
-/// Lines above the canvas that say what went wrong and what to do, or that there is something to know. Each
-/// belongs to a topic and holds until that is resolved, or until a click: the newest of those that hold is
-/// seen.
+/// Shows a line above the canvas that says what went wrong and what to do, or what is worth knowing. Each
+/// line belongs to a topic and is valid until that is resolved, or until a click; the newest valid one is
+/// shown.
 class InfoBanner : public QWidget {
     Q_OBJECT
 
   public:
-    /// What a line is about, and with that when it goes.
+    /// The topic of a line, which determines when it disappears.
     enum class Topic {
         Opening,
         Saving,
@@ -45,7 +45,7 @@ class InfoBanner : public QWidget {
     void tell(Topic topic, const QString& text, const QList<Remedy>& remedies = {});
     void clear(Topic topic) { tell(topic, {}); }
     void clear();
-    /// What is seen; empty if nothing is.
+    /// Returns the text that is shown; empty if there is none.
     QString text() const;
 
   private:

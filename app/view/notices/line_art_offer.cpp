@@ -23,7 +23,7 @@ struct InkMeasure {
     double area = 0, length = 0;
 };
 
-/// Even and odd: holes count against what they lie in.
+/// Measures with the even-odd rule: holes count against what they are in.
 InkMeasure measured(const Outline& outline) {
     InkMeasure sum;
     for (const auto& loop : outline.loops) {

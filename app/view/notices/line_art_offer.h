@@ -10,7 +10,7 @@ namespace wend {
 class Document;
 class InfoBanner;
 
-/// Whether most of what the outline encloses is empty: thin strokes around what has no fill.
+/// Returns whether most of what the outline encloses is empty: thin strokes around areas without fill.
 bool isLineArt(const Image& picture, const AlphaOutlineOptions& outline);
 
 /// Of ink without fill only the strokes would bend, as wires do: offers to fill the holes of such a cut-out

@@ -18,7 +18,7 @@ class ShapeNotices : public QObject {
   signals:
     /// Emits lines with their remedies; empty if there is nothing to report any more.
     void told(const QString& text, const QList<wend::InfoBanner::Remedy>& remedies);
-    /// Requests the reason for a cage.
+    /// Emitted to request the reason for a cage.
     void reasonWanted();
 
   private:

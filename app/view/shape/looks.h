@@ -45,7 +45,7 @@ PosedPtr<Dim> seen(const Looks& looks, const PosedPtr<Dim>& own) {
     return frame && looks.rest ? atRest<Dim>(frame) : frame;
 }
 
-/// The middle of a cell in a pose.
+/// Returns the middle of a cell in a pose.
 template <int Dim>
 Vec<Dim> centreOf(const PosedFrame<Dim>& frame, int cell) {
     Vec<Dim> centre = Vec<Dim>::Zero();

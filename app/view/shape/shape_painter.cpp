@@ -30,7 +30,7 @@ Axis axisOf(int dimension, int k) {
     return {kSpaceAxes[k], 26};
 }
 
-/// Returns whether the mark stands for more than a point.
+/// Returns whether the mark represents more than a point.
 bool isArea(const PinView<2>& view) {
     return view.region;
 }

@@ -57,7 +57,8 @@ void Viewport::setTool(Tool* tool) {
     m_overlay.update();
 }
 
-/// Without a solid no tool applies. Shapes of the other dimension are reported by the other view.
+/// Emits the hint of a tool. Without a solid no tool applies. Shapes of the other dimension are reported by
+/// the other view.
 void Viewport::tellHint(const Tool& tool) {
     if (m_session.document().dimension() == m_dimension)
         emit hintChanged(m_dimension == 2 || m_session.frame() ? tool.hint() : QString());

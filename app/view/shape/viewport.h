@@ -35,15 +35,15 @@ class Viewport : public QObject {
         /// Describes the place under the pointer.
         virtual QString pointerText(const QPointF& at) = 0;
     };
-    /// `overlay` is the widget with the marks; `over` a tool with precedence over the active one where it
-    /// wants events.
+    /// `overlay` is the widget with the marks; `over` is a tool that takes precedence over the active one for
+    /// the events that it accepts.
     Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& session, int dimension,
              Tool* over = nullptr);
 
     void setTool(Tool* tool);
     Tool* tool() const { return m_tool; }
     int hovered() const { return m_tool ? m_tool->hovered() : -1; }
-    /// Cancels a gesture whose mesh is gone.
+    /// Cancels a gesture whose mesh no longer exists.
     void cancelGesture();
     /// Updates hint, pointer and marks after a change of what is under the pointer.
     void lookAgain();
@@ -68,13 +68,13 @@ class Viewport : public QObject {
     void redraw(int milliseconds);
     void marksPainted() { m_marksDue.stop(); }
     void takeFrame();
-    /// The legend of the map, at the lower right of the view or of a picture of that size.
+    /// Paints the legend of the map at the lower right of the view, or of a picture of that size.
     void paintLegend(QPainter& painter, const QSize& size) const;
     void showLegendLock();
 
   signals:
     void hintChanged(QString hint);
-    /// Requests a context menu for the item under the pointer.
+    /// Emitted to request a context menu for the item under the pointer.
     void menuWanted(QPoint global, wend::MenuPlace place);
     /// Emits a description of the place under the pointer; empty when it has left.
     void pointed(QString text);

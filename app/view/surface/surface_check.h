@@ -96,7 +96,7 @@ class SurfaceCheck : public QObject {
     All m_all;
     bool m_goesOn = false;                // one was fixed: the next one is looked at …
     std::string m_fixedKind;              // … of this kind
-    std::shared_ptr<const void> m_shape;  // the last one that was seen
+    std::shared_ptr<const void> m_shape;  // the last one that was shown
     bool m_isCaged = false;               // it is embedded in a cage
 };
 

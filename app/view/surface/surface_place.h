@@ -4,10 +4,10 @@
 
 namespace wend {
 
-/// Default direction of view on a surface.
+/// The default direction of view on a surface.
 inline const Vec<3> kAskew(-1, 1.4, -0.8);
 
-/// Points around some triangles, a little farther off than their corners.
+/// Returns points around some triangles, a little farther away than their corners.
 Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles);
 
 /// Returns false for triangles between the viewer and these points.

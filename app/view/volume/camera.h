@@ -47,12 +47,12 @@ class Camera {
     Eigen::Matrix4d view() const;
     Eigen::Matrix4d projection(const QSize& viewport) const;
     Ray ray(const Eigen::Vector2d& pixel, const QSize& viewport) const;
-    /// Pixel and depth in [−1, 1] of a point.
+    /// Returns the pixel and the depth in [−1, 1] of a point.
     Vec<3> project(const Vec<3>& p, const QSize& viewport) const;
     Vec<3> direction() const { return m_turn.conjugate() * Vec<3>(0, 0, -1); }
     Vec<3> up() const { return m_turn.conjugate() * Vec<3>::UnitY(); }
     Vec<3> right() const { return m_turn.conjugate() * Vec<3>::UnitX(); }
-    /// World length of a pixel at the pivot's depth, and at a point.
+    /// Return the length in the world of a pixel at the pivot's depth, and at a point.
     double pixelSize(const QSize& viewport) const;
     double pixelSize(const QSize& viewport, const Vec<3>& at) const;
 

@@ -83,7 +83,7 @@ class SmoothGroups {
     int m_count = 0;
 };
 
-/// Vertices of the groups alone.
+/// Sets vertices from the groups alone.
 void setVertices(DrawMesh& mesh, const SmoothGroups& groups) {
     mesh.normals = groups.count();
     mesh.vertices.resize(static_cast<std::size_t>(groups.count()));
@@ -96,7 +96,7 @@ void setVertices(DrawMesh& mesh, const SmoothGroups& groups) {
         }
 }
 
-/// A vertex more where texture points meet.
+/// Adds vertices where texture points meet.
 void splitAtSeams(DrawMesh& mesh, const Skin& skin, const std::vector<int>& order) {
     std::vector<int> uvOf(mesh.vertices.size(), -1);
     std::map<std::pair<int, int>, int> copies;  // (vertex, texture point) → additional vertex
@@ -125,7 +125,7 @@ QRgb colourOf(const Skin& skin, int material) {
     return qRgb(byte(look.colour[0]), byte(look.colour[1]), byte(look.colour[2]));
 }
 
-/// The skin's triangles, those of one material side by side.
+/// Returns the skin's triangles, those of one material side by side.
 std::vector<int> orderOf(const Skin& skin) {
     std::vector<int> order(skin.triangles.size());
     std::iota(order.begin(), order.end(), 0);

@@ -54,7 +54,7 @@ DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
 
 /// Returns the points of a solid's surface in a pose.
 Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose);
-/// The normal of every vertex: the mean, by area, of the triangles that share it smoothly.
+/// Returns the normal of every vertex: the mean, by area, of the triangles that share it smoothly.
 std::vector<Eigen::Vector3f> drawnNormals(const DrawMesh& mesh, const Eigen::Matrix3Xf& points);
 
 }  // namespace wend

@@ -34,7 +34,7 @@ class Builder {
     void corner(const Vec<3>& p, const Vec<3>& n) {
         m_vertices.push_back(drawVertex(p, n.normalized(), m_colour));
     }
-    /// A band of a body of revolution from radius r at p to radius s at q.
+    /// Adds a band of a body of revolution from radius r at p to radius s at q.
     void band(const Vec<3>& p, double r, const Vec<3>& q, double s) {
         const Vec<3> along = (q - p).normalized(), u = along.unitOrthogonal(), v = along.cross(u);
         const auto way = [&](int i) -> Vec<3> {
@@ -59,7 +59,7 @@ class Builder {
         band(neck, 0, neck - 1e-3 * by, 1.4 * width);
         band(neck, 1.4 * width, from + by, 0);
     }
-    /// The image of the unit sphere under A around the centre.
+    /// Adds the image of the unit sphere under A around the centre.
     void ellipsoid(const Vec<3>& centre, const Mat<3>& A) {
         const Mat<3> N = A.inverse().transpose();
         const auto on = [](int i, int j) {

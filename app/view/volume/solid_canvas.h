@@ -21,7 +21,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     Viewport& viewport() { return m_viewport; }
     const Viewport& viewport() const { return m_viewport; }
     CutTool& cutTool() { return m_cutTool; }
-    /// The plane's default place: the middle of the shape.
+    /// Returns the plane at its default place, the middle of the shape.
     CutPlane middlePlane(const Vec<3>& normal) const;
 
     // SolidSurface
@@ -67,7 +67,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     void showRefused(VolumePicture picture, const Vec<3>& direction);
     /// Zooms to a place of such a surface, so that these points fill the view.
     void showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around);
-    /// The solid again.
+    /// Returns to the solid.
     void showSolid();
     /// Zooms to a tetrahedron and marks it while the view stays there.
     void showCell(int cell);

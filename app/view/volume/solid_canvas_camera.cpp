@@ -20,7 +20,7 @@ void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<
     }
 }
 
-/// The pins and their paths, as they are drawn.
+/// Returns the points of the pins and their paths as they are drawn.
 std::vector<Vec<3>> pathPoints(ShapeSession& session) {
     std::vector<Vec<3>> points;
     for (const PinView<3>& view : session.pins<3>()) points.push_back(view.centre);
@@ -38,7 +38,7 @@ std::vector<Vec<3>> pathPoints(ShapeSession& session) {
 
 }  // namespace
 
-/// Pins and paths as well.
+/// Returns the points to fit the view to, with pins and paths.
 Points<3> SolidCanvas::fitted() const {
     const Points<3> drawn = VolumeView::fitted();
     if (m_viewport.looks().hidden || !m_session.frame<3>()) return drawn;

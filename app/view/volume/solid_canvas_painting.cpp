@@ -6,7 +6,7 @@ namespace wend {
 
 namespace {
 
-/// A small cross of the axes of the world, the nearest last.
+/// Paints a small cross of the axes of the world, the nearest last.
 void paintCompass(QPainter& painter, const QPointF& at, const Mat<3>& worldToScreen) {
     std::array<int, 3> order = {0, 1, 2};
     std::sort(order.begin(), order.end(),

@@ -29,7 +29,7 @@ QVector3D toVector(const QColor& c) {
     return {c.redF(), c.greenF(), c.blueF()};
 }
 
-/// The shader, with a definition behind its first line.
+/// Returns the shader with a definition after its first line.
 QByteArray sourceOf(const char* name, bool edges) {
     QFile file(QStringLiteral(":/shaders/") + QString::fromLatin1(name));
     if (!file.open(QIODevice::ReadOnly)) return {};

@@ -52,8 +52,8 @@ struct Sight {
     }
 };
 
-/// Triangle meshes on the GPU (OpenGL 3.3). What a pose changes is uploaded alone: positions and normals of
-/// shared vertices. All calls with the context current.
+/// Draws triangle meshes on the GPU (OpenGL 3.3). Only data that a pose changes is uploaded again: positions
+/// and normals of shared vertices. All calls need the current context.
 class SurfaceRenderer {
   public:
     /// The outer surface, and the section where it is cut open.
@@ -68,7 +68,7 @@ class SurfaceRenderer {
     /// Returns whether the CPU draws.
     bool isSoftware() const { return m_isSoftware; }
 
-    /// Triangles, creases and texture points: once for each surface. Then its pose is needed.
+    /// Sets triangles, creases and texture points, once for each surface. Its pose must be set afterwards.
     void setMesh(Layer layer, const DrawMesh& mesh);
     void clear(Layer layer);
     /// Positions of the mesh's points; also normals, unless all faces are flat.
@@ -88,9 +88,9 @@ class SurfaceRenderer {
     void setPlaces(Layer layer, const std::vector<Place>& places);
     /// The colours of the places from 0 to 1; none: there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
-    /// Lines around the section: both ends of each.
+    /// Sets lines around the section, by both ends of each.
     void setOutline(const Points<3>& ends);
-    /// Sets the edges of the rim in the same way.
+    /// Sets the edges of the rim, by both ends of each.
     void setRim(const Points<3>& ends);
     /// Sets additional triangles: arrows, ellipsoids.
     void setGlyphs(const std::vector<DrawVertex>& triangles);
@@ -122,7 +122,7 @@ class SurfaceRenderer {
     void createGlyphs(Triangles& glyphs);
     void fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles);
     std::vector<std::array<float, 3>> placesOf(const Points<3>& points) const;
-    /// The matrices in units of m_scale from m_centre on.
+    /// Returns the matrices in units of m_scale, relative to m_centre.
     std::pair<Eigen::Matrix4d, Eigen::Matrix4d> matricesOf(const Sight& sight) const;
     void setUniforms(QOpenGLShaderProgram& program, const Sight& sight, const SurfaceStyle& style,
                      const std::optional<CutPlane>& clip);

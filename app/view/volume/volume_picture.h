@@ -49,7 +49,7 @@ struct VolumePicture {
 /// Returns the colour halfway to grey, for outdated shapes.
 QRgb dimmed(QRgb colour);
 
-/// A surface alone, without tetrahedra; one colour per triangle.
+/// Returns a surface alone, without tetrahedra, with one colour per triangle.
 VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
                                std::vector<QRgb> colours);
 

@@ -13,7 +13,7 @@ constexpr int kRestAfter = 160;         // milliseconds without motion
 constexpr double kOwnFromBehind = 0.7;  // saturation of back faces, distinguishable from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
-/// Eigen compares matrices of one size only.
+/// Compares points, because Eigen compares matrices of one size only.
 bool isSame(const Points<3>& a, const Points<3>& b) {
     return a.cols() == b.cols() && a == b;
 }
@@ -159,7 +159,7 @@ const Points<3>& VolumeView::skinPose() const {
     return *m_ridden;
 }
 
-/// Hits the visible part of the skin, or the section behind the cut.
+/// Returns the hit of the visible part of the skin, or of the section behind the cut.
 SolidHit VolumeView::hitOf(const Ray& ray) const {
     const SolidHit cells = m_rays.hit(ray, m_picture.pose);
     if (!ridesInside()) return cells;

@@ -74,7 +74,7 @@ class VolumeView : public QOpenGLWidget {
     void look(Camera::Axis axis);
     void setOrthographic(bool on);
 
-    /// The nearest triangle under a pixel, or cell −1.
+    /// Returns the nearest triangle under a pixel, or cell −1.
     SolidHit pick(const QPointF& pixel) const;
     /// Returns all vertices inside the rectangle on screen, only visible ones if `visibleOnly`.
     std::vector<int> verticesIn(const QRectF& rectangle, bool visibleOnly) const;

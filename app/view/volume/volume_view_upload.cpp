@@ -119,7 +119,7 @@ void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh
     m_renderer.setMap(layer, own);
 }
 
-/// Marked triangles of one colour form a kind.
+/// Uploads the glyphs. Marked triangles of one colour form a kind.
 void VolumeView::uploadGlyphs() {
     m_renderer.setGlyphs(m_glyphs);
     m_renderer.setVeiled(m_veiled);

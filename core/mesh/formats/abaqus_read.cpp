@@ -1,5 +1,5 @@
-// Abaqus .inp: keywords with parameters, each followed by lines of data. Nodes, elements and sets are read;
-// of parts and instances only what stands where it is.
+// Abaqus .inp files consist of keywords with parameters, each followed by lines of data. Nodes, elements and
+// sets are read; parts and instances are read only if they are not moved.
 
 #include <algorithm>
 #include <cmath>
@@ -183,7 +183,7 @@ class AbaqusReader {
         }
         if (!m_set.empty()) m_nodeSets.named(m_set).push_back(number);
     }
-    /// An element's nodes may go on over several lines.
+    /// Reads an element, whose nodes may continue on several lines.
     void element() {
         std::size_t k = 0;
         if (m_missing == 0) {
@@ -217,7 +217,7 @@ class AbaqusReader {
         }
         sets.named(m_set) = std::move(members);
     }
-    /// A number, or the name of a set before.
+    /// Adds a number, or the members of an earlier set by its name.
     void addItem(std::string_view item, const Sets& sets, std::vector<std::int64_t>& members) {
         if (const auto* other = sets.find(item)) {
             members.insert(members.end(), other->begin(), other->end());

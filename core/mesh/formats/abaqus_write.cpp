@@ -85,7 +85,7 @@ std::string deckWithPoints(const std::string& deck, const Eigen::Matrix3Xd& poin
     return std::move(out.text());
 }
 
-/// In quotes where a name would end too early.
+/// Returns the name of a set, in quotes if it would end too early otherwise.
 std::string setName(const MeshGroup& group) {
     std::string name = group.name.empty()
                            ? "SET-" + std::to_string(group.dimension) + "-" + std::to_string(group.tag)

@@ -31,7 +31,7 @@ bool repeats(const std::array<int, 4>& cell) {
     return false;
 }
 
-/// The triangles of a face, from its vertex of the smallest number.
+/// Returns the triangles of a face, split from its vertex of the smallest number.
 std::vector<std::array<int, 3>> splitFace(const CellFace& face, std::span<const int> nodes) {
     std::vector<int> corners;
     for (const int k : face)
@@ -85,7 +85,8 @@ void finishFields(MeshFile& file) {
     }
 }
 
-/// Labels of the triangles of a volume: the number of the first group with one, and the groups' names.
+/// Labels the triangles of a volume with the number of their first group that has one, and names the labels
+/// after the groups.
 void findLabels(MeshFile& file) {
     if (!isVolume(file) || file.triangles.empty()) return;
     std::vector<long> tags(static_cast<std::size_t>(file.cells.size()), 0);

@@ -1,7 +1,7 @@
-// Binary glTF 2.0 (.glb): a chunk of JSON, and one with the bytes of its accessors. What is drawn by
-// triangles, lines and points becomes cells, placed as the nodes of the scene say. As in STL, equal points of
-// a node become one: glTF doubles vertices where texture points or normals meet. Its y axis points up, here z
-// does.
+// Binary glTF 2.0 (.glb) consists of a chunk of JSON and one with the bytes of its accessors. Triangles,
+// lines and points that are drawn become cells, placed by the nodes of the scene. As in STL, equal points of
+// a node become one, because glTF doubles vertices where texture points or normals meet. In glTF the y axis
+// points up, here it is z.
 
 #include "core/mesh/formats/gltf_read.h"
 

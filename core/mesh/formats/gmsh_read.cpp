@@ -15,7 +15,7 @@
 namespace wend::formats {
 namespace {
 
-/// What an entity of the model says of its elements.
+/// The properties that elements get from an entity of the model.
 struct Entity {
     int number = 0;     // of the entity that was cut into partitions, or its own
     int partition = 0;  // 0: the file is whole
@@ -61,7 +61,7 @@ class GmshReader {
         if (m_binary) findOrder();
         endSection("$EndMeshFormat");
     }
-    /// Binary files hold the number 1 here, in their byte order.
+    /// Finds the byte order: binary files hold the number 1 here.
     void findOrder() {
         m_scanner.placesAreOffsets();
         const auto one = m_scanner.raw(4, "the byte order");
@@ -110,7 +110,7 @@ class GmshReader {
         }
         endSection(end);
     }
-    /// Version 2 lists an element once for each of its physical groups.
+    /// Merges repeated elements, because version 2 lists an element once for each of its physical groups.
     void mergeRepeated() {
         std::vector<int> order(m_elements.size());
         std::iota(order.begin(), order.end(), 0);
@@ -212,7 +212,7 @@ class GmshReader {
         if (name != "$Comments") m_file.notices.push_back("its section " + name);
     }
 
-    /// Numbers at the head of data stand in lines of their own, in binary files too.
+    /// Reads the data of a field. The numbers at its head are on lines of their own, in binary files too.
     void readData(bool perCell, const std::string& end) {
         m_scanner.line();
         const int strings = m_scanner.count("string tags", 1);
@@ -374,7 +374,7 @@ class GmshReader {
         std::erase(element.physical, 0);
         m_elements.push_back(std::move(element));
     }
-    /// Physical group, entity, and maybe a number of partitions with these.
+    /// Reads the physical group, the entity, possibly a number of partitions with these, and the cell.
     void readTagsAndCell(const GmshElement& type, std::int64_t number, int tagCount) {
         int tags[4] = {0, 0, 0, 0};
         for (int k = 0; k < tagCount; ++k) {

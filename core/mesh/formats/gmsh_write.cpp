@@ -71,7 +71,7 @@ class GmshPrinter {
             m_out << dimension << ' ' << tag << " \"" << name << "\"\n";
         m_out << "$EndPhysicalNames\n";
     }
-    /// Values as post-processing data; tags stand with the cells already.
+    /// Writes values as post-processing data; tags are already written with the cells.
     void fields() {
         for (const auto& field : m_mesh.fields) {
             if (m_groups.holds(field)) continue;
@@ -199,7 +199,7 @@ class GmshPrinter {
         }
         endSection("$EndEntities");
     }
-    /// All nodes belong to an entity of the highest dimension.
+    /// Writes the nodes, all of which belong to an entity of the highest dimension.
     void nodes4(const std::vector<Run>& runs) {
         const Run& owner =
             *std::ranges::max_element(runs, {}, [](const Run& run) { return factsOf(run.kind).dimension; });

@@ -11,7 +11,7 @@
 namespace wend::formats {
 namespace {
 
-/// What becomes of a cell.
+/// Says how a format holds a cell: whole, without nodes between corners, split, or not at all.
 enum class Fate { Whole, Linear, Split, Lost };
 
 CellKind partKind(int dimension) {

@@ -41,7 +41,7 @@ const MeditList* listNamed(std::string_view name) {
     return nullptr;
 }
 
-/// The kinds of cell that a list counts.
+/// Returns whether a list counts cells of this kind.
 bool countsIn(const MeditList& list, CellKind kind) {
     if (list.keyword == "RequiredTriangles") return kind == CellKind::Triangle;
     if (list.keyword == "RequiredQuadrilaterals") return kind == CellKind::Quad;
@@ -216,7 +216,7 @@ MeshFile readMedit(std::span<const MeshSource> files) {
 std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions&) {
     const auto* ofVertices = vertexRefs(mesh);
     TextWriter out;
-    // in three dimensions always: Gmsh does not read flat ones
+    // The dimension is always 3, because Gmsh does not read flat files.
     out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.cols() << '\n';
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
         for (int k = 0; k < 3; ++k) out << mesh.points(k, v) << ' ';

@@ -35,7 +35,7 @@ std::vector<std::vector<int>> piecesOfCells(const MeshFile& mesh) {
     return parts;
 }
 
-/// The tetrahedra behind the triangles of a volume's boundary, as parts of their cells.
+/// Adds the tetrahedra behind the triangles of a volume's boundary as parts of their cells.
 void addBehind(const MeshFile& mesh, std::vector<std::vector<int>>& parts) {
     if (!isVolume(mesh) || mesh.triangles.empty()) return;
     const std::vector<int> behind = cellsBehind(mesh);
@@ -72,7 +72,7 @@ void addLabelGroups(MeshFile& bag) {
     }
 }
 
-/// Of cells of that dimension, or all with −1.
+/// Adds groups for the numbers of cells of that dimension, or of all with −1.
 void addTagGroups(MeshFile& bag, std::vector<double> numbers, int dimension) {
     if (numbers.size() != static_cast<std::size_t>(bag.cells.size())) return;
     for (int c = 0; c < bag.cells.size(); ++c)

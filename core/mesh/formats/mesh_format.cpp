@@ -41,7 +41,7 @@ void requireFields(const MeshFile& file) {
                          std::to_string(file.points.cols()) + " vertices");
 }
 
-/// What every reader must hand over and every printer may rely on.
+/// Checks what every reader must guarantee and every printer may rely on.
 void requireSound(const MeshFile& file, MeshNeeds needs = MeshNeeds::Cells) {
     if (file.points.cols() == 0) throw InputError("there is no vertex in it");
     if (cellCount(file) == 0 && needs == MeshNeeds::Cells)
@@ -69,7 +69,7 @@ void requireCarriable(const MeshFormat& format, const MeshFile& mesh) {
     throw InputError("a " + std::string(format.name) + " file cannot hold tetrahedra; these can:" + able);
 }
 
-/// What is written of a mesh that was made here, or whose boundary was asked for.
+/// Returns the part of a mesh that is written, if the mesh was generated or its boundary was requested.
 MeshFile asWritten(const MeshFile& mesh, const MeshFormat& format, const MeshWriteOptions& options) {
     MeshFile file = usedPart(mesh);
     if (!isVolume(file)) return file;

@@ -18,7 +18,7 @@ std::string_view withoutComment(std::string_view line) {
     return line.substr(0, line.find('$'));
 }
 
-/// The name and fields of one line.
+/// Returns the name and fields of one line.
 std::vector<std::string> cardFields(std::string_view line) {
     std::vector<std::string> fields;
     if (line.find(',') != std::string_view::npos) {

@@ -15,7 +15,7 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-/// A deck with other points in its GRID entries, in their order.
+/// Returns a deck with other points in its GRID entries, in their order.
 std::string bulkWithPoints(const std::string& deck, const Eigen::Matrix3Xd& points) {
     std::string out;
     Eigen::Index v = 0;

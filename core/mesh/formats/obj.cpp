@@ -24,7 +24,7 @@ constexpr const char* kColours[] = {"red", "green", "blue"};
 
 struct Corner {
     std::int64_t vertex, texture;  // counted from 0; texture is −1 if there is none
-    std::size_t offset;            // in the file, for errors: a face may stand before its vertices
+    std::size_t offset;            // in the file, for errors: a face may precede its vertices
 };
 
 class ObjReader {
@@ -83,7 +83,7 @@ class ObjReader {
             if (keyword != "g") return m_scanner.seek(m_scanner.offset() - 1);
         }
     }
-    /// The rest of the line; the scanner stands behind its end.
+    /// Returns the rest of the line, and moves the scanner behind its end.
     std::string_view trimmedLine() {
         auto text = m_scanner.line();
         return text.substr(0, text.find('#'));
@@ -185,7 +185,7 @@ class ObjReader {
     std::vector<std::size_t> m_current;                           // groups of the cells that follow
 };
 
-/// Colours from 0 to 1, or nothing.
+/// Returns colours from 0 to 1, or nothing.
 std::vector<double> coloursOf(const MeshFile& bag) {
     std::vector<double> colours(3 * static_cast<std::size_t>(bag.points.cols()));
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// What an OBJ file says beside the shape: texture points of corners, materials, groups.
+// An OBJ file describes more than the shape: texture points of corners, materials, and groups.
 
 #include "core/mesh/formats/obj_skin.h"
 
@@ -27,7 +27,7 @@ std::string_view takeWord(std::string_view& line) {
     return word;
 }
 
-/// Calls `take` with every line; one that ends in a backslash goes on in the next.
+/// Calls `take` with every line; one that ends in a backslash is joined to the next.
 template <class Take>
 void eachLine(std::string_view bytes, const Take& take) {
     std::string whole;
@@ -51,7 +51,8 @@ double numberOr(std::string_view word, double otherwise) {
     return done.ec == std::errc() ? value : otherwise;
 }
 
-/// "map_Kd -s 1 1 1 wood.png": options stand in front of the name, which may hold blanks if there are none.
+/// Returns the file name in "map_Kd -s 1 1 1 wood.png": options precede the name, which may contain blanks if
+/// there are none.
 std::string textureName(std::string_view rest) {
     if (!rest.starts_with('-')) return std::string(rest);
     const auto blank = rest.find_last_of(" \t");
@@ -196,7 +197,7 @@ class LookReader {
     int m_material = -1, m_group = -1;
 };
 
-/// "v/vt/vn" → "v/vt", "v//vn" → "v".
+/// Turns "v/vt/vn" into "v/vt", and "v//vn" into "v".
 std::string withoutNormal(std::string_view corner) {
     const auto first = corner.find('/');
     if (first == std::string_view::npos) return std::string(corner);

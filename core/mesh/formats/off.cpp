@@ -1,7 +1,6 @@
-// Object File Format: "OFF", the numbers of vertices, faces and edges, then the vertices and the faces.
-// Colours, normals and texture coordinates (COFF, NOFF, STOFF) are passed over, and so is what geomview may
-// put in front: "appearance { … }". The word OFF may be missing. Faces beyond the number that was told are
-// read.
+// The Object File Format has "OFF", the numbers of vertices, faces and edges, then the vertices and the
+// faces. Colours, normals and texture coordinates (COFF, NOFF, STOFF) are skipped, and so is what geomview
+// may write first: "appearance { … }". The word OFF may be missing. Faces beyond the stated number are read.
 
 #include <cctype>
 
@@ -29,7 +28,7 @@ bool beginsWithNumber(Scanner& scanner) {
     return end != 0 && end != rest.npos && std::isspace(static_cast<unsigned char>(rest[end]));
 }
 
-/// True if vertices carry more than their position, on the same line.
+/// Returns whether vertices have more than their position on the same line.
 bool readHeader(Scanner& scanner) {
     passAppearance(scanner);
     if (beginsWithNumber(scanner)) return false;

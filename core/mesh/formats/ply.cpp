@@ -214,7 +214,7 @@ class PlyReader {
             else if (!property.isCorners())
                 file.notices.push_back("the lists " + inQuotes(property.name) + " of its faces");
     }
-    /// Of every corner: of a vertex the first one counts.
+    /// Takes the texture points of all corners; for a vertex the first one counts.
     void takeTexture(MeshFile& file) const {
         if (file.uv.cols() > 0) return;
         file.uv = Eigen::Matrix2Xd::Zero(2, file.points.cols());

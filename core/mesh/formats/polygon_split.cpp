@@ -53,7 +53,7 @@ std::vector<int> withoutRepeats(std::span<const int> corners) {
     return ring;
 }
 
-/// A polygon laid into the plane of two axes, counter-clockwise.
+/// A polygon projected into the plane of two axes, counter-clockwise.
 class FlatPolygon {
   public:
     FlatPolygon(const Eigen::Matrix3Xd& points, const std::vector<int>& ring) : m_ring(ring) {
@@ -73,7 +73,7 @@ class FlatPolygon {
         layDown(corners, normal);
     }
 
-    /// No area at all, not even of its parts.
+    /// Returns whether neither the polygon nor its parts have an area.
     bool isLine() const { return m_spread <= kNoArea * m_size * m_size; }
     bool hasArea() const { return m_area > kNoArea * m_size * m_size; }
     bool isFarFromPlane() const { return m_height > kFarFromPlane * m_size; }
@@ -92,14 +92,14 @@ class FlatPolygon {
             if (turn(0, k - 1, k) <= 0) return false;
         return true;
     }
-    /// Two edges cut each other in their insides.
+    /// Returns whether two edges cross in their interiors.
     bool crossesItself() const {
         for (int i = 0; i < size(); ++i)
             for (int j = i + 2; j < size(); ++j)
                 if (cross(i, (i + 1) % size(), j, (j + 1) % size())) return true;
         return false;
     }
-    /// Area to the square of the longest edge.
+    /// Returns the area relative to the square of the longest edge.
     double shape(int a, int b, int c) const {
         const Eigen::Vector2d &p = m_points[static_cast<std::size_t>(a)],
                               &q = m_points[static_cast<std::size_t>(b)],
@@ -128,7 +128,7 @@ class FlatPolygon {
     double m_area = 0, m_spread = 0, m_size = 0, m_height = 0;
 };
 
-/// Cuts ears off a simple polygon: corners whose triangle lies inside and holds no other corner.
+/// Cuts ears off a simple polygon: corners whose triangle is inside and contains no other corner.
 class EarClipper {
   public:
     explicit EarClipper(const FlatPolygon& polygon) : m_polygon(polygon) {

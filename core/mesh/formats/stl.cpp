@@ -69,7 +69,7 @@ void addSolids(const std::vector<std::pair<std::string, int>>& solids, MeshFile&
     }
 }
 
-/// One or more "solid NAME … endsolid NAME".
+/// Reads one or more "solid NAME … endsolid NAME".
 MeshFile readText(std::string_view bytes) {
     Scanner scanner(bytes);
     VertexMerger vertices;
@@ -125,7 +125,8 @@ MeshFile readBinary(std::string_view bytes) {
     return file;
 }
 
-/// Programs begin binary files with "solid" too; only the length tells.
+/// Returns whether the length is that of a binary file. Some programs begin binary files with "solid" too, so
+/// only the length is reliable.
 bool hasBinaryLength(std::string_view bytes) {
     if (bytes.size() < headerSize) return false;
     const auto count = decodeInteger(bytes.substr(headerSize - 4), Scalar::UInt32, std::endian::little);
@@ -152,7 +153,7 @@ std::array<int, 3> triangleOf(const MeshFile& mesh, int c) {
     return {nodes[0], nodes[1], nodes[2]};
 }
 
-/// A solid for each run of triangles of one group.
+/// Prints a solid for each run of triangles of one group.
 std::string printText(const MeshFile& mesh) {
     const std::vector<int> groups = mainGroups(mesh);
     const auto nameOf = [&](int group) {

@@ -14,7 +14,7 @@
 namespace wend::formats {
 namespace {
 
-/// Whatever `read` throws gets this file's name: the pair has two.
+/// Adds this file's name to whatever `read` throws, because the pair has two.
 template <class Read>
 auto inFile(const MeshSource& source, const Read& read) {
     try {
@@ -84,8 +84,8 @@ std::optional<CellKind> elementKind(std::int64_t corners) {
     return std::nullopt;
 }
 
-/// Triangle and TetGen number the nodes on edges in ways of their own: each goes to the edge whose middle is
-/// nearest.
+/// Returns the nodes in VTK's order. Triangle and TetGen number the nodes on edges differently, so each is
+/// assigned to the edge whose midpoint is nearest.
 std::vector<int> inOrderOfVtk(const std::vector<int>& cell, const Eigen::Matrix3Xd& points) {
     constexpr std::array<int, 2> edges[] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
     const std::size_t corners = cell.size() == 6 ? 3 : 4;
@@ -204,7 +204,7 @@ std::string cellLines(const MeshFile& mesh, CellKind kind, const std::string& he
     return std::move(out.text());
 }
 
-/// The field "attribute", or the numbers of the groups.
+/// Prints the elements with the field "attribute", or the numbers of the groups.
 std::string elementLines(const MeshFile& mesh, CellKind kind) {
     const MeshField* attribute = fieldNamed(mesh, true, "attribute");
     const std::string corners = std::to_string(factsOf(kind).corners) + " ";
@@ -220,7 +220,7 @@ std::string elementLines(const MeshFile& mesh, CellKind kind) {
                      [&](TextWriter& out, std::size_t c) { out << ' ' << numbers[c]; });
 }
 
-/// Nothing without cells of the kind.
+/// Prints the boundary; empty if there are no cells of the kind.
 std::string printSides(const MeshFile& mesh, CellKind kind) {
     if (std::ranges::count(mesh.cells.kinds, kind) == 0) return {};
     const std::vector<long> numbers = groupNumbers(mesh);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kDeepest = 32;  // components of components
 
-/// The name of an element or attribute without its namespace.
+/// Returns the name of an element or attribute without its namespace.
 std::string_view localName(const char* name) {
     const std::string_view whole(name);
     const auto colon = whole.find(':');
@@ -64,7 +64,7 @@ class ThreeMfReader {
     /// p ↦ p A + b, with A above b.
     using Place = Eigen::Matrix<double, 4, 3>;
 
-    /// The model that the archive's relations name.
+    /// Returns the name of the model in the archive's relations.
     std::string rootName() const {
         constexpr const char* kUsual = "3D/3dmodel.model";
         const auto relations = m_archive.file("_rels/.rels");

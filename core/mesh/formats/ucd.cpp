@@ -16,7 +16,8 @@
 namespace wend::formats {
 namespace {
 
-/// `order[k]` is where VTK's node k stands in AVS's list; empty: they agree.
+/// A kind of cell in AVS UCD. `order[k]` is the position of VTK's node k in AVS's list; it is empty if both
+/// orders agree.
 struct UcdKind {
     std::string_view name;
     CellKind kind;
@@ -90,8 +91,8 @@ class UcdReader {
         for (std::size_t k = 0; k < kind->order.size(); ++k) nodes[k] = read[kind->order[k]];
         m_file.cells.add(kind->kind, nodes);
     }
-    /// How many fields and the components of each, a line with name and unit for each, and a line of values
-    /// for each node or cell.
+    /// Reads the number of fields and the components of each, a line with name and unit for each, and a line
+    /// of values for each node or cell.
     void readFields(const Numbers& numbers, std::int64_t perLine, bool perCell) {
         std::vector<MeshField> fields(m_scanner.count("fields", 2));
         std::int64_t sum = 0;

@@ -25,8 +25,8 @@ void requireCorners(std::size_t cell, std::size_t count, std::size_t needed) {
                "has " + std::to_string(count) + " corners where " + std::to_string(needed) + " are needed");
 }
 
-/// VTK numbers the triangles of a linear wedge the other way round than Gmsh, Abaqus and Nastran, whose order
-/// the list has.
+/// Turns the triangles of a linear wedge, which VTK numbers in the opposite direction to Gmsh, Abaqus and
+/// Nastran, whose order the list has.
 void turnWedge(auto nodes) {
     std::swap(nodes[1], nodes[2]);
     std::swap(nodes[4], nodes[5]);

@@ -26,7 +26,7 @@ bool isCellTag(const MeshField& field) {
     return field.perCell && field.components == 1 && std::ranges::count(tags, field.name) > 0;
 }
 
-/// The labels of the boundary stand in a field of the file already.
+/// Returns whether a field of the file already holds the labels of the boundary.
 bool tellsLabels(const MeshField& field, const MeshFile& bag) {
     if (!isCellTag(field)) return false;
     for (std::size_t t = 0; t < bag.labels.size(); ++t)

@@ -47,8 +47,8 @@ class Pieces {
         return bytes;
     }
 
-    /// True if the first piece is encoded for itself although more follows: its padding leaves room for no
-    /// more. (Padding alone does not tell: it may belong to the data that stands in the same piece.)
+    /// Returns whether the first piece is encoded on its own although more follows: its padding leaves no
+    /// room for more. (Padding alone is no proof, because it may belong to the data in the same piece.)
     bool closedAfter(std::size_t size) const {
         const auto length = lengthOf(size);
         return m_base64 && m_text.size() > length && decodeBase64(m_text.substr(0, length)).size() == size;
@@ -189,7 +189,7 @@ std::string decodeVtuArray(std::string_view text, const VtuEncoding& encoding) {
         return decodeCompressed(pieces, text.size(), encoding);
     const auto word = sizeOf(encoding.header);
     const auto size = headerNumber(pieces.peek(word), 0, encoding);
-    if (pieces.closedAfter(word)) {  // not VTK's way, but some programs'
+    if (pieces.closedAfter(word)) {  // used by some programs, but not by VTK
         pieces.take(word);
         return pieces.take(size);
     }

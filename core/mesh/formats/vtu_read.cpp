@@ -120,7 +120,7 @@ class VtuReader {
             root.child("AppendedData").attribute("encoding").as_string("base64");
         m_appendedRaw = appended == "raw";
     }
-    /// Behind the pieces before it.
+    /// Reads a piece and appends it to those before it.
     void readPiece(pugi::xml_node piece) {
         const auto pointCount = attribute(piece, "NumberOfPoints");
         const auto firstPoint = m_file.points.cols();
@@ -171,7 +171,7 @@ class VtuReader {
         if (!type) fail(array, inQuotes(name) + " is no type of numbers");
         return *type;
     }
-    /// Where a binary array begins.
+    /// Returns the text from the beginning of a binary array on.
     std::string_view startOf(pugi::xml_node array, bool appended) const {
         if (!appended) return trimmed(array.text().get());
         const auto offset = attribute(array, "offset");
@@ -254,7 +254,7 @@ class VtuReader {
         cells.offsets.insert(cells.offsets.begin(), 0);
         return cells;
     }
-    /// Vertices, lines, strips and polygons, in the order in which their values stand.
+    /// Reads vertices, lines, strips and polygons in the order of their values.
     VtkCells readPolyCells(pugi::xml_node piece) {
         VtkCells all;
         all.offsets.push_back(0);

@@ -78,7 +78,7 @@ class VtuPrinter {
         close("UnstructuredGrid");
         return std::move(m_out.text());
     }
-    /// Of cells in the order of their sections.
+    /// Prints the cells in the order of their sections.
     std::string printPolyData() {
         std::string counts;
         for (std::size_t k = 0; k < std::size(kPolySections); ++k)
@@ -150,7 +150,7 @@ class VtuPrinter {
         m_out << (perCell ? "</CellData>\n" : "</PointData>\n");
     }
 
-    /// In the type of the file that it comes from.
+    /// Prints a field in the type of the file that it comes from.
     void fieldArray(const MeshField& field, const std::string& more) {
         if (field.type == Scalar::Float64)
             return array<double>(field.name, field.components, field.values, more);

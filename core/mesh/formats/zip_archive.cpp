@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLongestFile = std::size_t(1) << 30;
 constexpr unsigned kStored = 0, kDeflated = 8;
 
-/// A little-endian number of `size` bytes.
+/// Returns a little-endian number of `size` bytes.
 std::size_t numberAt(std::string_view bytes, std::size_t at, std::size_t size) {
     if (at > bytes.size() || size > bytes.size() - at) throw InputError("is a damaged ZIP archive");
     std::size_t number = 0;

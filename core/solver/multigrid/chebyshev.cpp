@@ -19,7 +19,7 @@ double dotProduct(const Points<Size>& a, const Points<Size>& b) {
     return a.leftCols(b.cols()).cwiseProduct(b).sum();
 }
 
-/// A number in [−1, 1[ by splitmix64.
+/// Returns a number in [−1, 1[ by splitmix64.
 double rough(std::uint64_t number) {
     std::uint64_t bits = number * 0x9E3779B97F4A7C15ULL;
     bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9ULL;
@@ -82,7 +82,8 @@ bool Chebyshev<Size>::invertDiagonal(const BlockRows<Size>& K, const std::vector
     return true;
 }
 
-/// Conjugate gradients from a rough right-hand side give Lanczos' tridiagonal matrix.
+/// Estimates the eigenvalue by Lanczos' tridiagonal matrix, which conjugate gradients from a rough right-hand
+/// side give.
 template <int Size>
 bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsigned>& held,
                               const PartLinks& links, WorkerPool& workers) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kAggregateGrain = 16;  // aggregates
 
-/// C += A B, column by column.
+/// Computes C += A B, column by column.
 template <class Left, class Right, class Sum>
 void addProduct(const Left& A, const Right& B, Sum& C) {
     for (Eigen::Index j = 0; j < C.cols(); ++j) {

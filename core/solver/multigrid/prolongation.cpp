@@ -87,7 +87,7 @@ auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const 
     return G;
 }
 
-/// P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held.
+/// Computes P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
                                        const Chebyshev<Size>& smoother, WorkerPool& workers) {
@@ -156,7 +156,7 @@ void Prolongation<Size, Modes>::addCopies(const PartLinks& links) {
         m_blocks.push_back(Eigen::Map<const Block>(rows.values.data() + i * kNumbers));
 }
 
-/// From numbers in the whole to those of the aggregates that the rows have.
+/// Replaces numbers in the whole by those of the aggregates that the rows have.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::renumber() {
     m_numbers = m_aggregate;

@@ -33,7 +33,7 @@ class ReducedMatrix<Dim>::Rows {
         std::sort(first, columns.end());
     }
 
-    /// K_PQ = Σ z_pP z_qQ A_pq.
+    /// Computes K_PQ = Σ z_pP z_qQ A_pq.
     void compute(int row, const BlockSource& source, BlockRows<Dim>& out) {
         const int begin = out.begin(row), count = out.begin(row + 1) - begin;
         m_columns.clear();
@@ -65,7 +65,7 @@ class ReducedMatrix<Dim>::Rows {
             visit(m_matrix.m_followers[i].first, m_matrix.m_followers[i].second);
     }
 
-    /// The contributions to the row of a vertex in A, and its columns.
+    /// Collects the contributions to the row of a vertex in A, and its columns.
     void collect(int vertex) {
         m_vertices.clear();
         m_contributions.clear();
@@ -84,7 +84,7 @@ class ReducedMatrix<Dim>::Rows {
         }
     }
 
-    /// By column, in their order.
+    /// Sorts the contributions by column, otherwise in their order.
     void sortContributions() {
         m_blockStart.assign(static_cast<std::size_t>(m_vertices.size()) + 1, 0);
         for (int place : m_places) ++m_blockStart[place + 1];
