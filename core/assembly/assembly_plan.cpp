@@ -56,6 +56,8 @@ void forContributions(const AssemblyPlan<Dim>& plan, Visit&& visit) {
     }
 }
 
+/// Appends a block column to the plan: contributions are sorted by row, stably, so that their order does not
+/// depend on the sorting algorithm, and each new row begins a block.
 template <int Dim>
 void appendColumn(std::vector<PlannedContribution>& column, AssemblyPlan<Dim>& plan) {
     std::stable_sort(column.begin(), column.end(),
@@ -75,6 +77,8 @@ void appendColumn(std::vector<PlannedContribution>& column, AssemblyPlan<Dim>& p
     plan.columnStart.push_back(plan.blockCount());
 }
 
+/// Builds the block pattern and the lists of contributions. Contributions are first distributed to their
+/// columns by a counting sort, then each column is sorted by rows.
 template <int Dim>
 void buildPattern(AssemblyPlan<Dim>& plan) {
     std::vector<std::size_t> start(plan.vertexCount + 1, 0);

@@ -123,6 +123,8 @@ void CpuBackEnd<Dim>::updateStressMatrix(const Points<Dim>& shape, int c) {
     m_D[c] = stressMatrix<Dim>(m_weights[c], m_B[c]);
 }
 
+/// Computes everything that depends on the shape, in fixed pieces that threads share. The first bad cell is
+/// the least of those that the pieces find, so that it does not depend on the threads.
 template <int Dim>
 int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     constexpr int kNone = std::numeric_limits<int>::max();
@@ -317,6 +319,8 @@ Vec<Dim> CpuBackEnd<Dim>::massTimes(const Points<Dim>& v, int c, int vertex) con
     return massRegularization(c) * m_geometry[c].measure / (kCorners * (kCorners + 1)) * sum;
 }
 
+/// Computes A v in two passes: first the load of every cell, then for every vertex the sum over its corners
+/// in a fixed order.
 template <int Dim>
 void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     Av.resize(Dim, m_plan->vertexCount);

@@ -132,6 +132,7 @@ void IsotropicBackEnd<Dim>::listCorners() {
     }
 }
 
+/// Copies the facets of the plan to structures of arrays. Entries beyond the last facet repeat it.
 template <int Dim>
 void IsotropicBackEnd<Dim>::prepareFacets() {
     const int count = isotropic::padded(m_facetCount);
@@ -167,6 +168,8 @@ void IsotropicBackEnd<Dim>::connect() {
                      m_facetR.data(), m_facetWeight.data(),   m_facetShear.data(), m_facetDilation.data()};
 }
 
+/// Computes geometry and weights at a shape. Every piece reports its first bad cell, so that the result does
+/// not depend on the threads.
 template <int Dim>
 int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     std::vector<int> bad((m_cellCount + kPlanGrain - 1) / kPlanGrain);
@@ -188,6 +191,8 @@ int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     return -1;
 }
 
+/// Computes A v in passes over cells and vertices: tensors, forces on the corners, and their sums at the
+/// vertices.
 template <int Dim>
 void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     Av.resize(Dim, m_plan->vertexCount);

@@ -107,6 +107,7 @@ HWY_ATTR HWY_INLINE void centroids(const Cells<Dim>& s, int begin, int end, cons
     }
 }
 
+/// Implements geometry() for one SIMD target, in blocks of cells whose edges are gathered first.
 template <int Dim>
 HWY_ATTR HWY_INLINE void geometryOf(const Cells<Dim>& s, int begin, int end, const double* x) {
     constexpr double kFactorial = Dim == 2 ? 2 : 6;
@@ -164,6 +165,7 @@ HWY_INLINE void loadTensor(const double* first, const double* rest, V (&T)[6]) {
     loadLanes(rest, 2, T[4], T[5]);
 }
 
+/// Implements tensors() for one SIMD target; with kStress the tensor is the stress P, otherwise the strain S.
 template <int Dim, bool kStress>
 HWY_ATTR HWY_INLINE void tensorsOf(const Cells<Dim>& s, int begin, int end, const double* v) {
     constexpr int kTensor = Dim * (Dim + 1) / 2;
@@ -201,6 +203,7 @@ struct Jumps {
     HWY_ALIGN double dilation[kBlock][4];  // with the weight of the dilation, the diagonal counts
 };
 
+/// Sums the weighted differences of a cell's tensor and those of its neighbours over the facets.
 template <int Dim, bool kDilation>
 HWY_ATTR HWY_INLINE void gatherJumps(const Cells<Dim>& s, int begin, int end, Jumps<Dim>& jumps) {
     for (int c = begin; c < end; ++c) {
@@ -308,6 +311,8 @@ HWY_ATTR HWY_INLINE void forcesOf(const Cells<Dim>& s, int begin, int end, doubl
     }
 }
 
+/// Implements sumForces() for one SIMD target. Two sums run side by side, because each addition waits for the
+/// one before it.
 template <int Dim>
 HWY_ATTR HWY_INLINE void sumForcesOf(const int* start, const int* corners, const double* force, int begin,
                                      int end, double* sums) {
@@ -333,6 +338,7 @@ struct FacetRows {
     HWY_ALIGN double edge[kBlock][4], other[kBlock][4], between[kBlock][4];
 };
 
+/// Gathers the points of a block of facets, and the centroids of their cells, into rows.
 template <int Dim>
 HWY_ATTR HWY_INLINE void gatherFacets(const Facets<Dim>& s, const Cells<Dim>& cells, int begin, int end,
                                       const double* x, FacetRows<Dim>& rows) {
@@ -367,6 +373,7 @@ HWY_INLINE void measureFacets(const FacetRows<3>& rows, int i, V& measure, V& sq
     squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
 }
 
+/// Implements facetWeights() for one SIMD target, in blocks of facets whose points are gathered first.
 template <int Dim, bool kStress>
 HWY_ATTR HWY_INLINE void weightsOf(const Facets<Dim>& s, const Cells<Dim>& cells, int begin, int end,
                                    const double* x, double factor) {

@@ -44,6 +44,7 @@ HWY_INLINE V minor(V a, V b, V c, V d) {
 struct Strain {
     V xx, yy, zz, xy, xz, yz, mean;
 };
+/// Returns the strain FᵀF − I of several maps: its diagonal, then the entries (0, 1), (0, 2) and (1, 2).
 HWY_INLINE Strain strainOf(const V (&F)[9]) {
     const auto product = [&](int i, int j) HWY_ATTR {
         return dot(F[3 * i], F[3 * j], F[3 * i + 1], F[3 * j + 1], F[3 * i + 2], F[3 * j + 2]);

@@ -272,6 +272,7 @@ Cholesky::Status Cholesky::factorize(const std::stop_token& stop) {
     return good ? Status::Done : Status::NotPositiveDefinite;
 }
 
+/// Solves on one thread, and checks that the result is finite.
 Cholesky::Status Cholesky::solve(std::span<const double> b, std::span<double> x) {
     const SerialOpenMp serial;
     const BlasBuffer buffer;

@@ -55,6 +55,8 @@ void SupernodalFactor<Real>::placePanels() {
     m_inverse.resize(m_symbolic.order.size());
 }
 
+/// Places the update matrices: first those of the subtrees' roots, which outlive their subtree, then the
+/// stacks of the separator and of the threads.
 template <class Real>
 void SupernodalFactor<Real>::placeUpdates() {
     m_updateStart.assign(m_symbolic.count(), 0);
@@ -126,6 +128,7 @@ void SupernodalFactor<Real>::reserve(int threads) {
                                  dense::kPad<Real>);
 }
 
+/// Finds the runs of consecutive rows of every update matrix in the front of its parent, for extendAdd().
 template <class Real>
 void SupernodalFactor<Real>::mapUpdates() {
     std::vector<int> place(m_symbolic.order.size());
@@ -264,6 +267,7 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     return !m_stop.stop_requested();
 }
 
+/// Factorizes a front with all threads if it is large enough to pay for that, else in this thread alone.
 template <class Real>
 bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, Real* stacks,
                                          WorkerPool& workers) {

@@ -47,6 +47,8 @@ void SupernodalFactor<Real>::placeWorkspaces() {
     m_x.resize(x);
 }
 
+/// Solves forward with one front: takes its part of x, applies the panel, and adds the result to the rows
+/// below.
 template <class Real>
 void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
     const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);
@@ -64,6 +66,7 @@ void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
     for (int i = columns; i < rows; ++i) m_x[target[i]] += w[i];
 }
 
+/// Solves backward with one front: gathers x in the rows below, and applies the transposed panel.
 template <class Real>
 void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) {
     const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);

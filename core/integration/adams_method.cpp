@@ -71,6 +71,8 @@ double AdamsMethod<Dim>::estimate(StageVectors<Dim>& stages, int order) const {
     return stages.maximum(difference) / m_tolerance;
 }
 
+/// Predicts by the polynomial through the last fields, evaluates the field at the predicted shape, corrects,
+/// and estimates the errors of the neighbouring orders.
 template <int Dim>
 bool AdamsMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages, double t,
                                double to, const Nodal<Dim>& x, Pace<Dim>& pace) {
@@ -104,6 +106,8 @@ void AdamsMethod<Dim>::retry(Pace<Dim>& pace) const {
         (m_to - m_from) * (std::isfinite(factor) ? std::clamp(factor, kLeastGrowth, 0.9) : kLeastGrowth);
 }
 
+/// Chooses the order and the step that promise the longest steps for the tolerance. While the method starts,
+/// both grow with every step.
 template <int Dim>
 void AdamsMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
     // No order was refused yet: raise it with every step.

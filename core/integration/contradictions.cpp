@@ -106,6 +106,8 @@ class Rehearsal {
         }
     }
 
+    /// Puts the point of a dependent row at the combination of the other rows' points. Points that were held
+    /// before keep their positions.
     void join(const DependentRow& row, const std::vector<int>& before) {
         const auto old = [&](int id) { return std::binary_search(before.begin(), before.end(), id); };
         const int id = m_ids[row.row];
@@ -122,6 +124,7 @@ class Rehearsal {
         m_positions[id] = p;
     }
 
+    /// Throws InputError if the velocities of a dependent row differ from those of its combination at time t.
     void check(double t) const {
         if (m_dependent.empty()) return;
         Points<Dim> positions, velocities;

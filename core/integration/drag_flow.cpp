@@ -107,6 +107,8 @@ void DragFlow<Dim>::prepare() {
     m_history.clear();
 }
 
+/// Continues from a pose, which is normalized here. The fields of the history are dropped if it is far from
+/// the last shape.
 template <int Dim>
 void DragFlow<Dim>::begin(const Points<Dim>& pose) {
     if (pose.cols() != m_rest->vertexCount()) {
@@ -128,6 +130,8 @@ void DragFlow<Dim>::begin(const Points<Dim>& pose) {
     m_constraintError = 0;
 }
 
+/// Divides the motion into steps of a few percent of the size. A step that fails, because cells would be
+/// inverted, is tried again with half its length.
 template <int Dim>
 typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles, const Motion<Dim>& motion,
                                                 const std::vector<Alongside>& alongside) {
@@ -252,6 +256,8 @@ bool DragFlow<Dim>::track(const Targets& targets) {
     return true;
 }
 
+/// Takes one step to the targets: by the midpoint rule with the midpoint predicted from earlier fields, or
+/// along the minimum for an elastic shape.
 template <int Dim>
 bool DragFlow<Dim>::step(const Targets& targets) {
     if (isElastic()) return track(targets);

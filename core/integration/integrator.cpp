@@ -74,6 +74,8 @@ void Deformer<Dim>::Integrator::setHandles(const std::vector<Handle<Dim>>& handl
     restore(State<Dim>(state));
 }
 
+/// Continues from a state. A state without a normalized shape is normalized here; it then continues, but not
+/// to the same bits.
 template <int Dim>
 void Deformer<Dim>::Integrator::restore(const State<Dim>& from) {
     if (from.points.cols() != m_rest->vertexCount()) {
@@ -316,6 +318,7 @@ bool Deformer<Dim>::Integrator::goesOn(double time) {
     return true;
 }
 
+/// Takes steps up to `time`, or up to the first failure, and emits the frames within each accepted step.
 template <int Dim>
 AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch) {
     const auto begin = std::chrono::steady_clock::now();
@@ -340,6 +343,8 @@ AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch
     return good ? AdvanceResult{Outcome::Done, state.time, -1, {}} : stopped();
 }
 
+/// Solves for v̂ at the current state. Between two motions the one that begins counts. The state stays as it
+/// is.
 template <int Dim>
 Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
     const bool begins = flows(state.time, Side::After);

@@ -167,6 +167,8 @@ bool Deformer<Dim>::Integrator::step(double stop) {
     }
 }
 
+/// Accepts a step: counts it, remembers what the next one depends on, emits the frames within it, and moves
+/// the state to its end.
 template <int Dim>
 void Deformer<Dim>::Integrator::accept(double to, bool shortened, bool cut) {
     ++statistics.steps;

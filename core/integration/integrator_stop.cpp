@@ -49,6 +49,8 @@ int Deformer<Dim>::Integrator::nearestPoint(const Vec<Dim>& place) const {
     return nearest;
 }
 
+/// Describes the last failure in one line, with its time, its place in the domain's coordinates, and the
+/// handle concerned.
 template <int Dim>
 AdvanceResult Deformer<Dim>::Integrator::stopped() const {
     AdvanceResult result{Outcome::Cancelled, state.time, -1, {}};

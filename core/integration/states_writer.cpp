@@ -36,6 +36,8 @@ StatesWriter<Dim>::StatesWriter(const std::string& path, StatesHeader header) : 
     store(BlockKind::Header, header);
 }
 
+/// Continues another run's states: the same file is cut after its last checkpoint, a different one gets a
+/// copy.
 template <int Dim>
 StatesWriter<Dim>::StatesWriter(const std::string& path, const StatesReader<Dim>& before) : m_path(path) {
     m_lastArray = before.lastArray();

@@ -31,6 +31,8 @@ void StepProgress::fieldDone() {
     m_setUp = false;
 }
 
+/// Reports the time that corresponds to the work done so far. If a factor or levels are made for a field,
+/// they count as a fixed part of it. The reported time never decreases within a run.
 void StepProgress::tell(FieldWork work, double part) {
     const std::scoped_lock lock(m_mutex);
     if (!m_sink) return;

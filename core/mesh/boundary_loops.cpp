@@ -4,6 +4,7 @@
 
 namespace wend {
 
+/// Follows the boundary edges from vertex to vertex until each loop is closed.
 std::vector<std::vector<Vec<2>>> boundaryLoops(const SimplicialMesh<2>& mesh) {
     std::multimap<int, int> next;  // along the boundary
     for (const Facet<2>& edge : facetsOf(mesh))

@@ -58,6 +58,8 @@ double surfaceOf(const std::array<Vec<3>, 4>& p) {
 
 }  // namespace
 
+/// Computes the edges at every corner first: their products bound the Jacobian, and the longest one gives the
+/// aspect ratio.
 template <int Dim>
 CellShape cellShape(const Points<Dim>& points, const Cell<Dim>& cell) {
     std::array<Vec<Dim>, Dim + 1> p;

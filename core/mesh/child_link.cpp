@@ -64,6 +64,8 @@ struct ChildLink::Process {
     pid_t id = 0;
     ChildResult result;
 
+    /// Starts the helper with one end of a socket pair as its standard input; its other descriptors are
+    /// closed.
     void start(const std::string& path, int megabytes) {
         std::array<int, 2> ends{};
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return fail(errno);

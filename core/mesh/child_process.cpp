@@ -27,6 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 class Child {
   public:
+    /// Starts the helper with pipes to its standard input and from its standard output.
     bool start(const std::string& path, int megabytes, double processorSeconds) {
         Descriptor childIn, childOut;
         if (!makePipe(childIn, m_in) || !makePipe(m_out, childOut)) return false;
@@ -88,6 +89,8 @@ struct Pulse {
     bool awake = false;
 };
 
+/// Returns the CPU time that all processes of a group have used, and whether one of them is running or waits
+/// for a disk, from /proc.
 Pulse pulseOf(pid_t wanted) {
     Pulse pulse;
     std::error_code error;
@@ -124,6 +127,8 @@ bool IdleWatch::isIdle(std::size_t said) {
     return std::chrono::duration<double>(now - m_since).count() > m_seconds;
 }
 
+/// Feeds the input and collects the output until the child ends, is idle, times out or is stopped; then its
+/// process group is killed.
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
                      const std::stop_token& stop, double processorSeconds, double idleSeconds) {
     const IgnoreBrokenPipe guard;
@@ -154,6 +159,8 @@ ChildResult runChild(const std::string& path, const std::string& input, double s
     return result;
 }
 
+/// Looks beside the program, in the folders of an installation, and, for a library in another program, near
+/// the library.
 std::string siblingProgram(const std::string& name) {
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();

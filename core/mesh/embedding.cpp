@@ -105,6 +105,8 @@ class Embedding<Dim>::Outside {
     std::vector<int> m_offsets, m_around;  // cells at the vertices
 };
 
+/// Locates every point. Points outside all cells get a row of weights from their nearest boundary point and
+/// the deformation gradient there.
 template <int Dim>
 Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& points) {
     const PointLocator<Dim> locator(rest.points, rest.cells);

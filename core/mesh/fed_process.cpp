@@ -28,6 +28,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& words) {
 
 }  // namespace
 
+/// Starts the program in a process group of its own. If that fails, output() says why, and feed() returns
+/// false.
 FedProcess::FedProcess(const std::string& program, const std::vector<std::string>& arguments) {
     Descriptor childIn, childOut;
     if (!makePipe(childIn, m_in) || !makePipe(m_out, childOut)) {

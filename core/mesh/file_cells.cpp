@@ -11,6 +11,7 @@ namespace {
 /// The three neighbours of each corner by edges, so that positive cells have positive corners.
 using Corners = std::vector<std::array<int, 4>>;
 
+/// Returns for every corner of a cell the corner itself and the ends of the three edges that leave it.
 const Corners& cornersOf(CellKind linear) {
     static const Corners tetrahedron{{0, 1, 2, 3}},
         pyramid{{0, 1, 3, 4}, {1, 2, 0, 4}, {2, 3, 1, 4}, {3, 0, 2, 4}},

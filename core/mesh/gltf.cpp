@@ -219,6 +219,8 @@ Vec<3> nodePlace(const Points<3>& points) {
 
 }  // namespace
 
+/// Writes the scene as one node with one primitive per material; poses become morph targets, one of which is
+/// active at each time.
 void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     if (scene.times.size() != scene.poses.size()) throw InputError(path, "one time per pose is needed");
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "Wend"}}},

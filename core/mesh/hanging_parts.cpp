@@ -76,6 +76,7 @@ std::vector<HangingPart> hangingParts(const SimplicialMesh<Dim>& mesh) {
     return Parts<Dim, Dim + 1>(mesh.points, mesh.cells, sets).hanging();
 }
 
+/// Treats the triangles as cells that are connected by edges of exactly two.
 std::vector<HangingPart> hangingParts(const Points<3>& points,
                                       const std::vector<std::array<int, 3>>& triangles) {
     const std::vector<int> first = firstAtPlace<3>(points);

@@ -68,6 +68,7 @@ InputFile::~InputFile() {
     if (m_descriptor >= 0) close(m_descriptor);
 }
 
+/// Reads in pieces, so that stopReading() takes effect within large files.
 std::string InputFile::bytes(std::uint64_t offset, std::uint64_t count) const {
     if (m_descriptor < 0) return offset < m_size ? m_content.substr(offset, count) : std::string();
     std::string bytes = room(std::min(count, m_size - std::min(offset, m_size)), m_path);

@@ -51,6 +51,8 @@ auto placesOf(const SimplicialMesh<Dim>& mesh, const std::vector<int>& first) {
 
 }  // namespace
 
+/// Unites vertices at one place where boundary facets of different parts coincide, if the joined mesh is
+/// valid.
 template <int Dim>
 JoinedParts<Dim> joinedParts(const SimplicialMesh<Dim>& mesh) {
     JoinedParts<Dim> result{mesh, 0};

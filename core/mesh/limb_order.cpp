@@ -31,6 +31,7 @@ class CellGraph {
         Vec<2> a, b;
     };
 
+    /// Computes centroids and areas of the cells, and connects those that share an edge.
     explicit CellGraph(const SimplicialMesh<2>& mesh)
         : m_neighbours(mesh.cells.size()), m_components(mesh.cellCount()) {
         for (const Cell<2>& cell : mesh.cells) {
@@ -334,6 +335,8 @@ class BodyTree {
 /// third one, which continues from there.
 class LimbTree {
   public:
+    /// Inserts the cells by decreasing reach, so that limbs grow from their tips and are joined where they
+    /// meet.
     LimbTree(CellGraph& graph, const std::vector<double>& reach)
         : m_graph(graph),
           m_reach(reach),

@@ -57,6 +57,8 @@ Points<3> PlaneFrame::moved(const Points<3>& points, const Points<2>& moved) con
     return result;
 }
 
+/// Tries the coordinate planes first, so that coordinates stay those of the file, and then the plane of least
+/// squares.
 std::optional<PlaneFrame> planeOf(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles) {
     if (triangles.empty()) return std::nullopt;
     const Points<3> used = usedPoints(points, triangles);

@@ -11,6 +11,7 @@ struct Character {
     std::size_t length = 0;  // in bytes; 0 if they are no UTF-8
 };
 
+/// Decodes the first character of UTF-8 text; its length is 0 if the bytes are invalid.
 Character firstOf(std::string_view text) {
     constexpr std::array<char32_t, 5> minimum{0, 0, 0x80, 0x800,
                                               0x10000};  // by length: no longer than needed

@@ -7,6 +7,7 @@
 
 namespace wend {
 
+/// Sums the moments relative to a vertex, since far from zero digits would be lost.
 template <int Dim>
 ShapeSize<Dim> shapeSize(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells) {
     if (cells.empty()) return {};

@@ -74,6 +74,8 @@ void requireNoDuplicates(const SimplicialMesh<Dim>& mesh) {
                              std::to_string(order[i - 1]));
 }
 
+/// Throws InputError for flat cells, and for cells of both orientations, of which the rarer ones are named as
+/// inverted.
 template <int Dim>
 void requireOneOrientation(const SimplicialMesh<Dim>& mesh) {
     int negative = 0, firstNegative = -1, firstPositive = -1;

@@ -119,6 +119,7 @@ int TriangleTree::build(int first, int last, const std::vector<Vec<3>>& centres)
     return index;
 }
 
+/// Computes the box of a node from its children or, in a leaf, from its triangles.
 void TriangleTree::fit(Node& node, int index) {
     if (node.count == 0) {
         const Node &left = m_nodes[index + 1], &right = m_nodes[node.right];
@@ -142,6 +143,7 @@ void TriangleTree::refit(const Points<3>& points) {
     for (int i = static_cast<int>(m_nodes.size()) - 1; i >= 0; --i) fit(m_nodes[i], i);
 }
 
+/// Visits the nearer child first, and skips boxes that the ray enters behind the nearest hit so far.
 TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& direction) const {
     Hit hit;
     if (m_nodes.empty()) return hit;
@@ -179,6 +181,7 @@ TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& dir
     return hit;
 }
 
+/// Visits the nearer child first, and skips boxes that are farther away than the nearest point so far.
 TriangleTree::Nearest TriangleTree::nearest(const Vec<3>& p) const {
     Nearest best;
     double minimum = kNothing;

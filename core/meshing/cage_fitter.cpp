@@ -30,6 +30,7 @@ class CubeMesher {
         for (auto& corners : m_corners) corners.fill(-1);
     }
 
+    /// Builds the tetrahedra of all full cubes, with shared corners and centres.
     SimplicialMesh<3> mesh() {
         for (const std::int64_t cube : m_full) m_points.push_back(m_grid.centre(m_grid.place(cube)));
         for (int i = 0; i < count(); ++i)

@@ -152,6 +152,8 @@ class FaultFixer {
         return {{SurfaceFix::Kind::Turn, {m_now.numbers[triangle]}}};
     }
 
+    /// Removes crossing triangles with as few neighbours as possible, and fills the resulting holes. Larger
+    /// surroundings are tried only if smaller ones do not help.
     FaultFix uncrossed(const std::vector<int>& triangles) {
         const SurfaceProblems& before = m_problems;
         for (const std::vector<int>& going : aroundCrossing(triangles)) {
@@ -232,6 +234,7 @@ class FaultFixer {
         return going;
     }
 
+    /// Returns the triangles together with all others that share a vertex with them.
     std::vector<int> withNeighbours(const std::vector<int>& triangles) const {
         const Surface& surface = m_now.surface;
         const std::vector<int> first = canonicalVertices(surface.points);

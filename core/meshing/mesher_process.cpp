@@ -11,6 +11,7 @@ namespace {
 constexpr int kMegabytes = 8192;         // address space
 constexpr int kTrianglesInPart = 50000;  // see MesherProcess::secondsPerPart
 
+/// Describes why the helper gave no answer. Throws MesherLost if it is missing or was killed from outside.
 std::string failureOf(const MesherProcess& mesher, const ChildResult& result, double seconds) {
     using End = ChildResult::End;
     const std::string name = mesher.name, signal = "(signal " + std::to_string(result.code) + ")";

@@ -124,6 +124,7 @@ Outline cleanedOutline(const Outline& outline) {
     return clean;
 }
 
+/// Finds pairs of segments whose boxes intersect, and tests them with exact predicates.
 std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments) {
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
     std::vector<Box> boxes;

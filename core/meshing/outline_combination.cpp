@@ -118,6 +118,8 @@ class Pieces {
         return rounded(corners);
     }
 
+    /// Rounds the corners of a loop to the grid, and drops those that are on the line between their
+    /// neighbours.
     static Loop rounded(const std::vector<ExactPoint>& corners) {
         Loop loop;
         for (std::size_t k = 0; k < corners.size(); ++k) {

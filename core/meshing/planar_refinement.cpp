@@ -25,6 +25,7 @@ using Vertex = MarkedTriangulation::Vertex_handle;
 // makes inside.
 constexpr double boundaryPerRadius = 1.3;
 
+/// Inserts all points of the outline, and then its edges as constraints.
 void insertOutline(MarkedTriangulation& triangulation, const Outline& outline) {
     // Inserts all points at once (in spatial order) first: inserting them one by one with their edges is ten
     // times slower.

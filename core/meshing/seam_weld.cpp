@@ -28,6 +28,7 @@ struct OpenEdges {
     double shortest = std::numeric_limits<double>::infinity();
 };
 
+/// Counts the open edges and those of more than two triangles, and collects the vertices of open ones.
 OpenEdges openEdgesOf(const Surface& surface) {
     OpenEdges found;
     std::set<int> vertices;

@@ -21,6 +21,7 @@ SoundPart::SoundPart(const Surface& whole) : surface{whole.points, {}, {}} {
     }
 }
 
+/// Floods from the triangle over edges of exactly two triangles that run in opposite directions.
 std::vector<int> SoundPart::patchOf(int triangle) const {
     const auto at = std::ranges::lower_bound(triangles, triangle);
     if (at == triangles.end() || *at != triangle) return {};

@@ -103,6 +103,7 @@ void findCrossings(const Surface& surface, const std::vector<Ids>& canonical, co
     std::sort(problems.intersecting.begin(), problems.intersecting.end());
 }
 
+/// Finds triangles that are invalid, degenerate or duplicate, and marks all others as usable.
 void sortOutTriangles(const Surface& surface, const std::vector<int>& canonicalId,
                       std::vector<Ids>& canonical, std::vector<bool>& usable, SurfaceProblems& problems) {
     const Crossing geometry(surface.points);
@@ -128,6 +129,7 @@ void sortOutTriangles(const Surface& surface, const std::vector<int>& canonicalI
     }
 }
 
+/// Finds edges of one triangle, of more than two, and of two that run in the same direction.
 void checkEdges(const Surface& surface, const std::vector<Ids>& canonical, const std::vector<bool>& usable,
                 SurfaceProblems& problems) {
     Surface clean{surface.points, {}, {}};
@@ -146,6 +148,7 @@ void checkEdges(const Surface& surface, const std::vector<Ids>& canonical, const
     }
 }
 
+/// Returns whether all points are in one plane, by exact predicates.
 bool liesInAPlane(const Surface& surface) {
     const int count = surface.vertexCount();
     if (count < 4) return true;

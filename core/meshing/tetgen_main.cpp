@@ -32,6 +32,7 @@ T* copyOf(const std::vector<T>& values) {
     return copy;
 }
 
+/// Fills TetGen's input from a request. TetGen frees the arrays.
 void fill(tetgenio& in, const wend::TetgenRequest& request) {
     in.firstnumber = 0;
     in.numberofpoints = static_cast<int>(request.points.size() / 3);
@@ -111,6 +112,7 @@ wend::TetgenReply read(const tetgenio& out) {
     return reply;
 }
 
+/// Meshes a request. TetGen throws an error code, which becomes part of the reply.
 wend::TetgenReply mesh(const wend::TetgenRequest& request) {
     wend::TetgenReply reply;
     tetgenio in, out;

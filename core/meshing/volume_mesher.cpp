@@ -128,6 +128,7 @@ class VolumeMesher {
     }
 
   private:
+    /// Returns the request to wend-tetgen for a largest volume of cells, with the switches of the options.
     TetgenRequest request(double maxVolume) const {
         TetgenRequest request;
         request.switches =
@@ -309,6 +310,7 @@ void requireSense(const VolumeMeshOptions& options) {
 
 }  // namespace
 
+/// Chooses nodes that are equally spaced along all axes.
 SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec<3>&)>& factorAt) {
     constexpr double kNodes = 50;
     SizeGrid grid;

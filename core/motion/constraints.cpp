@@ -135,6 +135,7 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
     m_breakpoints.erase(std::unique(m_breakpoints.begin(), m_breakpoints.end()), m_breakpoints.end());
 }
 
+/// Appends the points of a handle, with the directions in which they are held.
 template <int Dim>
 void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, const Handle<Dim>& handle,
                             std::shared_ptr<const GuideSurface<Dim>> surface) {
@@ -273,6 +274,8 @@ auto Constraints<Dim>::anchors(const Points<Dim>& shape, double t, Side side) co
     return result;
 }
 
+/// Takes new anchors for the points of handles that begin another motion, or become active or inactive, at t;
+/// all others keep theirs.
 template <int Dim>
 void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Anchors& anchors) const {
     const std::vector<HandleMap> before = maps(t, Side::Before), after = maps(t, Side::After);
@@ -292,6 +295,8 @@ void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Ancho
     }
 }
 
+/// Finds the points of the other constraints by their terms, and keeps an anchor if both trajectories agree
+/// up to rounding.
 template <int Dim>
 auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
                              const Points<Dim>& shape, double t) const -> Anchors {

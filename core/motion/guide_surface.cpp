@@ -56,6 +56,7 @@ class SmoothDirection {
 
 }  // namespace
 
+/// Merges equal points, finds sharp edges and corners, and smooths normals and tangents elsewhere.
 template <int Dim>
 GuideSurface<Dim>::GuideSurface(const GuideMesh<Dim>& mesh) {
     m_points.setZero(3, mesh.points.cols());
@@ -167,6 +168,7 @@ bool GuideSurface<Dim>::isOnRim(const TriangleTree::Nearest& nearest) const {
     return false;
 }
 
+/// Returns the nearest place on the faces, with the normal that is interpolated there.
 template <int Dim>
 Contact<Dim> GuideSurface<Dim>::onFace(const Vec<3>& p) const {
     const TriangleTree::Nearest nearest = m_faces.nearest(p);
@@ -185,6 +187,7 @@ Contact<Dim> GuideSurface<Dim>::onFace(const Vec<3>& p) const {
     return contact;
 }
 
+/// Returns the nearest place on the lines. At an end the line continues along its tangent.
 template <int Dim>
 Contact<Dim> GuideSurface<Dim>::onLine(const Vec<3>& p) const {
     const auto [number, w] = m_lines.nearest(p);

@@ -77,6 +77,7 @@ std::vector<ConstrainedPoint> HandlePlacer<Dim>::place(const Handle<Dim>& handle
     return points;
 }
 
+/// Returns the terms of vertices, which are numbered within the named part.
 template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices, const Parts& parts) const
     -> std::vector<Terms> {

@@ -105,6 +105,7 @@ Vec<3> MovingFrame::localOmega(const Piece& piece, double v) const {
     return omega;
 }
 
+/// Carries the rotation from piece to piece, and joins consecutive pieces that move at their corner.
 void MovingFrame::joinPieces() {
     double sign = 1;  // of the direction of travel relative to the carried tangent
     Vec<3> before = Vec<3>::Zero();

@@ -38,6 +38,7 @@ void check(const Rotate<Dim>& motion) {
     }
 }
 
+/// Throws InputError for too few points, or a twist or scale that is not allowed.
 template <int Dim>
 void check(const CurveMotion<Dim>& motion) {
     const size_t count = motion.points.size();

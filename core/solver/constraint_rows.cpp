@@ -70,6 +70,7 @@ class Reducer {
         for (const Slider& slider : sliders) m_sliding.insert(slider.vertex);
     }
 
+    /// Reduces a row by the pivots so far. If nothing is left it is dependent, else it gets a pivot.
     void add(const ConstraintRow& row, int index) {
         WorkingRow work = workingRow(row, index);
         reduce(work);

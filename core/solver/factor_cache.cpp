@@ -54,6 +54,8 @@ void FactorCache<Dim>::reset(const AssemblyPlan<Dim>& plan) {
     m_policy.setCounts({});
 }
 
+/// Analyzes by minimum degree or nested dissection, depending on the size of the system, and sets the costs
+/// of the policy.
 template <int Dim>
 bool FactorCache<Dim>::analyze(const std::stop_token& stop) {
     if (m_analyzed) return true;

@@ -32,6 +32,7 @@ std::vector<std::vector<int>> clustersOf(const std::vector<ConstraintRow>& rows,
 
 }  // namespace
 
+/// Sorts the independent rows into those that set a vertex, and clusters that share movable vertices.
 template <int Dim>
 Projection<Dim>::Projection(const std::vector<ConstraintRow>& rows,
                             const std::vector<DependentRow>& dependent, int vertexCount)

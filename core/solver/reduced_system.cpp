@@ -129,6 +129,7 @@ void ReducedSystem<Dim>::buildPattern(const AssemblyPlan<Dim>& plan) {
     m_termStart.push_back(static_cast<int>(m_terms.size()));
 }
 
+/// Sums the terms of every block, and writes its lower triangle into the scalar pattern.
 template <int Dim>
 void ReducedSystem<Dim>::gather(std::span<const double> blocksOfA, std::span<double> values) const {
     for (std::size_t Q = 0; Q < m_unknowns.size(); ++Q) {

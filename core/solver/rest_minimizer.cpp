@@ -46,6 +46,7 @@ RestMinimizer<Dim>::RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>
             m_mass[vertex] += massRegularization[c] * energy.measure(c) / (Dim + 1);
 }
 
+/// Assembles and factorizes the Hessian with a part of the cells' negative curvature.
 template <int Dim>
 SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>& shape,
                                              const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
@@ -196,6 +197,7 @@ bool RestMinimizer<Dim>::nudge(Points<Dim>& shape) {
     return true;
 }
 
+/// Takes Newton steps until they are shorter than the tolerance or W no longer decreases beyond rounding.
 template <int Dim>
 Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& descent,
                                        const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {

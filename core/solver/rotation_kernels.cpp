@@ -94,6 +94,7 @@ void edgeSumsInPlane(Neighbours edges, int begin, int end, const double* x, cons
     }
 }
 
+/// Computes Σ_j (y_j − y) (x_j − x)ᵀ column by column.
 void edgeSumsInSpace(Neighbours edges, int begin, int end, const double* x, const double* y, double* sums) {
     for (int v = begin; v < end; ++v) {
         const double* const from = x + 3 * static_cast<std::ptrdiff_t>(v);
@@ -147,6 +148,7 @@ void nearestInPlane(int begin, int end, double* matrices) {
     }
 }
 
+/// Replaces kLanes matrices at a time by their nearest rotations.
 void nearestInSpace(int begin, int end, double* matrices) {
     for (int v = begin; v < end; v += kLanes) {
         double* const p = matrices + 9 * static_cast<std::ptrdiff_t>(v);

@@ -27,6 +27,7 @@ void completeRows(typename SliderSet<Dim>::Vertex& vertex) {
 
 }  // namespace
 
+/// Groups the sliders by vertex, and computes the projector onto the directions in which each is held.
 template <int Dim>
 SliderSet<Dim>::SliderSet(const Sliders& sliders) : m_count(static_cast<Eigen::Index>(sliders.size())) {
     std::map<int, Vertex> byVertex;

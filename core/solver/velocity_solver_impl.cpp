@@ -92,6 +92,8 @@ VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
     cache->useMultigrid(*multigrid);
 }
 
+/// Appends the welds, eliminates the rows, and drops everything that depends on the constraints. Equal rows
+/// change nothing.
 template <int Dim>
 void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders) {
     for (const Weld& weld : rest->welds) newRows.push_back({weld.terms});
@@ -185,6 +187,7 @@ RestMinimizer<Dim>& VelocitySolver<Dim>::Impl::minimizer() {
     return *tracking->minimizer;
 }
 
+/// Sets the proximal term with A assembled at the origin; weight 0 removes it.
 template <int Dim>
 int VelocitySolver<Dim>::Impl::setProximal(double weight, const Points<Dim>& origin) {
     if (weight == 0) {
@@ -320,6 +323,7 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed,
     return {stop.stop_requested() ? SolveOutcome::Kind::Stopped : SolveOutcome::Kind::NotConverged, -1};
 }
 
+/// Solves by the factor of an earlier shape if that is allowed and pays, else with a new one.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& given, Points<Dim>& v,
                                               const std::optional<Points<Dim>>& guess) {

@@ -27,6 +27,7 @@ void turn2(const std::vector<int>& vertices, const double* rotations, double sig
 
 }  // namespace
 
+/// Lists the neighbours of every vertex, filled up to a multiple of kGroup.
 template <int Dim>
 VertexRotations<Dim>::VertexRotations(const AssemblyPlan<Dim>& plan)
     : m_rotations(static_cast<std::size_t>(rotations::grouped(plan.vertexCount)) * kNumbers),
@@ -48,6 +49,7 @@ VertexRotations<Dim>::VertexRotations(const AssemblyPlan<Dim>& plan)
     }
 }
 
+/// Fits a rotation to the edges of every vertex. Smooth ones use sums over a wider neighbourhood.
 template <int Dim>
 void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers,
                                    Finish finish) {

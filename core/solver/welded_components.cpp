@@ -50,6 +50,7 @@ SimilarityVelocities<Dim> similarityVelocities(const Vec<Dim>& p) {
     return velocities;
 }
 
+/// Considers the groups of components that welds connect, one after another.
 template <int Dim>
 void holdWelded(const std::vector<SimilaritySquare<Dim>>& squares,
                 const std::vector<WeldedPoint<Dim>>& welded, double distinct, std::vector<bool>& held) {

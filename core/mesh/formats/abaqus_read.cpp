@@ -52,6 +52,8 @@ class AbaqusReader {
   public:
     explicit AbaqusReader(std::string_view bytes) : m_scanner(bytes) {}
 
+    /// Reads all lines, and then resolves the numbers of nodes and elements, which may be defined after their
+    /// use.
     MeshFile read() {
         while (nextLine()) {
             if (m_line.starts_with('*'))
@@ -129,6 +131,7 @@ class AbaqusReader {
         return std::ranges::any_of(m_items, [&](auto item) { return sameWord(item, wanted); });
     }
 
+    /// Handles a line with a keyword, which determines how the following lines of data are read.
     void keyword() {
         finishElement();
         m_keyword = m_line;  // that the items are parts of
@@ -226,6 +229,8 @@ class AbaqusReader {
         }
     }
 
+    /// Makes cells of the elements, with the indices of their nodes. Fails at an element with an unknown
+    /// node.
     void addCells() {
         std::vector<int> nodes;
         for (const Element& one : m_elements) {
@@ -242,6 +247,7 @@ class AbaqusReader {
             m_file.cells.add(one.kind, nodes);
         }
     }
+    /// Makes groups of the sets. An element set with cells of several dimensions becomes one group for each.
     void addSets() {
         std::unordered_map<std::int64_t, int> cells;
         for (std::size_t c = 0; c < m_elements.size(); ++c)

@@ -145,6 +145,7 @@ std::string abaqusNumber(double value) {
     return number;
 }
 
+/// Prints nodes, elements by type, and sets. A mesh from an .inp file is that file with other points.
 std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOptions&) {
     if (mesh.deck && mesh.deckFormat == ".inp") return {deckWithPoints(*mesh.deck, mesh.points)};
     TextWriter out;

@@ -32,6 +32,7 @@ std::vector<double> valuesAt(const MeshField& field, const std::vector<int>& ver
 
 }  // namespace
 
+/// Sorts the triangles, and finds the faces of the tetrahedra among them by binary search.
 std::vector<int> cellsBehind(const MeshFile& mesh) {
     std::vector<std::pair<Face, int>> triangles;  // with their numbers
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -55,6 +56,7 @@ MeshFile withoutBoundary(MeshFile mesh) {
     return mesh;
 }
 
+/// Renumbers the vertices of a generated mesh so that those without a cell disappear.
 MeshFile usedPart(const MeshFile& mesh) {
     if (!mesh.made) return mesh;
     std::vector<int> newId(static_cast<std::size_t>(mesh.points.cols()), -1);

@@ -109,6 +109,8 @@ void findLabels(MeshFile& file) {
 
 }  // namespace
 
+/// Fans tetrahedra from the cell's vertex of the smallest number to the triangles of all faces that do not
+/// contain it.
 std::vector<std::array<int, 4>> splitCell(CellKind kind, std::span<const int> nodes) {
     const CellKind linear = linearKind(kind);
     if (linear == CellKind::Tetrahedron) return {{nodes[0], nodes[1], nodes[2], nodes[3]}};
@@ -125,6 +127,7 @@ std::vector<std::array<int, 4>> splitCell(CellKind kind, std::span<const int> no
     return tetrahedra;
 }
 
+/// Splits the cells into triangles and tetrahedra, and remembers which cell each is from.
 void finishCells(MeshFile& file, const std::function<std::string(int cell)>& place) {
     const CellList& cells = file.cells;
     const bool volume =
@@ -149,6 +152,8 @@ void finishCells(MeshFile& file, const std::function<std::string(int cell)>& pla
     findLabels(file);
 }
 
+/// Collects the cells of every dimension and number. Numbers are rounded; 0 and those of more than 31 bits
+/// are left out.
 void addGroups(MeshFile& file, const std::vector<double>& numbers,
                const std::function<std::string(int dimension, long tag)>& name) {
     std::map<std::pair<int, long>, MeshGroup> groups;

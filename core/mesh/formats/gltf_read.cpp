@@ -34,6 +34,8 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
     return word;
 }
 
+/// Returns the chunks of JSON and of bytes. Throws InputError for other versions of glTF, and for a damaged
+/// header.
 Chunks chunksOf(std::string_view bytes) {
     constexpr std::size_t kHeader = 12, kChunkHeader = 8;
     if (!bytes.starts_with("glTF") || bytes.size() < kHeader)
@@ -86,6 +88,7 @@ double greatestOf(Component type) {
 /// A table of numbers in the binary chunk.
 class Accessor {
   public:
+    /// Takes an accessor: a typed view of some of the bytes. Throws InputError if it reaches beyond them.
     Accessor(const Json& gltf, std::size_t index, std::string_view binary) {
         const Json& json = gltf.at("accessors").at(index);
         if (json.contains("sparse"))
@@ -185,6 +188,7 @@ class GltfReader {
                 throw InputError("is compressed by " + inQuotes(name) + ", which is not read");
     }
 
+    /// Returns the transform of a node, which is a matrix, or a translation, a rotation and a scale.
     static Transform transformOf(const Json& node) {
         if (node.contains("matrix")) {
             const auto numbers = node["matrix"].get<std::vector<double>>();
@@ -207,6 +211,7 @@ class GltfReader {
         return transform;
     }
 
+    /// Reads a node's mesh with the node's transform, and then its children.
     void readNode(std::size_t index, const Transform& parent) {
         if (!m_visited.insert(index).second)
             throw InputError("node " + std::to_string(index) + " is in the scene twice");
@@ -226,6 +231,7 @@ class GltfReader {
             readNode(child.get<std::size_t>(), transform);
     }
 
+    /// Reads a primitive: its points, its cells, its texture points and its material.
     void readPrimitive(const Json& primitive, const Transform& transform) {
         const Json& attributes = primitive.at("attributes");
         if (!attributes.contains("POSITION")) return;
@@ -264,6 +270,7 @@ class GltfReader {
         return found->second;
     }
 
+    /// Returns the vertices of a primitive in their order, which may be given by indices.
     std::vector<std::size_t> orderOf(const Json& primitive, std::size_t count) const {
         std::vector<std::size_t> order;
         if (!primitive.contains("indices")) {
@@ -300,6 +307,7 @@ class GltfReader {
         CellKind kind;
         std::vector<std::size_t> corners;
     };
+    /// Returns the cells of a primitive's mode: points, lines, or triangles, which may be in strips or fans.
     static std::vector<GltfCell> cellsOf(int mode, const std::vector<std::size_t>& order) {
         enum { Points, Lines, LineLoop, LineStrip, Triangles, Strip, Fan };
         std::vector<GltfCell> cells;
@@ -326,6 +334,7 @@ class GltfReader {
         return cells;
     }
 
+    /// Collects the points, and for each the first texture point of its corners.
     void collectPoints() {
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3,
                                                            static_cast<Eigen::Index>(m_points.size() / 3));

@@ -41,6 +41,7 @@ class GmshReader {
     }
 
   private:
+    /// Reads the version and the encoding. Throws for versions other than 2.2, 4, 4.0 and 4.1.
     void readFormat() {
         if (m_scanner.word("$MeshFormat") != "$MeshFormat")
             m_scanner.fail("does not begin with $MeshFormat: no Gmsh file of version 2.2 or 4.1");
@@ -76,6 +77,7 @@ class GmshReader {
         const auto word = m_scanner.word(wanted.c_str());
         if (word != wanted) m_scanner.fail(inQuotes(word) + " where " + wanted + " is expected");
     }
+    /// Reads a section by its name; unknown sections are skipped up to their end.
     void section() {
         const std::string name(m_scanner.word("a section"));
         if (name.size() < 2 || name[0] != '$')
@@ -94,6 +96,7 @@ class GmshReader {
             m_version == 2 ? readElements2() : readElements4();
         endSection(end);
     }
+    /// Reads the names of physical groups, which belong to a dimension and a number each.
     void readNames(const std::string& end) {
         m_scanner.line();
         const int count = m_scanner.count("names", 6);
@@ -138,6 +141,7 @@ class GmshReader {
         physical.push_back(more[0]);
         return true;
     }
+    /// Leaves out the marked elements, with their values.
     void leaveOut(const std::vector<bool>& again) {
         CellList cells;
         std::vector<Element> elements;
@@ -383,6 +387,8 @@ class GmshReader {
         }
         readCell(type, Scalar::Int32, number, {tags[1], tags[2] > 0 ? tags[3] : 0, {std::abs(tags[0])}});
     }
+    /// Reads the elements of version 2, each with its own type and tags; in binary files those of one type
+    /// form a block.
     void readElements2() {
         const int count = count2("elements", 8);
         for (int read = 0; read < count;) {
@@ -404,6 +410,7 @@ class GmshReader {
             }
         }
     }
+    /// Reads the elements of version 4, in blocks of one entity and one type.
     void readElements4() {
         const int blocks = count64("blocks of elements", 4, Scalar::Int32);
         const int count = count64("elements", 2, Scalar::Int32);
@@ -439,6 +446,7 @@ class GmshReader {
         for (int dimension = 0; dimension < 4; ++dimension)
             for (int e = 0; e < counts[dimension]; ++e) readEntity(dimension, partitioned);
     }
+    /// Reads an entity and its physical groups. An entity of a partition is replaced by its parent.
     void readEntity(int dimension, bool partitioned) {
         Entity entity;
         const int tag = entity.number = int32("an entity");

@@ -25,6 +25,7 @@ class GmshPrinter {
     GmshPrinter(const MeshFile& mesh, const MeshWriteOptions& options)
         : m_mesh(mesh), m_binary(options.binary()), m_groups(mesh) {}
 
+    /// Prints version 2.2: names, nodes, and elements with their tags.
     std::string print2() {
         header("2.2");
         names();
@@ -175,6 +176,8 @@ class GmshPrinter {
         }
         return runs;
     }
+    /// Writes the entities that the elements belong to, each with the box of the whole mesh and its physical
+    /// groups.
     void entities(const std::vector<Run>& runs) {
         std::map<std::pair<int, long>, int> firstOf;  // a cell of each
         std::size_t counts[4] = {};
@@ -219,6 +222,7 @@ class GmshPrinter {
         for (std::size_t v = 0; v < count; ++v) point(static_cast<Eigen::Index>(v));
         endSection("$EndNodes");
     }
+    /// Writes the elements in blocks of one entity and one type, numbered from 1.
     void elements4(const std::vector<Run>& runs) {
         const auto count = static_cast<std::size_t>(m_mesh.cells.size());
         section("$Elements");

@@ -33,6 +33,7 @@ class Remaking {
   public:
     Remaking(const MeshFormat& format, MeshFile& bag) : m_format(format), m_bag(bag) {}
 
+    /// Replaces every cell by what the format holds of it, and assigns values and groups to the new cells.
     void remake() {
         const CellList old = std::move(m_bag.cells);
         m_bag.cells = {};
@@ -160,6 +161,7 @@ class Losses {
     }
 
   private:
+    /// Lists the cells that are split, lose nodes, or are left out, with their numbers.
     void countCells() {
         std::map<CellKind, std::size_t> counts;
         for (const CellKind kind : m_bag.cells.kinds) ++counts[kind];
@@ -176,6 +178,7 @@ class Losses {
                                     factsOf(partKind(facts.dimension)).plural);
         }
     }
+    /// Lists the groups that are lost, and the names and numbers that are.
     void countGroups() {
         std::size_t ofVertices = 0, names = 0, numbers = 0;
         std::vector<std::string> lost;

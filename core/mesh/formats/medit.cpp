@@ -52,6 +52,7 @@ class MeditReader {
   public:
     explicit MeditReader(std::string_view bytes) : m_scanner(bytes, '#') {}
 
+    /// Reads sections up to End. References of vertices that are all 0 are no field.
     MeshFile read() {
         requireKind();
         while (!m_scanner.atEnd()) {
@@ -131,6 +132,8 @@ class MeditReader {
         for (int i = 0; i < count; ++i) numbers.push_back(m_scanner.integer("a number"));
         m_lists.emplace_back(&list, std::move(numbers));
     }
+    /// Makes a group of one of Medit's lists, whose numbers count the vertices, or the cells of its kinds,
+    /// from 1.
     void takeList(const MeditList& list, const std::vector<std::int64_t>& numbers) {
         MeshGroup group{std::string(list.keyword), list.dimension, 0, {}, {}, false};
         std::vector<int> counted;

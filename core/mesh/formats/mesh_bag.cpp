@@ -120,6 +120,7 @@ MeshFile bagOf(MeshFile mesh, bool trianglesFirst) {
     return mesh;
 }
 
+/// Appends the boundary facets as triangles, with the values of the cells behind them.
 MeshFile withBoundary(MeshFile mesh) {
     const bool listed = !mesh.cells.empty();
     mesh.deck.reset();  // it has no such cells
@@ -175,6 +176,7 @@ std::vector<long> groupNumbers(const MeshFile& bag) {
     return numbers;
 }
 
+/// Numbers the groups that represent some triangle. A group keeps its own number if that is free.
 SurfaceLabels surfaceLabels(const MeshFile& file) {
     SurfaceLabels result;
     if (file.groups.empty() || file.cellOfTriangle.empty()) return result;

@@ -22,6 +22,7 @@ void requireVertices(const std::vector<std::array<int, N>>& cells, Eigen::Index 
                                  " (counted from 0)");
 }
 
+/// Throws InputError if a field has other than one value per component and vertex, or per component and cell.
 void requireFields(const MeshFile& file) {
     for (const auto& field : file.fields) {
         const auto count = field.perCell ? cellCount(file) : file.points.cols();

@@ -42,6 +42,7 @@ class NastranReader {
   public:
     explicit NastranReader(std::string_view bytes) : m_scanner(bytes) {}
 
+    /// Reads all entries, and then resolves the numbers of nodes, which may be defined after their use.
     MeshFile read() {
         for (std::size_t at = 0; at < m_scanner.bytes().size();) {
             const NastranCard card = takeNastranCard(m_scanner.bytes(), at);
@@ -113,6 +114,7 @@ class NastranReader {
             element.nodes.push_back(m_scanner.integerFrom(field(card, k), "a node's number"));
         m_elements.push_back(std::move(element));
     }
+    /// Makes cells of the elements whose name and number of nodes are those of a known element.
     void addCells() {
         for (const Element& one : m_elements) {
             m_scanner.mark(one.offset);
@@ -145,6 +147,8 @@ class NastranReader {
 
 }  // namespace
 
+/// Reads an entry with its continuation lines, in fields of 8 characters, of 16 with an asterisk, or
+/// separated by commas.
 NastranCard takeNastranCard(std::string_view bytes, std::size_t& at) {
     NastranCard card{{}, {}, at, at};
     for (bool first = true; at < bytes.size(); first = false) {

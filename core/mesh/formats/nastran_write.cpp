@@ -31,6 +31,7 @@ std::string bulkWithPoints(const std::string& deck, const Eigen::Matrix3Xd& poin
     return out;
 }
 
+/// Prints an element with its number, property and nodes in Nastran's order, in lines of eight fields.
 void printElement(TextWriter& out, const MeshFile& mesh, int c, long property) {
     const auto kind = std::ranges::find(nastranElements(), mesh.cells.kinds[static_cast<std::size_t>(c)],
                                         &NastranElement::kind);
@@ -107,6 +108,7 @@ std::string nastranGrid(const NastranCard& old, const double* point) {
     return text + '\n';
 }
 
+/// Prints bulk data. A mesh from a .bdf file is that file with other points.
 std::vector<std::string> printNastran(const MeshFile& mesh, const MeshWriteOptions&) {
     if (mesh.deck && mesh.deckFormat == ".bdf") return {bulkWithPoints(*mesh.deck, mesh.points)};
     TextWriter out;

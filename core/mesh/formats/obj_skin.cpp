@@ -63,6 +63,7 @@ fs::path materialPath(const std::string& obj, std::string_view name) {
     return fs::path(obj).parent_path() / std::string(name);
 }
 
+/// Reads a material file. If it is missing, a warning is added to the skin.
 void readMaterials(const fs::path& path, Skin& skin, std::map<std::string, int, std::less<>>& known) {
     std::string bytes;
     try {
@@ -96,6 +97,8 @@ class LookReader {
   public:
     LookReader(const MeshFile& file, Skin& skin) : m_file(file), m_skin(skin) {}
 
+    /// Reads all statements, and then distributes texture points and materials from polygons to their
+    /// triangles.
     void read(const std::string& bytes) {
         eachLine(bytes, [this](std::string_view line) { statement(line.substr(0, line.find('#'))); });
         spreadOverTriangles();
@@ -114,6 +117,7 @@ class LookReader {
     }
 
   private:
+    /// Handles one statement: a texture point, a face, a material file, a material or a group.
     void statement(std::string_view line) {
         const auto keyword = takeWord(line);
         if (keyword == "vt") {

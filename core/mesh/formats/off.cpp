@@ -56,6 +56,7 @@ int readVertexNumber(Scanner& scanner, int vertexCount) {
 
 }  // namespace
 
+/// Reads the counts, the vertices and the faces, whose colours are skipped.
 MeshFile readOff(std::span<const MeshSource> files) {
     Scanner scanner(files[0].bytes, '#');
     const bool decorated = readHeader(scanner);

@@ -59,6 +59,8 @@ class PlyReader {
   public:
     explicit PlyReader(std::string_view bytes) : m_scanner(bytes) {}
 
+    /// Reads all elements of the header in their order, and then takes vertices, faces, edges and other
+    /// values from them.
     MeshFile read() {
         readHeader();
         NumberReader numbers(m_scanner, m_binary, m_order);
@@ -79,6 +81,7 @@ class PlyReader {
     }
 
   private:
+    /// Reads the header: format, elements and their properties, and comments.
     void readHeader() {
         if (m_scanner.word("the word ply") != "ply") m_scanner.fail("does not begin with 'ply': no PLY file");
         m_scanner.line();
@@ -167,6 +170,8 @@ class PlyReader {
         const auto at = std::ranges::find(m_elements, name, &Element::name);
         return at != m_elements.end() ? &*at : nullptr;
     }
+    /// Takes the points from x, y and, if present, z, and the first pair of texture coordinates; all other
+    /// properties become fields.
     void takeVertices(MeshFile& file) {
         if (!element("vertex")) m_scanner.fail("the header declares no element 'vertex'");
         const Element& vertices = *element("vertex");
@@ -189,6 +194,7 @@ class PlyReader {
             if (!property.countType && std::find(taken.begin(), taken.end(), &property) == taken.end())
                 file.fields.push_back({property.name, false, 1, property.values, {}, property.type});
     }
+    /// Takes the faces, which may be polygons. Triangle strips are refused.
     void takeFaces(MeshFile& file) {
         if (element("tristrips")) m_scanner.fail("its triangles are in strips, which are not read");
         if (!element("face")) return;  // points alone
@@ -295,6 +301,7 @@ class PlyPrinter {
             m_manyCorners = m_manyCorners || mesh.cells[c].size() > 255;
     }
 
+    /// Prints header, vertices, faces and edges, as text or bytes.
     std::string print() {
         header();
         for (Eigen::Index v = 0; v < m_mesh.points.cols(); ++v) {

@@ -56,6 +56,7 @@ std::vector<int> withoutRepeats(std::span<const int> corners) {
 /// A polygon projected into the plane of two axes, counter-clockwise.
 class FlatPolygon {
   public:
+    /// Measures the polygon, whose normal is given by Newell's formula, and projects it.
     FlatPolygon(const Eigen::Matrix3Xd& points, const std::vector<int>& ring) : m_ring(ring) {
         const Eigen::Matrix3Xd corners = points(Eigen::all, ring);
         const auto n = corners.cols();
@@ -137,6 +138,8 @@ class EarClipper {
         for (int k = 0; k < count(); ++k) judge(k);
     }
 
+    /// Cuts off the best ear until a triangle is left. If no strict ear is left, corners on the border of an
+    /// ear are allowed.
     std::vector<Triangle> clip() {
         std::vector<Triangle> triangles;
         while (count() > 2) {
@@ -194,6 +197,7 @@ class EarClipper {
 
 }  // namespace
 
+/// Evaluates the determinant in doubles first, and exactly only if its rounding error could change the sign.
 int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const double left = (a.x() - c.x()) * (b.y() - c.y()), right = (a.y() - c.y()) * (b.x() - c.x());
     const double difference = left - right;

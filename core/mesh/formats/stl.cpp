@@ -40,6 +40,7 @@ void expect(Scanner& scanner, std::string_view wanted) {
     if (!sameWord(word, wanted)) scanner.fail(inQuotes(word) + " where " + inQuotes(wanted) + " is expected");
 }
 
+/// Reads "facet normal … outer loop … vertex … endloop endfacet". The normal is ignored.
 void readFacetText(Scanner& scanner, VertexMerger& vertices, MeshFile& file) {
     expect(scanner, "normal");
     for (int k = 0; k < 3; ++k) scanner.real("a normal");
@@ -95,6 +96,7 @@ MeshFile readText(std::string_view bytes) {
     return file;
 }
 
+/// Reads a binary file: 80 bytes, the number of facets, and 50 bytes for each.
 MeshFile readBinary(std::string_view bytes) {
     Scanner scanner(bytes);
     scanner.placesAreOffsets();
@@ -173,6 +175,7 @@ std::string printText(const MeshFile& mesh) {
     return std::move(out.text());
 }
 
+/// Prints binary STL, in single precision and with the triangles' own normals.
 std::string printBinary(const MeshFile& mesh) {
     std::string out = "binary STL";  // must not begin with "solid"
     out.resize(headerSize - 4, ' ');

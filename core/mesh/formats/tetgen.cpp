@@ -42,6 +42,7 @@ int attributeCount(Scanner& scanner) {
     return scanner.atLineEnd() ? 0 : scanner.count("attributes", 0);
 }
 
+/// Reads a .node file: points with attributes and markers, numbered from 0 or 1.
 Nodes readNodes(std::string_view bytes) {
     Scanner scanner(bytes, '#');
     Nodes nodes;
@@ -104,6 +105,7 @@ std::vector<int> inOrderOfVtk(const std::vector<int>& cell, const Eigen::Matrix3
     return turned;
 }
 
+/// Reads an .ele file: triangles or tetrahedra of first or second order, with attributes.
 void readElements(std::string_view bytes, Nodes& nodes) {
     Scanner scanner(bytes, '#');
     const auto declared = scanner.integer("the number of cells");
@@ -172,6 +174,7 @@ void printAttributes(TextWriter& out, const MeshField* field, std::size_t item) 
     for (int k = 0; field && k < field->components; ++k) out << ' ' << values[item * field->components + k];
 }
 
+/// Prints a .node file with the attributes and markers of the vertices.
 std::string printNodes(const MeshFile& mesh, int dimension) {
     const auto *attribute = fieldNamed(mesh, false, "attribute"), *marker = fieldNamed(mesh, false, "marker");
     if (marker && marker->components != 1) marker = nullptr;

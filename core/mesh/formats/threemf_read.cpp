@@ -42,6 +42,7 @@ class ThreeMfReader {
   public:
     explicit ThreeMfReader(std::string_view bytes) : m_archive(bytes) {}
 
+    /// Reads the objects that the build names, each at its place.
     MeshFile read() {
         m_root = rootName();
         const pugi::xml_node build = childNamed(model(m_root), "build");
@@ -131,6 +132,7 @@ class ThreeMfReader {
         }
     }
 
+    /// Adds the mesh of an object, with its vertices transformed.
     void addMesh(const std::string& path, pugi::xml_node mesh, const Place& place) {
         const int first = static_cast<int>(m_points.size() / 3);
         for (const auto vertex : childNamed(mesh, "vertices").children()) {

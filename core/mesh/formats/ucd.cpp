@@ -39,6 +39,7 @@ class UcdReader {
   public:
     explicit UcdReader(std::string_view bytes) : m_scanner(bytes, '#') {}
 
+    /// Reads the counts, nodes, cells with their materials, and the values of nodes and cells.
     MeshFile read() {
         if (m_scanner.bytes().starts_with('\7')) m_scanner.fail("a binary UCD file is not read");
         const int nodes = m_scanner.count("nodes", 8), cells = m_scanner.count("cells", 8);
@@ -161,6 +162,7 @@ MeshFile readUcd(std::span<const MeshSource> files) {
     return UcdReader(files[0].bytes).read();
 }
 
+/// Prints nodes, cells with their materials, and all other fields.
 std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions&) {
     std::vector<MeshField> fields = vtkFieldsOf(mesh);
     const MeshField* material = cellField(mesh, {"material"});

@@ -48,6 +48,7 @@ void addCell(std::int64_t type, std::vector<int>& corners, std::size_t cell, Cel
 
 }  // namespace
 
+/// Checks each cell's type, its number of nodes and its range of vertices before it is added.
 void collect(const VtkCells& cells, long vertexCount, int firstVertex, CellList& list) {
     if (cells.offsets.size() != cells.types.size() + 1)
         throw InputError("there are " + std::to_string(cells.types.size()) + " cell types and " +

@@ -88,6 +88,7 @@ class VtkReader {
         m_numbers = NumberReader(m_scanner, binary, std::endian::big);
     }
 
+    /// Reads the part of the file that a keyword begins.
     void statement() {
         const auto keyword = m_scanner.word("a keyword");
         if (sameWord(keyword, "DATASET"))
@@ -187,6 +188,7 @@ class VtkReader {
         scalar = type().scalar;
         cells.connectivity = wholeNumbers(m_numbers.checkedCount(cornerCount, "corners", 1, scalar), scalar);
     }
+    /// Reads cells as they are in old files: for each the number of its corners, and these.
     void readBySizes(VtkCells& cells, int cellCount, int size) {
         const auto numbers = wholeNumbers(size, Scalar::Int32);
         cells.offsets = {0};
@@ -232,6 +234,7 @@ class VtkReader {
             m_scanner.fail("there is data of " + std::to_string(m_tuples) + " points, but the mesh has " +
                            std::to_string(m_file.points.cols()));
     }
+    /// Reads one attribute of points or cells: scalars, colours, vectors, normals, texture points or tensors.
     void attribute(std::string_view keyword) {
         const bool colours = sameWord(keyword, "COLOR_SCALARS"), scalars = sameWord(keyword, "SCALARS");
         const std::string name = decoded(m_scanner.wordOnLine("the name of the data"));
@@ -292,6 +295,8 @@ class VtkReader {
             if (m_scanner.nextIs("METADATA")) statement();
         }
     }
+    /// Reads an array of some tuples, and keeps it as a field if wanted. Its size is checked against the rest
+    /// of the file first.
     void readArray(const std::string& name, std::int64_t components, std::size_t tuples, VtkType valueType,
                    bool keep) {
         const std::int64_t most = static_cast<std::int64_t>(8 * m_scanner.bytes().size());

@@ -196,6 +196,7 @@ std::string decodeVtuArray(std::string_view text, const VtuEncoding& encoding) {
     return pieces.peek(word + std::min(size, text.size() + 1)).substr(word);
 }
 
+/// Encodes the bytes with a header, in one piece or, if compressed, in blocks.
 std::string encodeVtuArray(std::string_view bytes, const VtuEncoding& encoding) {
     const auto wrapped = [&](std::string part) {
         return encoding.base64 ? encodeBase64(part) : std::move(part);

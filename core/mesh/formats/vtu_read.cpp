@@ -49,6 +49,7 @@ class VtuReader {
     VtuReader(std::string_view bytes, bool isPolyData)
         : m_isPolyData(isPolyData), m_parts(split(bytes)), m_room(kSmall + kExpansion * bytes.size()) {}
 
+    /// Reads all pieces of the grid or of the polygonal data.
     MeshFile read() {
         parse();
         const auto root = m_document.child("VTKFile");
@@ -99,6 +100,7 @@ class VtuReader {
         }
     }
 
+    /// Reads byte order, compressor and type of headers from the root element.
     void readEncoding(pugi::xml_node root) {
         const std::string_view kind = root.attribute("type").value();
         const char* const wanted = m_isPolyData ? "PolyData" : "UnstructuredGrid";
@@ -149,6 +151,7 @@ class VtuReader {
         }
         if (!same) fail(piece, "has other arrays than the piece before it");
     }
+    /// Reads the fields of the file as a whole. Texts are left out, with a notice.
     void readFileFields(pugi::xml_node data) {
         for (const auto array : data.children("DataArray")) {
             const std::string name = array.attribute("Name").value();
@@ -265,6 +268,7 @@ class VtuReader {
         }
         return all;
     }
+    /// Adds the cells of one section of a .vtp file, whose types follow from their numbers of nodes.
     void addPolyCells(pugi::xml_node node, std::int64_t count, const PolySection& section, VtkCells& all) {
         const auto offsets = integers(namedArray(node, "offsets"), Count{count, 1});
         const auto connectivity = integers(namedArray(node, "connectivity"), std::nullopt);
@@ -281,6 +285,7 @@ class VtuReader {
             fail(node, "the offsets end before the connectivity does");
         all.connectivity.insert(all.connectivity.end(), connectivity.begin(), connectivity.end());
     }
+    /// Reads the fields of vertices or cells. Their texture points become uv.
     void readFields(pugi::xml_node data, bool perCell, std::int64_t tuples, std::vector<MeshField>& fields) {
         const std::string_view texture = data.attribute("TCoords").value();
         for (const auto array : data.children("DataArray")) {

@@ -46,6 +46,7 @@ std::string inflated(std::string_view packed, std::size_t size, const std::strin
 
 }  // namespace
 
+/// Finds the end record behind a possible comment, and reads the central directory.
 ZipArchive::ZipArchive(std::string_view bytes) : m_bytes(bytes) {
     constexpr std::string_view kEnd("PK\5\6", 4), kEntry("PK\1\2", 4);
     constexpr std::size_t kEndSize = 22, kLongestComment = 65535;
@@ -68,6 +69,7 @@ ZipArchive::ZipArchive(std::string_view bytes) : m_bytes(bytes) {
     }
 }
 
+/// Reads and inflates the content of a file, and checks its length and CRC-32.
 std::optional<std::string> ZipArchive::file(const std::string& name) const {
     const auto found = m_entries.find(lowerName(name));
     if (found == m_entries.end()) return std::nullopt;

@@ -34,6 +34,7 @@ struct Column {
     static constexpr int kRows = (Size + kWidth - 1) / kWidth;
 };
 
+/// Multiplies the rows of one block size. Short columns are summed in several accumulators side by side.
 template <int Size>
 HWY_ATTR HWY_INLINE void product(const int* start, const int* column, const float* blocks, const double* x,
                                  int begin, int end, double* y) {

@@ -65,6 +65,7 @@ void subtractProduct(const BlockRows<Size>& K, const Points<Size>& x, Points<Siz
     forProducts<Size>(K, x, workers, [&](int i, const auto& product) { r.col(i) -= product; });
 }
 
+/// Inverts the diagonal blocks by Cholesky's method; the diagonal is zero in held coordinates.
 template <int Size>
 bool Chebyshev<Size>::invertDiagonal(const BlockRows<Size>& K, const std::vector<unsigned>& held) {
     m_inverse.resize(K.rows());
@@ -122,6 +123,7 @@ bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsign
     return std::isfinite(m_largest) && m_largest > 0;
 }
 
+/// Runs the three-term recurrence of Chebyshev's polynomials for the upper part of the spectrum.
 template <int Size>
 void Chebyshev<Size>::smooth(int degree, bool residual, const BlockRows<Size>& K, Points<Size>& r,
                              Points<Size>& z, const PartLinks& links, WorkerPool& workers) {

@@ -33,6 +33,7 @@ BuildStatus CoarseLevels<Modes>::build(CoarseShare<Modes> share) {
     return factorize(coarseMatrix<Modes>(share));
 }
 
+/// Factorizes the matrix of the coarsest level.
 template <int Modes>
 BuildStatus CoarseLevels<Modes>::factorize(const BlockRows<Modes>& A) {
     std::vector<int> start{0}, row;

@@ -28,6 +28,7 @@ class LowerRow {
   public:
     LowerRow(const BlockRows<Size>& K, const Prolongation<Size, Modes>& P) : m_K(K), m_P(P) {}
 
+    /// Appends the row of an aggregate, whose columns are sorted by their number in the whole.
     void append(int aggregate, CoarseShare<Modes>& part) {
         multiplyLeft(aggregate);
         multiplyRight(aggregate);
@@ -147,6 +148,8 @@ CoarseShare<Modes> coarseShare(const BlockRows<Size>& K, const Prolongation<Size
     return share;
 }
 
+/// Merges the sorted rows of all shares, adding up blocks of the same row and column in the order of the
+/// parts.
 template <int Modes>
 CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares) {
     using Square = Eigen::Matrix<double, Modes, Modes>;

@@ -59,6 +59,7 @@ Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
 
 }  // namespace
 
+/// Orthonormalizes the motions within every aggregate; those that depend on others are missing.
 template <int Size, int Modes>
 auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions)
     -> std::vector<Square> {
