@@ -14,7 +14,7 @@
 namespace wend {
 namespace {
 
-/// Below this number of unknowns a launch and its copies cost a GPU more than the work, so that none is used.
+/// A launch and its copies cost a GPU more than the work below this number of unknowns, so that none is used.
 constexpr int kWorthADevice = 20000;
 
 template <int Dim>

@@ -13,7 +13,7 @@ namespace wend::python {
 
 namespace py = pybind11;
 
-/// Of NumPy, in the order of C; others are converted once.
+/// An array of NumPy in the order of C; others are converted once.
 template <typename T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 

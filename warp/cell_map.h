@@ -31,8 +31,8 @@ struct CellMap {
 /// pixels and stretching by at least 1 in every direction: |u|² = xx dx² + 2 xy dx dy + yy dy².
 struct Ellipse {
     float xx = 1, xy = 0, yy = 1;
-    /// For a position between two pixels, the ellipse reaches at most this many pixels before the first of
-    /// them, and one more after it.
+    /// The ellipse reaches at most this many pixels before the first of the two pixels around a position, and
+    /// one more after it.
     Eigen::Vector2i wholeReach = {1, 1};
 };
 

@@ -21,7 +21,7 @@ struct ColourSpace {
     double gamma = 1;
     std::string name;  // for people; may be empty
 
-    /// Whether the chromaticities are BT.709's (and sRGB's), as far as the formats round them.
+    /// Returns whether the chromaticities are BT.709's (and sRGB's), as far as the formats round them.
     bool hasCommonColours() const;
 };
 

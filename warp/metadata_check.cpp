@@ -24,7 +24,7 @@ bool iptcFits(std::string_view data) {
     return true;
 }
 
-/// Of Photoshop's resources, only the first is checked, if it is IPTC.
+/// Checks the first of Photoshop's resources, if it is IPTC.
 bool photoshopFits(std::string_view data) {
     constexpr std::string_view mark("Photoshop 3.0\0", 14), iptc("8BIM\x04\x04", 6);
     constexpr std::size_t head = 26;

@@ -79,8 +79,8 @@ void ContourTracer::addVerticalVertices(int row) {
                 addVertex(m_grid.x(i), between(m_grid.y(row), m_grid.y(row + 1), m_upper[i], m_lower[i]));
 }
 
-/// In cyclic order of the cell's corners, each run of inside corners is entered through one edge and left
-/// through another, connected by a contour segment. Two runs are joined if the cell's mean is inside.
+/// Links the edges of a cell. Each run of inside corners, in cyclic order, is entered through one edge and
+/// left through another, which a contour segment connects. Two runs are joined if the cell's mean is inside.
 void ContourTracer::linkCell(const std::array<float, 4>& corners, const Edges& edges) {
     std::array<int, 2> entries{}, exits{};
     int runs = 0;

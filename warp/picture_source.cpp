@@ -59,8 +59,8 @@ class TiffDirectory {
         return std::nullopt;
     }
 
-    /// Whether the file is what a camera's sensor gave, by DNG's version, Canon's mark, the photometric
-    /// interpretation, or a small picture of a camera before the large one.
+    /// Returns whether the file contains the data of a camera's sensor, by DNG's version, Canon's mark, the
+    /// photometric interpretation, or a small picture of a camera before the large one.
     bool isCameraRaw() const {
         constexpr std::uint32_t kSubfile = 254, kPhotometric = 262, kMake = 271, kParts = 330, kDng = 50706;
         constexpr std::uint32_t kSensor = 32803;

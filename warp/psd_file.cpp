@@ -145,7 +145,7 @@ LayerRecord nextRecord(ByteWalk& walk, bool isLarge) {
     return record;
 }
 
-/// From the top down, layers get the opacity of their groups, and are hidden with them.
+/// Gives layers the opacity of their groups, from the top down, and hides them with these.
 void takeGroups(std::vector<LayerRecord>& records) {
     std::vector<std::pair<double, bool>> groups{{1, true}};
     for (auto record = records.rbegin(); record != records.rend(); ++record) {

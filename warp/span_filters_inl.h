@@ -255,8 +255,8 @@ class Filters {
         }
     }
 
-    /// Up to eight pixels from p on, the one at p being dx from the middle of the chord; those after the
-    /// first 1 + `more` weigh nothing.
+    /// Adds up to eight pixels from p on; the one at p is dx from the middle of the chord, and those after
+    /// the first 1 + `more` weigh nothing.
     WEND_SPAN_INLINE void addEight(const T* p, float dx, float rest, int more, Sum& sum) const {
         const Eight across = counted() + eight(dx);
         const Eight weights = kernel(eight(m_xx) * across * across + eight(rest));
@@ -280,9 +280,9 @@ struct Places {
     float s[kSize], t[kSize];  // how far beyond its centre, in [0, 1)
 };
 
-/// Of `count` pixels (eight at a time, which may be some more) from `begin` on; `half` ½ for pixels' centres,
-/// 0 for their corners. Far outside (or no number) is brought near, which changes nothing but the range of
-/// the numbers.
+/// Locates `count` pixels (eight at a time, which may be some more) from `begin` on; `half` is ½ for pixels'
+/// centres, 0 for their corners. Positions far outside (or NaN) are moved near the picture, which only limits
+/// the range of the numbers.
 HWY_ATTR HWY_INLINE void locate(const SpanTask& task, int begin, int count, double half, Places& places) {
     constexpr double kFar = 64;
     const double left = task.left, scale = task.scale, anchor = task.anchor, height = task.height;

@@ -25,10 +25,11 @@ struct WarpOptions {
     /// equal, or empty, later cells are in front of earlier ones. Transparent pixels of a cell show those
     /// below it.
     std::vector<float> depth;
-    /// Of the mesh and that depth, made before: for a window that draws one pose after another. Or null.
+    /// The plan of the mesh and that depth, made before, for a window that draws one pose after another; or
+    /// null.
     std::shared_ptr<const PaintingPlan> plan;
-    /// Where nothing has moved, pixels that are no farther than this from the shape's are the source's own,
-    /// to the bit: for an outline that leaves gaps open between soft edges. 0: the outline cuts them.
+    /// Pixels that are no farther than this from the shape are the source's own, to the bit, if nothing has
+    /// moved: for an outline that leaves gaps open between soft edges. With 0 the outline cuts them.
     int restMargin = 0;
     /// The size of the picture that the view is a part of; 0: that of the source.
     int frameWidth = 0, frameHeight = 0;

@@ -39,7 +39,7 @@ void inThreads(int threads, const Work& work) {
     if (first) std::rethrow_exception(first);
 }
 
-/// As many as are wanted, but no more than there are pieces.
+/// Returns as many threads as are wanted, but no more than there are pieces.
 int threadsFor(const WarpOptions& options, std::size_t pieces) {
     static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // asks a file each time
     const int wanted = options.threads > 0 ? options.threads : cores;

@@ -57,8 +57,8 @@ struct TimeWindow {
 
 /// How the points of a curve are joined. Cubics is a chain of Bézier cubics, 3 k + 1 points.
 enum class Joining { Cubics, Spline, Lines };
-/// Which frame a curve carries the points with: none, they are translated; Frenet's; or one that does not
-/// spin about the tangent.
+/// Selects the frame with which a curve carries the points: none, they are translated; Frenet's; or one that
+/// does not spin about the tangent.
 enum class CurveFrame { None, Frenet, Minimal };
 
 /// How a curve carries points: x(t) = γ(t) + σ(t) Q(t) (x(0) − γ(0)), docs/method.md (18).

@@ -18,7 +18,7 @@ namespace {
 constexpr int kFrames = 60;
 constexpr int kWindowWidth = 1280, kWindowHeight = 800;
 
-/// Where the hand is after i samples, relative to the start, in diagonals.
+/// Returns the place of the hand after i samples, relative to the start, in diagonals.
 Vec<2> handAt(int i) {
     const double jitter = i % 3 == 0 ? 0.001 : 0;
     return {-0.15 * std::pow(i / 60.0, 2), 0.3 * std::sin(0.03 * i) + jitter};

@@ -53,7 +53,7 @@ std::string headingOf(const BenchCase& one);
 /// "holds:  EQUIA keeps …: volume: strip/EQUIA 0.0001 < …".
 std::string textOf(const BenchClaim& claim);
 std::string textOf(const std::vector<Growth>& growth);
-/// For programs: all of it, seconds as numbers.
+/// Returns the whole table for programs, with seconds as numbers.
 std::string jsonOf(const BenchTable& table);
 
 /// Returns the processor's name as the system gives it; empty if it gives none.

@@ -50,7 +50,7 @@ void addTimedRow(BenchRecorder& recorder, const std::string& name, int threads,
          {{"Mpixel/s", megapixels / timing.median}, {"Mpixel/s and core", megapixels / timing.processor}}});
 }
 
-/// As a warp's result is made: new memory, and every pixel written once.
+/// Copies as a warp makes its result: into new memory, with every pixel written once.
 void copyOf(const Image& image) {
     Image copy{image.width, image.height, image.channels, image.type, image.alpha, image.unassociated, {},
                {}};

@@ -25,7 +25,7 @@ class WindowDrag : public QObject {
         ShapeSession& session;
         std::function<FramePtr()> drawn;  // the frame that the view's next painting shows
     };
-    /// In milliseconds.
+    /// The times of a drag in milliseconds.
     struct Times {
         double first = 0;             // from the press to the first frame that follows it
         std::vector<double> latency;  // of every frame: since the move that it shows

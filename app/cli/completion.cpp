@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kOrigin = "Written by `wend reference --completion`; do not edit.\n";
 
-/// Within single quotes, as bash and zsh read them.
+/// Returns the text within single quotes, as bash and zsh read them.
 std::string inQuotes(std::string_view text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);

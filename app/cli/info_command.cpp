@@ -175,7 +175,7 @@ void addFacts(const SurfaceFacts& facts, Json& json) {
                      {"longest", facts.longestEdge}};
 }
 
-/// Whether `wend mesh` fills the surface itself, or a cage around it.
+/// Returns how `wend mesh` fills the surface: itself, or by a cage around it.
 std::string fitOf(const MeshInspection& inspection) {
     const bool exact = std::ranges::none_of(inspection.problems, &MeshProblem::fatal);
     return exact ? "exact surface" : "cage";

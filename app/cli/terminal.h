@@ -18,7 +18,7 @@ class Terminal {
     void warn(const std::string& text);
     /// Writes to the stream on which progress is shown.
     void tell(const std::string& text);
-    /// Like error(), over the line of progress.
+    /// Writes over the line of progress, otherwise like error().
     void end(const std::string& text);
 
     /// Writes "wend: text" as one line, whatever the text contains.

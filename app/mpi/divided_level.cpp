@@ -81,7 +81,7 @@ auto DividedLevel<Modes>::exchangeRows(const CoarseShare<Modes>& share) const ->
     return rows;
 }
 
-/// Which rows of its share belong to which process, and which of its own are in whose share.
+/// Lists which rows of its share belong to which process, and which of its own are in whose share.
 template <int Modes>
 void DividedLevel<Modes>::listUsers(const CoarseShare<Modes>& share) {
     m_touched.assign(static_cast<std::size_t>(m_team.size()), {});

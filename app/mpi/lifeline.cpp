@@ -42,7 +42,7 @@ std::string hostName() {
     return name.data();
 }
 
-/// Whether something is to be read, or a connection is made, in time.
+/// Returns whether there is something to read, or a connection is made, in time.
 bool isReady(int socket, short events) {
     pollfd one{socket, events, 0};
     return poll(&one, 1, kPatience) == 1;
@@ -101,7 +101,8 @@ Name shortened(const std::string& text) {
 
 }  // namespace
 
-/// Where the first process waits for connections, and the word by which it knows the team's own.
+/// The address at which the first process waits for connections, and the word by which it recognizes the
+/// team's own.
 struct Lifeline::Meeting {
     using Token = std::array<std::uint8_t, 16>;
     /// The first message of a process.
@@ -217,7 +218,7 @@ void Lifeline::accept(int count, const Meeting& meeting) {
     }
 }
 
-/// In a thread of its own, until the destructor or until all others have ended well.
+/// Watches in a thread of its own, until the destructor runs or all others have ended well.
 void Lifeline::watch() {
     std::vector<pollfd> waited{{m_wake[0], POLLIN, 0}};
     for (const Peer& peer : m_peers) waited.push_back({peer.socket, POLLIN, 0});

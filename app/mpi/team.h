@@ -34,7 +34,7 @@ class Team {
 
     /// Sends the first process's bytes to all.
     void broadcast(Packet& packet) const;
-    /// From one process to another, called by those two.
+    /// Send from one process to another; both call these.
     void send(int to, const Packet& packet) const;
     Packet receive(int from) const;
     void send(int to, std::span<const double> values) const;
@@ -43,7 +43,7 @@ class Team {
     /// Returns one number of every process, in all of them.
     std::vector<double> all(double own) const;
     std::vector<int> all(int own) const;
-    /// From every process to every other: what each has got, by the processes that it comes from.
+    /// Exchange data from every process to every other. Each gets, by the processes, what they sent to it.
     std::vector<Packet> exchange(std::vector<Packet> sent) const;
     std::vector<std::vector<int>> exchange(const std::vector<std::vector<int>>& sent) const;
     /// Exchanges lists that have `numbers` values for every entry of `expected`.

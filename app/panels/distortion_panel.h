@@ -29,7 +29,7 @@ class DistortionPanel : public QWidget {
     QAction& keepRange() const { return *m_keep; }
     /// Opacity of maps over a picture, stored in the settings.
     double opacity() const;
-    /// Whether maps blend colours between cells, stored in the settings.
+    /// Returns whether maps blend colours between cells; it is stored in the settings.
     bool isSmooth() const;
     /// Returns the widget with the map's options and the totals, which is placed under *Advanced*.
     QWidget* details() const { return m_details; }

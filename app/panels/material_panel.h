@@ -17,7 +17,7 @@ class MaterialPanel : public QWidget {
   public:
     explicit MaterialPanel(ShapeSession& session, QWidget* parent = nullptr);
     EnergySlider* energySlider() const { return m_slider; }
-    /// While a brush has its own stops, the title states that these belong to the whole shape.
+    /// Makes the title state that these stops belong to the whole shape while a brush has its own.
     void setBesideBrush(bool beside);
 
   private:

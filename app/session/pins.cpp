@@ -33,7 +33,7 @@ class Placer {
     Placer(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator)
         : m_rest(rest), m_locator(locator), m_vertices(vertexLocations(rest)) {}
 
-    /// Where the handle's points are, by the parts of HandlePlacer.
+    /// Returns the places of the handle's points, by the parts of HandlePlacer.
     PinPlace<Dim> place(const Handle<Dim>& handle) {
         m_parts.clear();
         for (auto part = m_rest.parts.rbegin(); part != m_rest.parts.rend(); ++part)

@@ -155,7 +155,7 @@ double ShapeGesture::recordedTime() const {
     return m_from + seconds * m_playback.speed() / Playback::kSecondsPerUnit;
 }
 
-/// While recording, advances the other handles even if the pointer is still.
+/// Advances the other handles while recording, even if the pointer is still.
 void ShapeGesture::goOn() {
     if (!m_drag) return;
     m_playback.setTime(recordedTime());

@@ -11,6 +11,7 @@ struct PlannedContribution {
     int row, facet, left, right;
 };
 
+/// Lists the interior facets, and for every corner the facet opposite to it.
 template <int Dim>
 void addInteriorFacets(const SimplicialMesh<Dim>& mesh, AssemblyPlan<Dim>& plan) {
     for (const auto& facet : facetsOf(mesh)) {
@@ -25,6 +26,7 @@ void addInteriorFacets(const SimplicialMesh<Dim>& mesh, AssemblyPlan<Dim>& plan)
     }
 }
 
+/// Lists the corners of every vertex in ascending order, by a counting sort.
 template <int Dim>
 void listCorners(AssemblyPlan<Dim>& plan) {
     plan.cornerStart.assign(plan.vertexCount + 1, 0);

@@ -204,7 +204,8 @@ void CpuBackEnd<Dim>::computeCornerTerms() {
     });
 }
 
-/// Across a facet: −¼ weight G_leftᵀ D_f G_right, or −weight T_leftᵀ T_right with the paper's kind.
+/// Returns the block of a contribution across a facet: −¼ weight G_leftᵀ D_f G_right, or −weight T_leftᵀ
+/// T_right with the paper's kind.
 template <int Dim>
 Mat<Dim> CpuBackEnd<Dim>::crossBlock(int left, int right, int facet) const {
     const double weight = -m_facetWeight[facet];
@@ -258,6 +259,7 @@ std::unique_ptr<BlockSource> CpuBackEnd<Dim>::blockSource() {
     return std::make_unique<Source>(*this);
 }
 
+/// Sums every block in the order of the plan, own contributions first; the mass is part of these.
 template <int Dim>
 void CpuBackEnd<Dim>::assemble(std::span<double> values) {
     computeCornerTerms();
@@ -353,6 +355,7 @@ double CpuBackEnd<Dim>::sum(int count, Item&& item) {
     return std::accumulate(partial.begin(), partial.end(), 0.0);
 }
 
+/// Returns Σ ¼ V S : P over the cells and the weighted jumps over the facets, each in fixed pieces.
 template <int Dim>
 double CpuBackEnd<Dim>::energy(const Points<Dim>& v) {
     computeFields(v);

@@ -270,7 +270,7 @@ void IsotropicBackEnd<Dim>::cellTerms(int begin, int end, Terms& terms) const {
     }
 }
 
-/// Across a facet: −¼ weight D_facet, with stress jumps −weight D_i D_j.
+/// Computes the terms of contributions across a facet: −¼ weight D_facet, with stress jumps −weight D_i D_j.
 template <int Dim>
 void IsotropicBackEnd<Dim>::facetTerms(int begin, int end, Terms& terms) const {
     double* const pairs = terms.coefficients.data() + 2 * static_cast<std::size_t>(m_cellCount);
@@ -330,6 +330,7 @@ std::unique_ptr<BlockSource> IsotropicBackEnd<Dim>::blockSource() {
     return std::make_unique<Source>(*this);
 }
 
+/// Computes the coefficients of all terms first, and then every block from them.
 template <int Dim>
 void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
     if (m_start.empty()) listContributions();

@@ -94,6 +94,7 @@ HWY_INLINE V inverse(const V (&e)[3][3], V (&g)[3][3]) {
     return determinant;
 }
 
+/// Computes the centroids of cells, as rows of kPoint doubles.
 template <int Dim>
 HWY_ATTR HWY_INLINE void centroids(const Cells<Dim>& s, int begin, int end, const double* x) {
     for (int c = begin; c < end; ++c) {
@@ -295,6 +296,8 @@ HWY_ATTR HWY_INLINE void storeForces(const V (&L)[Dim * (Dim + 1) / 2], const do
     storeForce<Dim>(sum, force);
 }
 
+/// Implements forces() for one SIMD target and one kind of jump, in blocks of cells whose jumps are gathered
+/// first.
 template <int Dim, Jump kJump>
 HWY_ATTR HWY_INLINE void forcesOf(const Cells<Dim>& s, int begin, int end, double* force) {
     const int n = padded(s.count);

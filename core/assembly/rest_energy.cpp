@@ -142,6 +142,7 @@ void RestEnergy<Dim>::addHessian(std::span<double> blocks, WorkerPool& workers) 
     });
 }
 
+/// Applies the Hessian of every cell to the differences of its corners, and sums the results at the vertices.
 template <int Dim>
 void RestEnergy<Dim>::applyHessian(const Points<Dim>& v, Points<Dim>& Hv, WorkerPool& workers) {
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {

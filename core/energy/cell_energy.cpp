@@ -24,6 +24,7 @@ Mat<Dim> edgeMatrix(const Points<Dim>& points, const Cell<Dim>& cell) {
     return edges;
 }
 
+/// Computes the gradients of the corners 1 … d as the rows of E⁻¹; corner 0 has minus their sum.
 template <int Dim>
 CellGeometry<Dim> cellGeometry(const Points<Dim>& points, const Cell<Dim>& cell) {
     constexpr double kFactorial = Dim == 2 ? 2 : 6;

@@ -66,6 +66,7 @@ Material<Dim> Material<Dim>::uniform(int cellCount, double phi, Smoothing smooth
     return {std::vector<double>(cellCount, phi), {}, smoothing, 0};
 }
 
+/// Checks the counts first, then φ of every cell, and then that every B₀ is symmetric and positive definite.
 template <int Dim>
 void requireValid(const Material<Dim>& material, int cellCount) {
     requireCount("phi", material.phi.size(), cellCount);

@@ -119,6 +119,7 @@ Modes<Dim> anisotropicHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim
 
 }  // namespace
 
+/// Evaluates w by the formula for B₀ = I where that applies, since it needs no product with B₀.
 template <int Dim>
 double restDensity(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     const double J = F.determinant();

@@ -170,6 +170,7 @@ std::vector<int> Cholesky::Handles::orderBlocks() {
     return order;
 }
 
+/// Runs CHOLMOD's analysis with the order of the blocks, in which the unknowns of a block are consecutive.
 void Cholesky::Handles::analyze() {
     const SerialOpenMp serial;
     const std::lock_guard lock(analysisMutex());
@@ -206,6 +207,7 @@ bool Cholesky::run(void (*work)(Handles&), const std::stop_token& stop) {
     return false;
 }
 
+/// Takes a copy of the pattern, and runs the analysis so that a request to stop is answered at once.
 bool Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
                        Ordering ordering, const std::stop_token& stop) {
     auto& h = *m_handles;

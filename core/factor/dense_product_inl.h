@@ -100,6 +100,8 @@ struct Strip {
     }
 
   private:
+    /// Goes through the rows in tiles of two vectors, and of one at the end if a group of kPad has an odd
+    /// number.
     template <bool kReplaces, class Real>
     static void tiles(const Rows<Real>& A, int depth, const Real* B, ptrdiff_t strideB, Real* C,
                       ptrdiff_t leadingC, int rowBegin, int rowEnd) {
@@ -172,6 +174,7 @@ void Product<Real>::subtractPlain() const {
                        replaces);
 }
 
+/// Goes through blocks of rows that are packed once and serve all columns.
 template <class Real>
 void Product<Real>::subtractPacked() const {
     alignas(64) Real packedRows[kDepth * kRows<Real>], packedBlock[kDepth * kBlock];

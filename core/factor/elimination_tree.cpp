@@ -11,6 +11,7 @@ constexpr double kMaxShare = 0.15;
 // An entry of a front is moved about as often as this many multiplications are done.
 constexpr double kEntryCost = 32;
 
+/// Finds the parent of every supernode, which owns the first row below it, and the children of every parent.
 void connect(const Supernodes& symbolic, EliminationTree& tree) {
     const int count = symbolic.count();
     std::vector<int> owner(symbolic.order.size());

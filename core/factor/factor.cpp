@@ -10,8 +10,9 @@
 namespace wend {
 namespace {
 
-/// Up to so many operations per entry of the factor our own factorization is the quicker one: the more of
-/// them, the larger the fronts, and the less CHOLMOD's cost of a small front counts beside its BLAS.
+/// Our own factorization is the quicker one up to these numbers of operations per entry of the factor. The
+/// more operations, the larger the fronts, and the less CHOLMOD's cost of a small front counts beside its
+/// BLAS.
 struct Limits {
     double single, twice;
 };

@@ -214,6 +214,7 @@ void SupernodalFactor<Real>::extendAdd(int child, int parent, int begin, int end
     }
 }
 
+/// Fills the panel of a front with zeros, and adds the values of the matrix at their places.
 template <class Real>
 void SupernodalFactor<Real>::assemblePanel(int s, std::span<const double> values) {
     Real* const front = panel(s);
@@ -247,7 +248,7 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     return true;
 }
 
-/// In blocks of columns: one thread does a block's triangle, all of them the rows below.
+/// Factorizes in blocks of columns: one thread does a block's triangle, all of them the rows below.
 template <class Real>
 bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     const int columns = m_symbolic.columnsOf(s), rows = leading(s);
@@ -331,6 +332,8 @@ void SupernodalFactor<Real>::Meter::add(double work) {
     if (hundredths > told && m_told.compare_exchange_strong(told, hundredths)) m_progress(done);
 }
 
+/// Factorizes the subtrees concurrently, one thread for each, and then the fronts of the separator with all
+/// threads.
 template <class Real>
 bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers,
                                        std::stop_token stop, const FactorProgress& progress) {

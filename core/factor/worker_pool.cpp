@@ -93,6 +93,7 @@ void WorkerPool::doPiece(int begin, int end) {
     if (static_cast<int>(100 * now) > static_cast<int>(100 * part(before))) m_progress(now);
 }
 
+/// Claims the next piece of the current job, and does it. Returns false if there is none.
 bool WorkerPool::claimAndDo() {
     std::uint64_t ticket = m_ticket.load();
     while (true) {
@@ -107,6 +108,7 @@ bool WorkerPool::claimAndDo() {
     }
 }
 
+/// Spins for a short while until another job is published, and then sleeps until that happens.
 std::uint64_t WorkerPool::waitForWork(std::uint64_t seen) {
     for (int i = 0; i < kSpins; ++i) {
         const std::uint64_t now = m_ticket.load();

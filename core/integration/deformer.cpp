@@ -7,6 +7,7 @@
 
 namespace wend {
 
+/// Names the first option that is out of its range, with the range.
 std::string IntegrationOptions::problem() const {
     if (!(tolerance >= 1e-12 && tolerance <= 0.1)) return "the tolerance must be in [1e-12, 0.1]";
     if (steps < 0) return "the number of steps must not be negative";

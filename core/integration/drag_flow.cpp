@@ -34,6 +34,7 @@ constexpr double kSmallestPart = 1.0 / 64;
 constexpr double kElasticTolerance = 1e-4;
 constexpr int kMostIterations = 6;
 
+/// Returns the handles, normalized and without their motions.
 template <int Dim>
 std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const Normalization<Dim>& units) {
     std::vector<Handle<Dim>> result;
@@ -210,6 +211,7 @@ void DragFlow<Dim>::project(Points<Dim>& shape, const Targets& targets) {
     m_solver.project(shape, targets);
 }
 
+/// Returns whether a field moves the constrained points by the displacement, up to a small part of it.
 template <int Dim>
 bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& displacement) const {
     double miss = 0;
@@ -283,6 +285,8 @@ bool DragFlow<Dim>::step(const Targets& targets) {
     return true;
 }
 
+/// Converts the shape to a pose in the domain's coordinates, and measures how far constrained points are from
+/// their targets.
 template <int Dim>
 void DragFlow<Dim>::publish() {
     m_pose = m_domainRest->points + m_units.size * (m_shape - m_rest->points);

@@ -61,6 +61,7 @@ Deformer<Dim>::Integrator::Integrator(std::shared_ptr<const SimplicialMesh<Dim>>
     collectStatistics();
 }
 
+/// Normalizes the handles, and continues with their constraints from the current time.
 template <int Dim>
 void Deformer<Dim>::Integrator::setHandles(const std::vector<Handle<Dim>>& handles) {
     std::vector<Handle<Dim>> moved;
@@ -381,6 +382,7 @@ double Deformer<Dim>::Integrator::restForce() {
     return m_solver->restForce(state.normalized);
 }
 
+/// Adds the statistics of the solver to those of the runs before.
 template <int Dim>
 void Deformer<Dim>::Integrator::collectStatistics() {
     const SolverStatistics& solver = m_solver->statistics();

@@ -177,6 +177,7 @@ bool Deformer<Dim>::Integrator::track(double from, double to, const Points<Dim>&
     return true;
 }
 
+/// Takes a step by the kind of relaxation that acts there, and measures its error.
 template <int Dim>
 bool Deformer<Dim>::Integrator::relax(double from, double to, const Points<Dim>& start, Points<Dim>& result,
                                       double& error) {

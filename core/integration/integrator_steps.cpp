@@ -97,6 +97,8 @@ std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start
 
 /// If the step would become too small and a cell is nearly flat, that cell is reported as the cause.
 constexpr double kNearlyFlat = 1e-2;  // relative to the cell's rest measure
+/// Records why the next step would be too short: a cell is nearly flat or, if there is none, no reason is
+/// known.
 template <int Dim>
 void Deformer<Dim>::Integrator::failForSmallStep(double to) {
     m_failure = {};
@@ -193,7 +195,7 @@ Snap Deformer<Dim>::Integrator::snapAt(int vertex) const {
     return snap;
 }
 
-/// With the shape that it leads to, unless nothing moved.
+/// Passes on the step with the shape at its end, unless nothing moved.
 template <int Dim>
 void Deformer<Dim>::Integrator::record(StepRecord<Dim> step) {
     if (!m_watch || !m_watch->onStep) return;
@@ -248,6 +250,7 @@ void Deformer<Dim>::Integrator::standStill(double to) {
     record({from, to, nullptr, nullptr, {}});
 }
 
+/// Moves the state to a time, and its anchors across a breakpoint there.
 template <int Dim>
 void Deformer<Dim>::Integrator::arrive(double to) {
     state.time = to;
@@ -260,6 +263,7 @@ void Deformer<Dim>::Integrator::arrive(double to) {
     if (m_watch && m_watch->progress) m_watch->progress(to);
 }
 
+/// Measures how far the constrained points are from their prescribed positions.
 template <int Dim>
 void Deformer<Dim>::Integrator::measureError(double t) {
     prescribe(t, Side::Before, state.normalized);

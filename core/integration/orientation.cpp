@@ -44,6 +44,7 @@ int Orientation<Dim>::firstInverted(const Points<Dim>& shape) const {
     return -1;
 }
 
+/// Compares the measure of every cell with that at rest.
 template <int Dim>
 int Orientation<Dim>::mostShrunk(const Points<Dim>& shape) const {
     int worst = 0;

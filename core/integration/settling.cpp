@@ -15,6 +15,7 @@ bool within(const SettleWindow& window, double t, Side side) {
 
 }  // namespace
 
+/// Checks each window, and that it does not begin before the end of the one before it.
 std::string problemOf(const std::vector<SettleWindow>& windows) {
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const std::string name = "settle window " + std::to_string(i + 1);

@@ -74,6 +74,7 @@ bool StatesReader<Dim>::scanBlock(std::uint64_t& at) {
     return true;
 }
 
+/// Compares the dimension, and then every part of the header with the wanted one.
 template <int Dim>
 void StatesReader<Dim>::requireSame(const StatesHeader& wanted) const {
     if (m_header.dimension != wanted.dimension)
@@ -109,6 +110,7 @@ void StatesReader<Dim>::restore(const std::string& bytes, Value& value) try {
     throw error.named(path());
 }
 
+/// Returns an array by its number. Arrays that are still in use are not read again.
 template <int Dim>
 Nodal<Dim> StatesReader<Dim>::array(std::uint64_t id) {
     auto& loaded = m_loaded[id];

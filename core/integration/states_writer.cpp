@@ -86,6 +86,7 @@ void StatesWriter<Dim>::fail(int error) const {
     throwExplained(why, std::filesystem::path(m_path).parent_path().string());
 }
 
+/// Writes all bytes, in several pieces if necessary.
 template <int Dim>
 void StatesWriter<Dim>::write(const void* bytes, std::size_t count) {
     const char* from = static_cast<const char*>(bytes);
@@ -98,6 +99,7 @@ void StatesWriter<Dim>::write(const void* bytes, std::size_t count) {
     }
 }
 
+/// Writes a block with its length and checksum.
 template <int Dim>
 void StatesWriter<Dim>::writeBlock(BlockKind kind, std::string_view head, std::string_view body) {
     std::string before;
@@ -123,6 +125,7 @@ void StatesWriter<Dim>::store(BlockKind kind, Value& value) {
     writeBlock(kind, archive.bytes());
 }
 
+/// Returns the number of an array, which is written when it is named first.
 template <int Dim>
 std::uint64_t StatesWriter<Dim>::idOf(const Nodal<Dim>& array) {
     const auto [known, isNew] = m_ids.try_emplace(array, m_lastArray + 1);

@@ -20,6 +20,7 @@ namespace {
 constexpr int kWait = 50;                                   // in milliseconds
 constexpr std::uint64_t kLongest = std::uint64_t(1) << 30;  // bytes of a message
 
+/// Receives exactly `size` bytes. Returns false if the other end is closed, or `isAwaited` returns false.
 bool receiveBytes(int socket, char* bytes, std::size_t size, const std::function<bool()>& isAwaited) {
     for (std::size_t done = 0; done < size;) {
         pollfd wait{socket, POLLIN, 0};
@@ -131,6 +132,7 @@ bool ChildLink::send(const std::string& message) {
     return m_process->id > 0 && sendMessage(m_process->socket.get(), message);
 }
 
+/// Receives a message while watching whether the helper is idle, and kills it if so.
 bool ChildLink::receive(std::string& message, double idleSeconds, const std::function<void()>& goOn) {
     if (m_process->id <= 0) return false;
     IdleWatch watch(m_process->id, idleSeconds);

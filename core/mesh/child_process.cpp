@@ -116,6 +116,8 @@ Pulse pulseOf(pid_t wanted) {
 
 }  // namespace
 
+/// Compares output and CPU time with those of the last look. A process that is running or waits for a disk is
+/// not idle.
 bool IdleWatch::isIdle(std::size_t said) {
     const auto now = Clock::now();
     if (m_seconds <= 0 || now < m_next) return false;

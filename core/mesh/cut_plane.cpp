@@ -92,6 +92,7 @@ CutSurface wholeSurface(const std::vector<Facet<3>>& facets) {
     return surface;
 }
 
+/// Keeps the cells whose centroid is below the plane; the facets between these and all others are on the cut.
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
                         const Points<3>& pose, const CutPlane& plane) {
     std::vector<bool> stays(mesh.cells.size());

@@ -62,6 +62,7 @@ class Embedding<Dim>::Outside {
         std::tie(m_offsets, m_around) = cellsOfVertices(rest);
     }
 
+    /// Returns the cell that a point outside follows, and its weights from the nearest boundary point.
     std::pair<int, Row> place(int point, const Vec<Dim>& p) const {
         const TriangleTree::Nearest nearest = m_tree.nearest(inSpace(p));
         std::map<int, double> weights;

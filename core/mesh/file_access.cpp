@@ -62,6 +62,7 @@ std::string whyKept(const std::string& target) {
     return writable ? "" : "is read-only: make it writable first, or choose another name";
 }
 
+/// Copies owner, permissions, access list and attributes of an existing target, as far as the user may.
 void takeAccess(int descriptor, const std::string& target, Access access) {
     struct stat old {};
     if (stat(target.c_str(), &old) != 0) {

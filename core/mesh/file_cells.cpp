@@ -51,6 +51,7 @@ double flatJacobian(const Points<3>& points, std::span<const int> nodes, int k) 
     return lengths > 0 ? (a.x() * b.y() - a.y() * b.x()) / lengths : 0;
 }
 
+/// Returns the least corner Jacobian of a cell times `sign`, its orientation in the file.
 double leastJacobian(const MeshFile& file, const Points<3>& points, int cell, double sign) {
     const CellKind linear = linearKind(file.cells.kinds[static_cast<std::size_t>(cell)]);
     const auto nodes = file.cells[cell];
@@ -75,6 +76,7 @@ bool isOfMesh(const MeshFile& file, int cell) {
 
 }  // namespace
 
+/// Marks the vertices of triangles and tetrahedra, and returns those that only other cells name.
 std::vector<int> carriedNodes(const MeshFile& file) {
     std::vector<char> own(static_cast<std::size_t>(file.points.cols()), 0), named = own;
     for (const int v : file.cells.nodes) named[static_cast<std::size_t>(v)] = 1;
@@ -115,6 +117,7 @@ std::vector<double> cornerJacobians(const MeshFile& file, const Points<3>& point
     return jacobians;
 }
 
+/// Counts the cells whose corner Jacobian is no longer positive.
 std::string turnedCells(const MeshFile& file, const Points<3>& points) {
     const std::vector<double> before = cornerJacobians(file, file.points),
                               after = cornerJacobians(file, points);

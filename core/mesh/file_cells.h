@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, int>> cellCounts(const MeshFile& file);
 std::vector<double> cornerJacobians(const MeshFile& file, const Points<3>& points);
 
 /// Describes, for the user, the cells whose corner Jacobian changes its sign from the file's points to these:
-/// "2 of 40 hexahedra are turned over at a corner, the first cell 7"; empty if there are none.
+/// "2 of 40 cells are turned over at a corner, the first cell 7"; empty if there are none.
 std::string turnedCells(const MeshFile& file, const Points<3>& points);
 
 }  // namespace wend

@@ -206,9 +206,9 @@ GltfScene gltfScene(const Skin& skin, const Points<3>& points) {
 
 namespace {
 
-/// Where the node of a shape far from the origin is: floats hold seven digits, which would be those of the
-/// place alone. It is itself a float, so that readers lose nothing of it; zero if the shape is near the
-/// origin.
+/// Returns the place of the node. For a shape far from the origin, floats of seven digits would hold little
+/// more than that place. It is itself a float, so that readers lose nothing of it, and zero if the shape is
+/// near the origin.
 Vec<3> nodePlace(const Points<3>& points) {
     if (points.cols() == 0) return Vec<3>::Zero();
     const Vec<3> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff(),

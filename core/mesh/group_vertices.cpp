@@ -15,6 +15,7 @@ std::string groupInWords(const MeshGroup& group) {
     return name + kinds[group.dimension];
 }
 
+/// Returns the groups of a name or, if there are none, those of a number.
 std::vector<const MeshGroup*> groupsNamed(const MeshFile& file, const std::string& name,
                                           std::optional<int> dimension) {
     for (const bool byName : {true, false}) {

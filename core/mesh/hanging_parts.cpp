@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kOnLine = 1e-9;  // of the line's length
 
+/// Returns whether a part turns freely at a joint: a vertex, or in space vertices on a line.
 template <int Dim>
 bool turnsFreely(const Points<Dim>& points, const std::vector<int>& joint) {
     if (joint.size() == 1) return true;
@@ -46,6 +47,7 @@ class Parts {
                 for (const int part : parts) m_joints[part].push_back(vertex);
         }
     }
+    /// Returns the parts that turn freely at their joint, except the largest of each group of touching parts.
     std::vector<HangingPart> hanging() {
         std::map<int, int> largest;  // part of each group
         for (const auto& [part, size] : m_sizes) {

@@ -34,6 +34,7 @@ struct Place {
     std::vector<bool> odd;
 };
 
+/// Sorts the boundary facets by their place, that is, by the first vertices at their corners.
 template <int Dim>
 auto placesOf(const SimplicialMesh<Dim>& mesh, const std::vector<int>& first) {
     std::map<std::array<int, Dim>, Place<Dim>> places;

@@ -197,6 +197,7 @@ class BodyTree {
         int parent;
     };
 
+    /// Divides a component into its body and limbs, and these in the same manner, without recursion.
     void decompose(std::vector<int> component) {
         double farthest = 0;
         for (const int c : component) farthest = std::max(farthest, m_reach[c]);
@@ -259,6 +260,7 @@ class BodyTree {
         return limbs;
     }
 
+    /// Returns the cells that are connected with one through cells that belong.
     template <typename Belongs>
     std::vector<int> connected(int first, const Belongs& belongs) {
         std::vector<int> part{first};
@@ -389,6 +391,7 @@ class LimbTree {
     /// Returns the limb that currently continues in the set of a cell.
     int limbAt(int cell) { return m_current[m_sets.root(cell)]; }
 
+    /// Adds a cell to the tree: it begins a limb, or continues or joins those of its neighbours.
     void add(int cell) {
         int limb = m_limbOf[cell] = newLimb(m_reach[cell]);
         m_current[cell] = limb;

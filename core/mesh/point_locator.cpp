@@ -162,6 +162,7 @@ struct PointLocator<Dim>::Grid {
             if (layout.total() == 1 || entriesOf(layout) <= 32 * cellCount) return;
         }
     }
+    /// Returns how many entries a layout of bins would have.
     double entriesOf(const BinLayout<Dim>& candidate) const {
         double entries = 0;
         for (const auto& cell : cells) {
@@ -174,6 +175,7 @@ struct PointLocator<Dim>::Grid {
         }
         return entries;
     }
+    /// Lists for every bin the cells whose box intersects it.
     void binCells() {
         cellsOfBin = binned<Dim>(layout, [&](const auto& put) {
             for (int c = 0; c < static_cast<int>(cells.size()); ++c) {

@@ -75,8 +75,8 @@ bool isFlushed(int descriptor) {
     return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
 }
 
-/// Whether files are taking their places, or have done so: a process that has to end at once must not do it
-/// between two of them.
+/// Knows whether files are replacing their targets, or have done so: a process that has to end at once must
+/// not do so between two of them.
 struct Placing {
     std::mutex mutex;
     bool begun = false;
@@ -106,6 +106,7 @@ PendingFile::PendingFile(std::string path, Access access, const PendingFile* nei
     if (!isTemporary(m_target)) makeTemporary(neighbour);
 }
 
+/// Makes the temporary file's folder, or shares that of a neighbour in the same place.
 void PendingFile::makeTemporary(const PendingFile* neighbour) {
     try {
         const std::string place = m_special ? scratchFolder() : folderOf(m_target);

@@ -47,6 +47,7 @@ void requireFinite(const SimplicialMesh<Dim>& mesh) {
             throw InputError("vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
 }
 
+/// Throws InputError for indices out of range and repeated vertices.
 template <int Dim>
 void requireIndices(const SimplicialMesh<Dim>& mesh) {
     for (int c = 0; c < mesh.cellCount(); ++c) {
@@ -60,6 +61,7 @@ void requireIndices(const SimplicialMesh<Dim>& mesh) {
     }
 }
 
+/// Throws InputError for two cells with the same vertices, which sorting brings side by side.
 template <int Dim>
 void requireNoDuplicates(const SimplicialMesh<Dim>& mesh) {
     std::vector<int> order(mesh.cells.size());

@@ -92,6 +92,7 @@ void removeTemporaryFolders() noexcept {
     LivingFolders::all().clear();
 }
 
+/// Removes folders of killed programs, and makes and locks a new one.
 TemporaryFolder::TemporaryFolder(std::string parent) : m_parent(std::move(parent)) {
     removeAbandoned(m_parent);
     constexpr int kAttempts = 100;  // others may take the folder for abandoned before it is locked

@@ -45,6 +45,8 @@ void turn(const Eigen::Quaterniond& by, double& x, double& y, double& z) {
 
 }  // namespace
 
+/// Finds the fields that are normals, and turns each vertex's by the rotation from its normal before to the
+/// present one.
 void turnNormals(const Points<3>& before, MeshFile& file) {
     MeshField *x = vertexField(file, "nx"), *y = vertexField(file, "ny"), *z = vertexField(file, "nz");
     const bool apart = x && y && z;

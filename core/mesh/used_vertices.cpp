@@ -13,6 +13,7 @@ std::vector<bool> usedVertices(Eigen::Index vertexCount, const std::vector<Cell<
     return used;
 }
 
+/// Sorts the points lexicographically, which brings equal ones side by side.
 template <int Dim>
 std::vector<int> firstAtPlace(const Points<Dim>& points) {
     std::vector<int> order(static_cast<std::size_t>(points.cols()));

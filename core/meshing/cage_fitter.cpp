@@ -121,6 +121,7 @@ class CageFitter {
         if (!(m_diagonal > 1e-140 && m_diagonal < 1e140)) throw InputError("the surface has no extent");
     }
 
+    /// Returns the cage of cubes with that edge, or with the least edge that memory allows.
     Cage ofEdge(double edge) const {
         Cage cage;
         cage.edge = std::max(edge, minEdge());
@@ -177,9 +178,10 @@ class CageFitter {
     }
 
   private:
-    /// Between walls along an axis, a gap of two cubes and two distances contains an empty cube for any
-    /// shift. An oblique gap faces the surface on most sides and is filled without a detail, however small
-    /// the cubes. Air of the width of `detail` needs two cubes as well.
+    /// Finds the cubes that keep the widest gap open. A gap of two cubes and two distances between walls
+    /// along an axis contains an empty cube for any shift. An oblique gap faces the surface on most sides and
+    /// is filled without a detail, however small the cubes. Air of the width of `detail` needs two cubes as
+    /// well.
     void findWhatOpens(Cage& cage) const {
         const ClosedGap& closed = cage.gaps.back();
         const double reach = 1 + 2 * m_options.offset;

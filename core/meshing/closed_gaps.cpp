@@ -137,6 +137,7 @@ class GapFinder {
         }
     }
 
+    /// Looks along the normal of a triangle, outside of the surface, for a side that faces it.
     void lookFrom(int t) {
         const Vec<3> from = middleOf(t), normal = m_normals.col(t);
         const TriangleTree::Hit hit = m_tree.firstHit(from + m_off * normal, normal);

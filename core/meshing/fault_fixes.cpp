@@ -39,6 +39,7 @@ class FaultFixer {
           m_now(fixSurface(source, done)),
           m_problems(checkSurface(m_now.surface)) {}
 
+    /// Proposes a fix by the kind of fault: triangles are dropped, turned, or added.
     FaultFix fixFor(const std::string& kind, const std::vector<int>& triangles) {
         if (kind == "crossing") return uncrossed(triangles);
         std::vector<SurfaceFix> steps;
@@ -192,6 +193,7 @@ class FaultFixer {
         return choices;
     }
 
+    /// Returns the triangles with all that cross them, transitively.
     std::vector<int> withCrossing(const std::vector<int>& triangles) const {
         std::vector<int> all = triangles;
         for (const auto& [a, b] : m_problems.intersecting) {

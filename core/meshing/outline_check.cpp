@@ -85,6 +85,7 @@ bool isOneOf(const Vec<2>& p, const std::vector<Vec<2>>& points) {
     return std::find(points.begin(), points.end(), p) != points.end();
 }
 
+/// Moves corners within the tolerance onto a point, unless they are points themselves.
 bool moveCornersOnto(Outline& outline, const Vec<2>& p, const std::vector<Vec<2>>& points, double tolerance) {
     bool moved = false;
     for (auto& loop : outline.loops)
@@ -96,6 +97,7 @@ bool moveCornersOnto(Outline& outline, const Vec<2>& p, const std::vector<Vec<2>
     return moved;
 }
 
+/// Splits the nearest edge within the tolerance at a point.
 void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
     double nearest = tolerance;
     Loop* where = nullptr;

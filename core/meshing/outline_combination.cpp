@@ -61,6 +61,7 @@ class Pieces {
     }
 
   private:
+    /// Inserts the loops of an outline as constraints that belong to it.
     void insert(const Outline& outline, Inside which) {
         for (const Loop& loop : outline.loops) {
             std::vector<ExactPoint> line;
@@ -85,6 +86,7 @@ class Pieces {
         return parity;
     }
 
+    /// Determines for every face which outlines contain it, by crossing their constraints from outside.
     void flood() {
         std::vector<PieceFace> front{m_triangulation.infinite_face()};
         front[0]->info().reached = true;

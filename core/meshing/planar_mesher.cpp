@@ -36,6 +36,7 @@ double diagonalOf(const Outline& outline) {
     return (high - low).norm();
 }
 
+/// Throws InputError for the first option that is out of its range.
 void requireOptions(const PlanarMeshOptions& options) {
     if (!(options.edge >= 0) || std::isinf(options.edge))
         throw InputError("the edge length must be a positive number");
@@ -87,6 +88,7 @@ SimplicialMesh<2> PlanarMesher::coarsest() {
     return m_domain.unrefined();
 }
 
+/// Meshes for an edge length, which a circumradius determines.
 SimplicialMesh<2> PlanarMesher::byEdge() {
     const double radius = m_options.edge / edgePerRadius;
     const double expected = verticesPerArea * m_area / (radius * radius) + m_domain.perimeter() / radius;
@@ -107,6 +109,7 @@ bool PlanarMesher::accepts(int count, int tries) const {
     return std::abs(count - m_options.vertices) <= (tries < 3 ? 0.05 : 0.09) * m_options.vertices;
 }
 
+/// Meshes for a number of vertices: estimates the circumradius, and corrects it by the results.
 SimplicialMesh<2> PlanarMesher::byCount() {
     const double aim = m_options.vertices;
     // aim = n₀ + k a / r² + p / 2r, the boundary's own share included

@@ -47,6 +47,7 @@ std::vector<int> mergeVertices(Surface& surface, RepairReport& report) {
     return newId;
 }
 
+/// Drops degenerate and duplicate triangles, and counts them.
 void dropTriangles(Surface& surface, const SurfaceProblems& problems, RepairReport& report) {
     std::vector<bool> drop(surface.triangles.size(), false);
     for (int t : problems.degenerate) drop[t] = true;

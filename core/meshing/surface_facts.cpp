@@ -69,6 +69,7 @@ struct Part {
     Eigen::AlignedBox3d box;
 };
 
+/// Returns the parts that are connected through edges, with their boxes.
 std::vector<Part> partsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
     DisjointSets sets(surface.triangleCount());
     for (const SurfaceEdge& edge : edges)
@@ -84,6 +85,7 @@ std::vector<Part> partsOf(const Surface& surface, const std::vector<SurfaceEdge>
     return parts;
 }
 
+/// Returns the signed volume of a part, relative to the middle of its box.
 double signedVolume(const Surface& surface, const Part& part) {
     double volume = 0;
     const Vec<3> origin = part.box.center();
@@ -121,6 +123,7 @@ double enclosedVolume(const Surface& surface, const std::vector<Part>& parts) {
     return volume;
 }
 
+/// Counts the boundary loops, by joining the corners of triangles along open edges.
 int loopsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges, Corners& corners) {
     DisjointSets sets(3 * surface.triangleCount());
     std::vector<bool> onBoundary(3 * surface.triangles.size(), false);

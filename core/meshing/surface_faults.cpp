@@ -37,6 +37,7 @@ std::vector<std::vector<int>> atEdges(const EdgeTriangles& triangles, const std:
     return cases;
 }
 
+/// Returns the triangles around every hole, which is a set of connected open edges.
 std::vector<std::vector<int>> holes(const Surface& surface, const EdgeTriangles& triangles,
                                     const std::vector<Edge>& openEdges) {
     DisjointSets sets(surface.vertexCount());

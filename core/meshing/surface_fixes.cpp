@@ -14,6 +14,7 @@ class Fixer {
   public:
     explicit Fixer(const Surface& surface) : m_all(surface), m_gone(surface.triangles.size(), false) {}
 
+    /// Applies one step. Throws InputError if it names a triangle that does not exist any more.
     void apply(const SurfaceFix& fix) {
         if (fix.kind == SurfaceFix::Kind::Fill) return fill(fix.ids);
         m_holes.clear();

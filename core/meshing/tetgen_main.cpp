@@ -97,6 +97,7 @@ bool isTooLarge(double* a, double* b, double* c, double* d, double*, double) {
     return std::abs(det) / 6 > sizeField->sizes[0] * factor * factor * factor;
 }
 
+/// Copies TetGen's output to a reply.
 wend::TetgenReply read(const tetgenio& out) {
     wend::TetgenReply reply;
     reply.points.assign(out.pointlist, out.pointlist + 3 * out.numberofpoints);

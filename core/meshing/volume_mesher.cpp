@@ -77,6 +77,7 @@ MesherProcess mesherFor(const VolumeMeshOptions& options) {
             "a coarser quality or a larger maxVolume may help", options.timeLimit};
 }
 
+/// Returns the reason for one of TetGen's error codes.
 std::string reasonInWords(int tetgenError) {
     switch (tetgenError) {
         case 1:
@@ -243,6 +244,7 @@ class VolumeMesher {
             if (cellMeasure<3>(mesh.points, cell) < 0) std::swap(cell[2], cell[3]);
     }
 
+    /// Reads the boundary triangles, with the labels of the input triangles that contain them.
     void readBoundary(const TetgenReply& reply, const std::vector<int>& newId, VolumeMesh& result) const {
         for (std::size_t f = 0; f < reply.labels.size(); ++f) {
             if (reply.labels[f] <= 0 || reply.labels[f] > markerCount()) continue;

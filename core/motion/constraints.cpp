@@ -79,6 +79,7 @@ MovingMap<Dim> HandleTimeline<Dim>::at(double t, Side side) const {
     return m_motions[motion].at(t, side);
 }
 
+/// Composes the maps of all motions that have begun.
 template <int Dim>
 MovingMap<Dim> HandleTimeline<Dim>::bodyAt(double t, Side side) const {
     MovingMap<Dim> body{{}, {Mat<Dim>::Zero(), Vec<Dim>::Zero()}};
@@ -94,6 +95,7 @@ MovingMap<Dim> HandleTimeline<Dim>::bodyAt(double t, Side side) const {
     return body;
 }
 
+/// Returns the starts, ends and breaks of all motions, and the ends of the active range.
 template <int Dim>
 std::vector<double> HandleTimeline<Dim>::breakpoints() const {
     std::vector<double> times;

@@ -17,8 +17,8 @@ struct ConstrainedPoint {
     int handle = 0;
     std::vector<std::pair<int, double>> terms;
     bool slides = false;  // it is held in some directions only, see Constraints::heldPart()
-    /// Where it slides on a surface: the part of that, and in which of its normals it is held. A vertex with
-    /// several has a point for each.
+    /// The part of a surface on which the point slides, and the number of the normal along which it is held
+    /// there. A vertex with several normals has a point for each.
     Track track = Track::None;
     int normal = 0;
 

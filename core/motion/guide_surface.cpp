@@ -145,6 +145,7 @@ void GuideSurface<Dim>::smoothTangents() {
         }
 }
 
+/// Tries corners first, then lines, and then the whole guide.
 template <int Dim>
 Track GuideSurface<Dim>::trackAt(const Vec<Dim>& p, double tolerance) const {
     const Track whole = m_triangles.empty() ? Track::Line : Track::Face;

@@ -98,6 +98,7 @@ auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices, const Parts& p
     return result;
 }
 
+/// Returns the terms of points, each in the first of the parts that contains it.
 template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const std::vector<Vec<Dim>>& points, const Parts& parts) const
     -> std::vector<Terms> {
@@ -114,6 +115,7 @@ auto HandlePlacer<Dim>::termsOf(const std::vector<Vec<Dim>>& points, const Parts
     return result;
 }
 
+/// Returns the vertices inside a region, in the first of the parts that has any.
 template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region, const Parts& parts) const -> std::vector<Terms> {
     std::vector<Terms> result;

@@ -154,8 +154,8 @@ void MovingFrame::setStart() {
     }
 }
 
-/// Near a corner of angle α at u_c the rotation is turned back by α (1 − x)²/2 behind it and forward by as
-/// much before it, x = |u − u_c| / half width: continuous, with the rate α (1 − x) / half width on both
+/// Turns the rotation near a corner of angle α at u_c: back by α (1 − x)²/2 behind it and forward by as much
+/// before it, x = |u − u_c| / half width. This is continuous, with the rate α (1 − x) / half width on both
 /// sides.
 void MovingFrame::spreadCorners(Sample& sample, double u, size_t index) const {
     const auto turnBy = [&](const Piece& corner, double direction) {

@@ -86,8 +86,8 @@ SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>&
     return {};
 }
 
-/// With the exact Hessian if that is positive definite, else with as much of its negative curvature as
-/// serves: where a shape is about to buckle most of it does, and steps are long.
+/// Factorizes the exact Hessian if that is positive definite, else one with as much of its negative curvature
+/// as possible: where a shape is about to buckle most of it is, and steps are long.
 template <int Dim>
 SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
                                            const std::stop_token& stop) {

@@ -311,7 +311,8 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveDirectly(Points<Dim>& v) {
     return solveReduced(v);
 }
 
-/// With a new factor: ahead of the shape, which moves about so, or if that does not do at the shape itself.
+/// Solves with a new factor: ahead of the shape, which moves by about `velocity`, or at the shape itself if
+/// that one does not do.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed, Points<Dim>& v,
                                                   const Points<Dim>* velocity) {

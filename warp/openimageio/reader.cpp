@@ -276,7 +276,7 @@ bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Image&
                             0, image.channels, type, pixels);
 }
 
-/// In strips, so that memory is taken only as real data comes.
+/// Reads in strips, so that memory is taken only as real data arrives.
 void readStrips(const std::string& path, OIIO::ImageInput& input, const Image& image, PixelSink& sink) {
     const OIIO::ImageSpec spec = input.spec();
     const int strip = spec.tile_height > 0 ? spec.tile_height : kStrip;

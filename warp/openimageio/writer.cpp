@@ -36,7 +36,7 @@ OIIO::TypeDesc fileType(PixelType type) {
     return types[static_cast<std::size_t>(type)];
 }
 
-/// For large pictures, the default compression takes five times as long for 6 % less.
+/// The default compression takes five times as long for large pictures, and saves 6 %.
 constexpr const char* kQuickZip = "zip:4";
 constexpr int kQuickPng = 4;
 

@@ -57,7 +57,8 @@ std::vector<int> readIds(const std::string& path) {
     return ids;
 }
 
-/// Of a surface that is repaired before it is meshed, whose vertices get other numbers.
+/// Returns the places of vertices of a surface that is repaired before it is meshed, because its vertices get
+/// other numbers.
 template <int Dim>
 std::vector<Vec<Dim>> placesOf(const std::vector<int>& vertices, const Eigen::Matrix3Xd& points) {
     std::set<std::array<double, 3>> known;

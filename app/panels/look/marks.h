@@ -27,7 +27,7 @@ class Marks {
   public:
     explicit Marks(QPainter& painter) : m_painter(painter) {}
 
-    /// During a drag, lines are thin and have no rim, to leave time for the shape.
+    /// Makes lines thin and without rim during a drag, to leave time for the shape.
     void setQuick(bool quick) { m_quick = quick; }
     void line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
     /// Draws the path of a handle with a dot per tenth of a second and a larger one per second. The past is

@@ -30,8 +30,8 @@ int previewThreads(int vertices) {
     return vertices > kSmall ? 0 : std::max(1, static_cast<int>(std::thread::hardware_concurrency() / 2));
 }
 
-/// Near EQUIA every field needs its own factor, so the preview of a large shape preserves areas and volumes
-/// slightly less strictly.
+/// Returns the material of the preview. Every field near EQUIA needs its own factor, so the preview of a
+/// large shape preserves areas and volumes slightly less strictly.
 template <int Dim>
 std::shared_ptr<const Material<Dim>> previewMaterial(const std::shared_ptr<const Material<Dim>>& material,
                                                      const Shape<Dim>& shape) {

@@ -78,7 +78,7 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
     if (m_pass.isFinished()) tellFinished();
 }
 
-/// On a mesh change, caches the finished motion and restores a cached one for the new mesh.
+/// Caches the finished motion on a mesh change, and restores a cached one for the new mesh.
 template <int Dim>
 bool ShapeEngineOf<Dim>::recall(const Shape<Dim>& shape) {
     std::optional<Past> past = std::move(m_past);

@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// Whether a file that is written to `path` would take the place of one of the document's own, also by
-/// another name of it; with #### in the path, one of the first `count` frames.
+/// Returns whether a file that is written to `path` would replace one of the document's own, also by another
+/// name of it; with #### in the path, one of the first `count` frames.
 std::optional<OwnFile> ownFileAt(const Document& document, const QString& path, int count = 0);
 
 /// Returns how many of these frames exist.

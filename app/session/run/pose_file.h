@@ -12,7 +12,7 @@ namespace wend {
 /// the disk, since a long sequence would fill the memory, and are deleted with this object.
 class PoseFile {
   public:
-    /// In the folder of `path`, where the errors say it is.
+    /// Makes the file in the folder of `path`, which errors name.
     explicit PoseFile(const std::string& path);
 
     /// Appends a pose; all have one size. Throws InputError when the disk is full.

@@ -135,7 +135,7 @@ class Run {
     }
 
     double end() const { return m_options.at.value_or(endOf(m_project)); }
-    /// Where the integration ends: that of other states, whose last step is cut there.
+    /// Returns the end of the integration: that of other states, whose last step is cut there.
     double flowEnd() const { return m_known ? m_known->header().end : end(); }
     double frameTime(int k) const {
         const RunOutputs& outputs = m_options.outputs;
@@ -233,7 +233,7 @@ class Run {
         return result;
     }
 
-    /// With --strict, the first notice ends the run. The report is left if the deformed shape is the reason.
+    /// Ends the run at the first notice with --strict. The report stays if the deformed shape is the reason.
     void endIfStrict(bool ofShape) {
         if (!m_options.strict || m_notices.empty()) return;
         m_films.discard();

@@ -166,7 +166,7 @@ std::string collectionName(const std::string& pattern);
 struct FrameSpan {
     double from = 0, to = 1;
 };
-/// From the start to `end`; in a loop the project's cycle, if it has one.
+/// Returns the frames from the start to `end`; in a loop those of the project's cycle, if it has one.
 FrameSpan frameSpan(const Project& project, double end, const RunOutputs& outputs);
 /// Returns how many frames such a span has at that rate.
 int frameCount(const FrameSpan& span, double framesPerSecond, bool loop);

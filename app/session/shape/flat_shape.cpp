@@ -30,7 +30,8 @@ double outlineDiagonal(const Outline& outline) {
     return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-/// Whether the mesher takes the point: inside by even and odd, or on the border within the tolerance.
+/// Returns whether the mesher takes the point: inside by the even-odd rule, or on the border within the
+/// tolerance.
 bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
     bool inside = false;
     for (const auto& loop : outline.loops)
@@ -42,8 +43,8 @@ bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
     return inside;
 }
 
-/// Where handles sit that are there from the start, each place once. Points outside are left to the deformer,
-/// which names their handle.
+/// Returns the places of handles that are there from the start, each place once. Points outside are left to
+/// the deformer, which names their handle.
 std::vector<Vec<2>> handlePoints(const Design<2>& design, const Outline& outline) {
     const double tolerance = kCoincident * outlineDiagonal(outline);
     std::vector<Vec<2>> points;

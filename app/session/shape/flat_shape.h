@@ -15,7 +15,7 @@ std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string
 /// Returns the outline of the deformed part of a picture.
 Outline domainOutline(const Domain& domain, const Image& picture);
 
-/// Whether the mesher takes the point: inside by even and odd, or on the border within rounding.
+/// Returns whether the mesher takes the point: inside by the even-odd rule, or on the border within rounding.
 bool isInOutline(const Outline& outline, const Vec<2>& p);
 
 /// The mesh of an outline; points of handles that are there from the start become vertices.

@@ -49,7 +49,7 @@ VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, c
     return options;
 }
 
-/// What a repair did, and what it left undone regardless of the limit.
+/// The result of a repair: what it did, and what it left undone regardless of the limit.
 struct Repairing {
     std::string done, undone;
 };

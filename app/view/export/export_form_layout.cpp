@@ -58,7 +58,8 @@ void ExportForm::addRow(OptionField& field, bool hasKey) {
     m_form->addRow(hasKey ? field.label() : withoutKey(field.label()), &field);
 }
 
-/// Below the preview, long fields get a line of their own, and mnemonics are left to the menus.
+/// Lays out the fields. Below the preview, long fields get a line of their own, and mnemonics are left to the
+/// menus.
 void ExportForm::lay(Fields place) {
     const bool beside = place == Fields::Beside;
     if (!beside) m_form->setHorizontalSpacing(4);

@@ -13,8 +13,8 @@ class InfoBanner;
 /// Returns whether most of what the outline encloses is empty: thin strokes around areas without fill.
 bool isLineArt(const Image& picture, const AlphaOutlineOptions& outline);
 
-/// Of ink without fill only the strokes would bend, as wires do: offers to fill the holes of such a cut-out
-/// until that is done, declined or does not matter any more.
+/// Offers to fill the holes of a cut-out of ink without fill, of which only the strokes would bend, as wires
+/// do, until that is done, declined or no longer matters.
 class LineArtOffer : public QObject {
     Q_OBJECT
 

@@ -21,6 +21,7 @@ std::string upper(std::string_view text) {
     return result;
 }
 
+/// Splits a line at commas, and removes the blanks around each item.
 std::vector<std::string_view> splitAtCommas(std::string_view line) {
     std::vector<std::string_view> items;
     for (std::size_t at = 0; at <= line.size();) {
@@ -175,6 +176,7 @@ class AbaqusReader {
         if (m_data == Data::ElementSet) return addTo(m_elementSets);
         if (m_data == Data::Instance) fail("*INSTANCE: parts that are moved to their place are not read");
     }
+    /// Adds a node with two or three coordinates. A number may be used once only.
     void node() {
         if (m_items.size() < 3) fail("a node has a number and two or three coordinates");
         const auto number = whole(m_items[0], "a node's number");
@@ -207,6 +209,7 @@ class AbaqusReader {
     void finishElement() {
         if (m_missing > 0) fail("the element before has too few nodes");
     }
+    /// Adds the members of a line to a set: listed ones, or a range with a step if the set is generated.
     void addTo(Sets& sets) {
         auto members = sets.named(m_set);
         if (m_generate) {

@@ -100,6 +100,7 @@ void printNumbers(TextWriter& out, const std::vector<int>& numbers) {
         out << numbers[i] + 1 << (i % 16 == 15 || i + 1 == numbers.size() ? "\n" : ", ");
 }
 
+/// Prints the elements in blocks of one type, with lines of limited length.
 void printElementBlocks(TextWriter& out, const CellList& cells) {
     for (int c = 0; c < cells.size(); ++c) {
         const CellKind kind = cells.kinds[static_cast<std::size_t>(c)];
@@ -133,6 +134,7 @@ const char* abaqusType(CellKind kind) {
     return nullptr;
 }
 
+/// Shortens the number digit by digit until it fits.
 std::string abaqusNumber(double value) {
     std::array<char, 40> text;
     auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;

@@ -24,6 +24,7 @@ bool isSkipped(char c) {
 
 }  // namespace
 
+/// Encodes groups of three bytes as four characters, the last one with padding.
 std::string encodeBase64(std::string_view bytes) {
     std::string text;
     text.reserve((bytes.size() + 2) / 3 * 4);

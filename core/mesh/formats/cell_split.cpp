@@ -74,6 +74,7 @@ std::vector<double> spread(const MeshField& field, const std::vector<int>& cellO
     return values;
 }
 
+/// Turns the fields per cell, which have values of all cells, into those of the triangles or tetrahedra.
 void finishFields(MeshFile& file) {
     const auto& cellOf = isVolume(file) ? file.cellOfTetrahedron : file.cellOfTriangle;
     for (MeshField& field : file.fields) {

@@ -147,6 +147,7 @@ class GltfReader {
   public:
     explicit GltfReader(std::string_view bytes) : m_chunks(chunksOf(bytes)) {}
 
+    /// Reads the nodes of the default scene, which is the first one if none is named.
     void read() try {
         m_gltf = Json::parse(m_chunks.json);
         requireReadable();

@@ -26,6 +26,7 @@ class GmshReader {
   public:
     explicit GmshReader(std::string_view bytes) : m_scanner(bytes) {}
 
+    /// Reads all sections, and then makes groups and fields of the tags.
     MeshFile read() {
         readFormat();
         while (!m_scanner.atEnd()) section();
@@ -182,6 +183,7 @@ class GmshReader {
                 std::erase(m_elements[e].physical, maximum);
         m_names.erase(name);
     }
+    /// Makes fields of the physical groups, entities and partitions of the elements.
     void takeTags() {
         std::vector<double> physical, entity, partition;
         for (const Element& one : m_elements) {
@@ -254,6 +256,7 @@ class GmshReader {
         for (int n = 2; used(free); ++n) free = name + " " + std::to_string(n);
         return free;
     }
+    /// Reads the values of a field, whose rows name their vertex or element.
     void readRows(MeshField field, int rows) {
         const auto count = field.perCell ? m_elements.size() : static_cast<std::size_t>(m_file.points.cols());
         const auto n = static_cast<std::size_t>(field.components);
@@ -267,6 +270,7 @@ class GmshReader {
         }
         m_file.fields.push_back(std::move(field));
     }
+    /// Returns the index of the element with a number.
     int elementOf(int number) {
         if (m_elementTags.size() != m_elements.size()) {
             m_elementTags.clear();
@@ -314,6 +318,7 @@ class GmshReader {
         }
         sortTags();
     }
+    /// Reads the nodes of version 4, in blocks of one entity.
     void readNodes4() {
         const int blocks = count64("blocks of nodes", 3, Scalar::Int32);
         startNodes(count64("nodes", 4, Scalar::Int32));

@@ -44,6 +44,7 @@ class GmshPrinter {
         return std::move(m_out.text());
     }
 
+    /// Prints version 4.1: names, entities, and nodes and elements by entities.
     std::string print4() {
         header("4.1");
         names();
@@ -165,6 +166,7 @@ class GmshPrinter {
         }
     }
 
+    /// Returns the runs of consecutive cells of one kind and one entity.
     std::vector<Run> runs() const {
         std::vector<Run> runs;
         for (int c = 0; c < m_mesh.cells.size(); ++c) {

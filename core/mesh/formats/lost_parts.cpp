@@ -56,6 +56,7 @@ class Remaking {
     }
 
   private:
+    /// Adds what the format holds of one cell.
     void take(const CellList& old, int c) {
         const CellKind kind = old.kinds[static_cast<std::size_t>(c)];
         m_fate = fateOf(m_format, kind);
@@ -89,6 +90,7 @@ class Remaking {
         }
         return values;
     }
+    /// Replaces the cells in all groups by the new ones.
     void takeGroups(int oldCount) {
         std::vector<char> within(static_cast<std::size_t>(oldCount), 0);
         for (MeshGroup& group : m_bag.groups) {
@@ -202,6 +204,7 @@ class Losses {
             m_lost.push_back(names == 1 ? "the name of 1 group"
                                         : "the names of " + std::to_string(names) + " groups");
     }
+    /// Lists the fields that are lost.
     void countFields() {
         std::vector<std::string> lost;
         for (const MeshField& field : m_bag.fields) {

@@ -79,6 +79,7 @@ class MeditReader {
             m_scanner.fail("does not begin with MeshVersionFormatted: no Medit text file");
         m_scanner.integer("a version");
     }
+    /// Reads the section of a keyword; sections without meaning here are skipped.
     void section(std::string_view keyword) {
         if (sameWord(keyword, "Dimension"))
             readDimension();
@@ -180,6 +181,7 @@ const MeshField* vertexRefs(const MeshFile& mesh) {
     return nullptr;
 }
 
+/// Prints the cells of one kind with their references.
 void printKind(TextWriter& out, const MeditKind& kind, const MeshFile& mesh,
                const std::vector<long>& references) {
     const auto count = std::ranges::count(mesh.cells.kinds, kind.kind);
@@ -192,6 +194,7 @@ void printKind(TextWriter& out, const MeditKind& kind, const MeshFile& mesh,
     }
 }
 
+/// Prints a group as one of Medit's lists.
 void printList(TextWriter& out, const MeditList& list, const MeshGroup& group, const MeshFile& mesh) {
     std::vector<int> numbers;
     for (const int v : group.vertices) numbers.push_back(v + 1);

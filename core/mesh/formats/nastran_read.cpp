@@ -91,6 +91,7 @@ class NastranReader {
         if (!std::isfinite(value)) m_scanner.fail(inQuotes(text) + " is not a finite number");
         return value;
     }
+    /// Reads a GRID entry. Only the basic coordinate system is accepted.
     void grid(const NastranCard& card) {
         const auto number = m_scanner.integerFrom(field(card, 0), "a node's number");
         const std::string system = field(card, 1);
@@ -101,6 +102,7 @@ class NastranReader {
             m_scanner.fail("there are two nodes of number " + std::to_string(number));
         for (std::size_t k = 2; k < 5; ++k) m_points.push_back(real(field(card, k)));
     }
+    /// Reads the entry of an element with its property and its nodes.
     void elements(const NastranCard& card, std::string_view name) {
         const bool plain = name == "PLOTEL" || name == "CONROD";  // without a property
         const std::string property = plain ? std::string() : field(card, 1);

@@ -49,6 +49,7 @@ class ObjReader {
     std::int64_t vertexCount() const { return static_cast<std::int64_t>(m_points.size() / 3); }
     std::int64_t textureCount() const { return static_cast<std::int64_t>(m_textures.size() / 2); }
 
+    /// Reads one statement. Statements of an OBJ file that mean nothing here are skipped; others are errors.
     void statement() {
         const auto keyword = m_scanner.word("a keyword");
         if (keyword == "v")
@@ -134,6 +135,7 @@ class ObjReader {
         m_scanner.fail(std::to_string(index + 1) + " is named, but there are only " + std::to_string(count) +
                        things);
     }
+    /// Makes cells of the faces, lines and points, whose vertices may be defined after them.
     void addCells() {
         std::vector<int> nodes;
         auto corner = m_corners.begin();

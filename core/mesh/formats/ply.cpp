@@ -123,6 +123,7 @@ class PlyReader {
         if (!type) m_scanner.fail(inQuotes(name) + " is no type of a PLY file");
         return *type;
     }
+    /// Reads a property of the last element, which may be a list.
     void readPropertyLine() {
         if (m_elements.empty()) m_scanner.fail("a property stands before any element");
         Property property;
@@ -140,6 +141,7 @@ class PlyReader {
         for (const auto& p : element.properties) bytes += m_binary ? sizeOf(p.countType.value_or(p.type)) : 2;
         return std::max<std::size_t>(bytes, 1);  // an item of nothing is a damaged header
     }
+    /// Reads all items of an element, property by property.
     void readElement(Element& element, NumberReader& numbers) {
         const std::string items = "items '" + element.name + "'";
         const int count = m_scanner.checkedCount(element.count, items.c_str(), smallestItem(element));

@@ -34,6 +34,7 @@ std::size_t Scanner::joint(std::size_t at) const {
     return end < m_bytes.size() && m_bytes[end] == '\n' ? end + 1 - at : 0;
 }
 
+/// Returns the end of a line, which continues behind a backslash if lines are joined.
 std::size_t Scanner::lineEnd(std::size_t at) const {
     std::size_t end = std::min(m_bytes.find('\n', at), m_bytes.size());
     if (!m_joinsLines) return end;

@@ -85,6 +85,7 @@ class ThreeMfReader {
         return path.empty() ? otherwise : withoutSlash(path);
     }
 
+    /// Returns the root element of a model in the archive, which is parsed when it is named first.
     pugi::xml_node model(const std::string& name) {
         const auto [found, isNew] = m_documents.try_emplace(name);
         if (isNew) {
@@ -118,6 +119,7 @@ class ThreeMfReader {
         return place;
     }
 
+    /// Adds an object: its mesh, or its components, each at its place.
     void addObject(const std::string& path, std::string_view id, const Place& place, int depth) {
         if (depth > kDeepest) throw InputError(path + ": the components are nested too deep");
         const pugi::xml_node object = objectNamed(path, id);

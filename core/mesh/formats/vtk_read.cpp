@@ -57,6 +57,7 @@ class VtkReader {
   public:
     explicit VtkReader(std::string_view bytes) : m_scanner(bytes) {}
 
+    /// Reads all statements, and collects the cells of polygonal data in the order of their values.
     MeshFile read() {
         readHeader();
         while (!m_scanner.atEnd()) statement();
@@ -76,6 +77,7 @@ class VtkReader {
         std::size_t tuples;
     };
 
+    /// Reads the first lines: version, title and encoding.
     void readHeader() {
         if (!m_scanner.line().starts_with("# vtk DataFile"))
             m_scanner.fail("does not begin with '# vtk DataFile': no VTK legacy file");
@@ -178,6 +180,7 @@ class VtkReader {
                         m_numbers.checkedCount(size, "numbers", 1, Scalar::Int32));
         if (cellType) cells.types.assign(cells.offsets.size() - 1, cellType);
     }
+    /// Reads cells as newer files hold them: offsets and connectivity.
     void readByOffsets(VtkCells& cells, std::int64_t offsetCount, std::int64_t cornerCount) {
         m_scanner.word("OFFSETS");
         auto scalar = type().scalar;
@@ -282,6 +285,7 @@ class VtkReader {
         m_file.uv = Eigen::Map<const Eigen::Matrix2Xd>(values.data(), 2, m_file.points.cols());
         m_fields.pop_back();
     }
+    /// Reads a FIELD section, whose arrays name their own size and type.
     void readFieldData() {
         m_scanner.wordOnLine("the name of the field");
         const auto arrays = count("arrays", 0, {});

@@ -84,6 +84,7 @@ class VtkPrinter {
         m_out << "FIELD FieldData " << m_mesh.fileFields.size() << '\n';
         for (const auto& field : m_mesh.fileFields) printField(field);
     }
+    /// Writes numbers, as big-endian bytes or as text with some per line.
     void numbers(const std::vector<double>& values, int perLine, Scalar type) {
         int inLine = 0;
         for (double value : values) {
@@ -117,6 +118,7 @@ class VtkPrinter {
         for (auto type : cells.types) whole(type, true);
         endArray();
     }
+    /// Writes the fields of the points or of the cells.
     void printData(const VtkCells& cells, bool perCell) {
         int fieldCount = 0;
         for (const auto& field : m_fields) fieldCount += field.perCell == perCell;

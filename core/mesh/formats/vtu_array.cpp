@@ -134,6 +134,7 @@ std::size_t packedSize(const std::vector<Block>& blocks) {
                            [](std::size_t sum, const Block& block) { return sum + block.packed; });
 }
 
+/// Decompresses all blocks, each of which must have exactly the stated length.
 std::string decodeCompressed(Pieces pieces, std::size_t textSize, const VtuEncoding& encoding) {
     const std::vector<Block> blocks = takeBlocks(pieces, textSize, encoding);
     const std::string data = pieces.take(packedSize(blocks));

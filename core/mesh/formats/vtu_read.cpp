@@ -24,6 +24,7 @@ struct Split {
     std::optional<std::string_view> appended;  // what follows the underscore
 };
 
+/// Separates raw appended data from the XML, in which such bytes are not allowed.
 Split split(std::string_view bytes) {
     const auto tag = bytes.find("<AppendedData");
     const auto start = tag == std::string_view::npos ? tag : bytes.find('>', tag);

@@ -64,6 +64,7 @@ class VtuPrinter {
         m_encoding.base64 = !m_appended;
     }
 
+    /// Prints an unstructured grid: points, cells, and the fields of both.
     std::string print() {
         const auto cells = vtkCellsOf(m_mesh.cells);
         open("UnstructuredGrid", " NumberOfCells=\"" + std::to_string(cells.types.size()) + "\"");

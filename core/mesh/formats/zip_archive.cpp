@@ -29,6 +29,7 @@ std::string lowerName(std::string_view name) {
     return lower;
 }
 
+/// Inflates the content of a file, which must have the stated size.
 std::string inflated(std::string_view packed, std::size_t size, const std::string& name) {
     std::string bytes(size, '\0');
     z_stream stream{};
