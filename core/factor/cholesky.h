@@ -17,6 +17,7 @@ enum class Ordering { MinimumDegree, NestedDissection };
 /// analyses are serialized over all instances, because METIS orders by a global random sequence.
 class Cholesky {
   public:
+    /// How an operation ended. NotPositiveDefinite is a pivot ≤ 0, NotFinite a value that is NaN or infinite.
     enum class Status { Done, NotPositiveDefinite, NotFinite, Stopped };
 
     Cholesky();

@@ -16,6 +16,7 @@ namespace wend {
 /// takes most of the memory. One thread uses it at a time.
 class Factor {
   public:
+    /// How an operation ended; see Cholesky::Status.
     enum class Status { Done, NotPositiveDefinite, NotFinite, Stopped };
 
     /// Analyzes a pattern as Cholesky::analyze() does, and drops an earlier factor.

@@ -22,6 +22,7 @@ namespace wend {
 
 /// Says how an advance ended. A numerical outcome is a value, never an exception.
 enum class Outcome { Done, Cancelled, CellInverted, SolverFailed, StepTooSmall };
+/// The result of advance(). The state of the deformer is that at `time`.
 struct AdvanceResult {
     Outcome outcome = Outcome::Done;
     double time = 0;      // the last good time
@@ -42,7 +43,9 @@ struct Snap {
     }
 };
 
-/// Counts and measures the work of a run so far.
+/// Counts and measures the work of a run so far. Times are in seconds of the wall clock, lengths relative to
+/// the size of the rest shape (ShapeSize), and energies in the frame where that size is 1. The counts do not
+/// depend on the number of threads; the times do.
 struct Statistics {
     int steps = 0, rejected = 0, evaluations = 0, factorizations = 0, solverIterations = 0;
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds

@@ -32,6 +32,7 @@ static_assert(std::endian::native == std::endian::little, "states files are litt
 
 inline constexpr std::string_view kMagic("wend states v003", 16);
 inline constexpr std::size_t kVersionAt = 13;  // in the magic
+/// The kinds of blocks; the numbers are those in the file.
 enum class BlockKind : std::uint32_t { Header = 1, Array, Step, Checkpoint };
 inline constexpr std::uint64_t kBeforeBlock = 12, kAfterBlock = 4;
 

@@ -10,8 +10,8 @@ namespace wend {
 ///   scaled Jacobian  √2 J / max of the products of the three edges at a corner
 ///                    (plane: 2/√3 J / max l_i l_j),
 ///   aspect ratio     max l / (2 √6 r) (plane: max l Σ l / (4 √3 V)).
-/// Both are 1 for the regular cell. The scaled Jacobian decreases to 0 for a flat cell and is negative for an
-/// inverted one; the aspect ratio grows without bound.
+/// Both are dimensionless, and 1 for the regular cell. The scaled Jacobian decreases to 0 for a flat cell and
+/// is negative for an inverted one; the aspect ratio grows without bound.
 struct CellShape {
     double scaledJacobian = 0, aspectRatio = 0;
     double minAngle = 0, maxAngle = 0;  // radians: dihedral angles, in the plane those at the corners

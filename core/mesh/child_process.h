@@ -7,6 +7,7 @@ namespace wend {
 
 /// How a child process ended, and what it wrote.
 struct ChildResult {
+    /// Idle: it was killed because its process group used no CPU time. Stopped: it was killed on request.
     enum class End { Exited, Signalled, TimedOut, Idle, Stopped, NotStarted };
     End end = End::Exited;
     int code = 0;        // exit code or signal

@@ -18,6 +18,7 @@ struct CutPlane {
 /// Triangles to draw: three corners each (as weights of the mesh's vertices, so that any pose can be drawn
 /// with them), the cell behind each, and whether it is part of the cut.
 struct CutSurface {
+    /// A corner of a triangle, as a point of an edge of the mesh, so that any pose moves it.
     struct Corner {
         int from, to;   // vertices
         double weight;  // of `to`: the corner is (1 − weight) x_from + weight x_to

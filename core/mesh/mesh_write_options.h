@@ -4,6 +4,7 @@ namespace wend {
 
 /// The options of writing a mesh file.
 struct MeshWriteOptions {
+    /// Selects text, bytes, or compressed bytes.
     enum class Encoding { Text, Binary, Compressed };
     /// Binary applies where the format has it (PLY, STL, .msh, .vtk, .vtu); Compressed applies to .vtu and is
     /// binary elsewhere. Text has 17 significant digits; binary STL has single precision.

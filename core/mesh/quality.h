@@ -24,7 +24,8 @@ struct CellQuality {
 template <int Dim>
 CellQuality cellQuality(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// Summarizes the quality of all cells.
+/// Summarizes the quality of all cells. Measures are in the unit of the points to the power of the dimension,
+/// angles in radians; the ratios are dimensionless.
 struct QualitySummary {
     static constexpr int binCount = 15;
     static constexpr double binDegrees =

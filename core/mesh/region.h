@@ -13,17 +13,20 @@ struct Polygon {
     std::vector<Vec<2>> points;
     bool operator==(const Polygon&) const = default;
 };
+/// A disc or ball.
 template <int Dim>
 struct Ball {  // "circle" in 2D, "sphere" in 3D
     Vec<Dim> centre;
     double radius = 0;
     bool operator==(const Ball&) const = default;
 };
+/// An axis-aligned box, with its boundary.
 template <int Dim>
 struct Box {
     Vec<Dim> min, max;
     bool operator==(const Box&) const = default;
 };
+/// The side of a line or plane.
 template <int Dim>
 struct HalfSpace {  // the side that the normal points away from is outside
     Vec<Dim> point, normal;

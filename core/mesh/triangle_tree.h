@@ -37,6 +37,7 @@ class TriangleTree {
     int triangleCount() const { return static_cast<int>(m_triangles.size()); }
 
   private:
+    /// A box with its triangles, or with two children. The left child follows its parent in the list.
     struct Node {
         Vec<3> low, high;
         int first = 0, count = 0;  // of m_order; inner nodes have count 0

@@ -5,6 +5,7 @@
 
 namespace wend {
 
+/// A point or a vector; lengths are in the domain's unit unless a comment says otherwise.
 template <int Dim>
 using Vec = Eigen::Matrix<double, Dim, 1>;
 template <int Dim>

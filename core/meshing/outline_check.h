@@ -7,6 +7,7 @@
 
 namespace wend {
 
+/// A line segment from a to b.
 struct Segment {
     Vec<2> a, b;
 };

@@ -4,6 +4,7 @@
 
 namespace wend {
 
+/// Selects the area that remains: that in either outline, in the base only, or in both.
 enum class OutlineOperation { Add, TakeAway, Keep };  // union, difference, intersection
 
 /// Combines two outlines, each with the even-odd rule; they may touch and cross themselves and each other in

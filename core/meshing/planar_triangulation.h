@@ -74,6 +74,7 @@ class SizeAndAngle {
   public:
     using Face_handle = MarkedTriangulation::Face_handle;
 
+    /// How bad a triangle is; it is refined if its size is over 1 or its angle is under the bound.
     struct Quality {
         double size = 0;   // squared circumradius over its bound
         double angle = 0;  // squared sine of the smallest angle

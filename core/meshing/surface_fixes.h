@@ -10,6 +10,7 @@ namespace wend {
 /// A step that fixes one fault of a surface. Vertices and triangles have the file's numbers, followed by
 /// those that earlier steps added: removals change no other number.
 struct SurfaceFix {
+    /// Fill adds triangles, Drop removes some, and Turn reverses their orientation.
     enum class Kind { Fill, Drop, Turn };
     Kind kind = Kind::Drop;
     std::vector<int> ids;  // Fill: an edge of the hole; Drop: triangles; Turn: triangles, each with all that

@@ -20,6 +20,7 @@ using Extras = std::vector<std::pair<std::string, std::string>>;
 /// Selects how a motion starts and ends; see ease().
 enum class Ease { Linear, In, Out, InOut };
 
+/// Moves points along a straight line by a vector in the domain's unit.
 template <int Dim>
 struct Translate {
     Vec<Dim> by = Vec<Dim>::Zero();
@@ -79,6 +80,7 @@ struct PoseMotion {
     bool hasOwnTimes = false;  // the file's times are those of the project
 };
 
+/// One motion of a handle: its kind, its interval of time, and how it starts and ends.
 template <int Dim>
 struct Motion {
     std::variant<Translate<Dim>, Rotate<Dim>, CurveMotion<Dim>, Recorded<Dim>, FieldMotion<Dim>,
@@ -118,7 +120,8 @@ struct HandleTraits {
 };
 
 /// Prescribes the motion of some points of the shape. Without a motion it holds them still; its motions act
-/// one after another.
+/// one after another. Coordinates and displacements are in the domain's unit, angles in radians, and times in
+/// the project's unit of time.
 template <int Dim>
 struct Handle {
     std::string name;

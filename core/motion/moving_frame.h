@@ -22,6 +22,7 @@ class MovingFrame {
   public:
     MovingFrame(const Curve<3>& curve, FrameKind kind);
 
+    /// The rotation of the frame at a parameter, and its rate.
     struct Sample {
         Mat<3> rotation = Mat<3>::Identity();  // Q(u)
         Vec<3> omega = Vec<3>::Zero();         // per unit of u
@@ -33,10 +34,12 @@ class MovingFrame {
     const Mat<3>& start() const { return m_start; }
 
   private:
+    /// A node of a piece's table, which holds the normal at the local parameter v.
     struct Node {
         double v;
         Vec<3> normal;
     };
+    /// A piece of the curve with the rotation at its start, and the corner there.
     struct Piece {
         TangentPiece tangent;
         double from, to;

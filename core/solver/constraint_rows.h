@@ -42,6 +42,7 @@ struct DependentRow {
 /// vertices:
 ///   v_pivot = Σ values.second · prescribed_{values.first} − Σ free.second · v_{free.first}.
 struct Elimination {
+    /// A vertex whose velocity follows from the prescribed values and from free vertices.
     struct Pivot {
         int vertex = -1;
         int row = -1;  // the row that it was found in

@@ -49,6 +49,7 @@ struct SolverTask {
     int threads;
 };
 
+/// Makes an iterative solver for a task, in this process or divided among several.
 template <int Dim>
 using IterativeSolverFactory = std::function<std::unique_ptr<IterativeSolver<Dim>>(const SolverTask<Dim>&)>;
 

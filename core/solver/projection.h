@@ -21,10 +21,12 @@ class Projection {
     void apply(Points<Dim>& values, const Points<Dim>& targets) const;
 
   private:
+    /// A vertex that a row of one term sets.
     struct Fixed {
         int vertex, row;
         double weight;
     };
+    /// Rows that share movable vertices, and are therefore corrected together.
     struct Cluster {
         std::vector<int> rows, vertices;  // vertices: the movable ones
         RightInverse inverse;             // of the matrix W of these rows and vertices

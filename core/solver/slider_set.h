@@ -15,11 +15,13 @@ class SliderSet {
     SliderSet() = default;
     explicit SliderSet(const Sliders& sliders);
 
+    /// A vertex with all directions in which it is held.
     struct Vertex {
         int vertex = -1;
         unsigned held = 0;  // coordinates
         bool isAlongAxes = true;
         Mat<Dim> projector = Mat<Dim>::Zero();  // onto the directions in which it is held
+        /// One direction d_j of a vertex.
         struct Row {
             Eigen::Index slider;         // its place in the list
             Vec<Dim> direction, column;  // d_j, and the column of C⁺

@@ -42,6 +42,7 @@ class VelocityHistory {
     }
 
   private:
+    /// A field that was solved for, with the velocities that were prescribed for it.
     struct Field {
         double time = 0;
         Nodal<Dim> prescribed, velocity;
@@ -52,6 +53,7 @@ class VelocityHistory {
             archive(at, asked, found);
         }
     };
+    /// The error of a guess, at its place within the step.
     struct Miss {
         double place = 0;  // in the step: 0 at its start, 1 at its end
         int turn = 0;      // how many of this place came before it
@@ -63,6 +65,7 @@ class VelocityHistory {
             archive(where, number, what);
         }
     };
+    /// A step with the errors of its guesses. The next step expects the same errors at the same places.
     struct Step {
         double from = 0, width = 0;  // no width: there is none
         Nodal<Dim> shape;            // at its start

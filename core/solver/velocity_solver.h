@@ -19,6 +19,8 @@ namespace wend {
 
 /// Says how a solve ended. A numerical outcome is a value, never an exception.
 struct SolveOutcome {
+    /// Stopped: the token of setStop() ended it. NotConverged: the iterations did not
+    /// reach the tolerance.
     enum class Kind { Done, CellInverted, NotPositiveDefinite, NotFinite, NotConverged, Stopped };
     Kind kind = Kind::Done;
     int cell = -1;  // CellInverted: the first cell that is flat or turned over

@@ -18,6 +18,7 @@ class GmshGroups {
   public:
     explicit GmshGroups(const MeshFile& bag);
 
+    /// The name of a physical group, which its dimension and number identify.
     struct Name {
         int dimension;
         long tag;

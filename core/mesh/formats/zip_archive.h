@@ -17,6 +17,7 @@ class ZipArchive {
     std::optional<std::string> file(const std::string& name) const;
 
   private:
+    /// The record of a file in the central directory.
     struct Entry {
         std::size_t header;            // where its local header begins
         std::size_t packed, unpacked;  // bytes
