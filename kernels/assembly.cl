@@ -1,6 +1,6 @@
-// From a shape to the values of the matrix of the generalized metric energy (ARCHITECTURE.md; docs/method.md). Built with
+// These kernels compute, from a shape, the values of the matrix of the generalized metric energy (ARCHITECTURE.md; docs/method.md). Built with
 //   -DDIM=2|3, -DANISOTROPIC if any cell has B ≠ I, and -DPAPER for the paper's smoothness: jumps of stress.
-// matrices.cl stands before it. Corner = cell · (DIM + 1) + local index.
+// matrices.cl precedes it. Corner = cell · (DIM + 1) + local index.
 // Every sum runs in the plan's fixed order: no atomics, no local memory, the same bits whatever the device's parallelism.
 
 #define CORNERS (DIM + 1)

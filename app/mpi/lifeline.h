@@ -20,7 +20,7 @@ class Lifeline {
 
     /// All processes must call it at the same time.
     explicit Lifeline(const Team& team);
-    /// From then on each process may end.
+    /// Announces the end; each process may end afterwards.
     ~Lifeline();
     Lifeline(const Lifeline&) = delete;
     Lifeline& operator=(const Lifeline&) = delete;

@@ -48,7 +48,7 @@ class SupernodalFactor {
     struct Run {  // rows of an update matrix that are consecutive in the parent's front, too
         int from, to, length;
     };
-    /// Where a value of the matrix goes in the panel of its supernode.
+    /// The place of a value of the matrix in the panel of its supernode.
     struct Entry {
         int source;       // in the values
         unsigned target;  // in the panel

@@ -92,8 +92,8 @@ void SupernodalFactor<Real>::forwardSubtree(int i) {
     for (int s = subtree.begin; s < subtree.end; ++s) forwardFront(s, m_w.data() + m_workspace[i], nullptr);
 }
 
-/// Solves forward in the subtrees concurrently. What they add to rows above them is summed afterwards in a
-/// fixed order, so that the result does not depend on the threads.
+/// Solves forward in the subtrees concurrently. Their contributions to the rows above are summed afterwards
+/// in a fixed order, so that the result does not depend on the threads.
 template <class Real>
 void SupernodalFactor<Real>::forwardSolve(WorkerPool& workers) {
     const int subtrees = static_cast<int>(m_tree.subtrees.size());

@@ -9,6 +9,7 @@ namespace wend {
 /// stays smooth: at a cusp the tangent keeps its sign and the curve runs backwards from it.
 class TangentPiece {
   public:
+    /// Classifies the piece, which selects the formulas for its tangent and normal.
     enum class Shape {
         Still,     // does not move: no tangent
         Straight,  // constant tangent

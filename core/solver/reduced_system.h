@@ -57,6 +57,7 @@ class ReducedSystem {
     void release(Points<Dim>& y) const;
 
   private:
+    /// One contribution of a block of A to a block of K.
     struct Term {  // K_PQ += coefficient · A_block, or its transpose
         int block;
         bool transposed;

@@ -20,7 +20,7 @@ using Stops = std::array<std::array<int, 3>, 6>;
 // Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): small values are light.
 constexpr Stops kMagnitude = {
     {{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
-// From cream to brown through the colour of stiffness; lightness falls evenly.
+// The colours run from cream to brown through the colour of stiffness; lightness falls evenly.
 constexpr Stops kStiff = {
     {{252, 240, 222}, {245, 205, 160}, {230, 160, 98}, {205, 112, 42}, {150, 70, 16}, {88, 36, 4}}};
 // Blue and orange of equal lightness on both sides of a light middle.
