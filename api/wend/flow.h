@@ -191,7 +191,8 @@ class WEND_API Flow {
     /// Returns the cells.
     std::span<const CellVertices<Dim>> cells() const;
     /// Returns the velocity of every vertex at time(), in units of length per unit of time. Between two
-    /// movements the one that begins counts. Empty if it cannot be solved for. @throws as run().
+    /// movements the one that begins counts. Empty if it cannot be solved for.
+    /// @throws as run().
     std::vector<Coordinates<Dim>> velocity();
 
     /// How far the shape is from rest.

@@ -22,7 +22,7 @@ struct Picture {
     Depth depth = Depth::UInt8;  ///< Of the numbers.
     bool premultiplied = false;  ///< Whether colours are multiplied with alpha, the channel of 2 or 4.
     std::vector<std::byte> pixels = {};         ///< width · height · channels numbers of the depth
-    std::shared_ptr<const void> metadata = {};  // of the file, apart from the pixels, for savePicture()
+    std::shared_ptr<const void> metadata = {};  ///< Metadata of its file, for savePicture().
 
     /// Returns whether the last channel is alpha.
     bool hasAlpha() const { return channels == 2 || channels == 4; }
@@ -71,8 +71,8 @@ struct PictureMeshing {
     PolygonMeshing mesh = {};  ///< How the outline is meshed.
 };
 
-/// Returns a mesh of a picture, in pixels. @throws InvalidInput for a picture without opaque parts, and as
-/// meshPolygons().
+/// Returns a mesh of a picture, in pixels.
+/// @throws InvalidInput for a picture without opaque parts, and as meshPolygons().
 WEND_API Mesh<2> meshPicture(const Picture& picture, const PictureMeshing& options = {});
 
 }  // namespace wend

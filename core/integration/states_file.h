@@ -77,7 +77,7 @@ class StatesReader final : public StepSource<Dim> {
     void resume(State<Dim>& state, Statistics& statistics) override;
 
   private:
-    /// The place of a block in the file, and its length in bytes.
+    /// The place of a block in the file, and the length of its content in bytes.
     struct Block {
         std::uint64_t at = 0, size = 0;
     };
