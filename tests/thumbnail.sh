@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# thumbnail.sh WEND: the file managers' service makes a picture of a project, as resources/wend.thumbnailer says.
+# thumbnail.sh WEND: the file managers' service makes a picture of a project, as resources/wend.thumbnailer says. It
+# computes at the lowest priority, so that this may take long.
 set -eu
 sources=$(cd "$(dirname "$0")/.." && pwd)
 folder=$(mktemp -d)
@@ -18,6 +19,6 @@ export uri thumbnail
 dbus-run-session -- bash -c '
     gdbus call --session -d org.freedesktop.thumbnails.Thumbnailer1 -o /org/freedesktop/thumbnails/Thumbnailer1 \
         -m org.freedesktop.thumbnails.Thumbnailer1.Queue "[\"$uri\"]" "[\"application/x-wend\"]" normal foreground 0 >/dev/null
-    for _ in $(seq 600); do [ -s "$thumbnail" ] && exit; sleep 0.1; done; exit 1' 2>"$folder/log" || { cat "$folder/log"; echo "no thumbnail"; exit 1; }
+    for _ in $(seq 5000); do [ -s "$thumbnail" ] && exit; sleep 0.1; done; exit 1' 2>"$folder/log" || { cat "$folder/log"; echo "no thumbnail"; exit 1; }
 "$1" info --json "$thumbnail" | grep -q '"width": 128' || { echo "the thumbnail has another size"; exit 1; }
 echo "a thumbnail is made"
