@@ -60,5 +60,14 @@ install(FILES ${resources}/wend.metainfo.xml DESTINATION share/metainfo COMPONEN
 install(FILES ${resources}/wend.thumbnailer DESTINATION share/thumbnailers COMPONENT program)
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/wend COMPONENT program)
 
+# Plug-ins, where their programs look below /usr; ParaView is told where its own is.
+set(plugins ${PROJECT_SOURCE_DIR}/plugins)
+install(FILES ${plugins}/inkscape/wend_bend.inx ${plugins}/inkscape/wend_bend.py ${plugins}/inkscape/wend_curves.py
+    DESTINATION share/inkscape/extensions COMPONENT program)
+install(FILES ${plugins}/blender/wend_bend.py DESTINATION share/blender/scripts/addons COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/plugins/wend_project.xml DESTINATION share/wend/paraview COMPONENT program)
+if(WEND_HAS_GIMP)
+    install(TARGETS wend-bend DESTINATION lib/gimp/2.0/plug-ins/wend-bend COMPONENT gimp)
+endif()
 
 include(packages)

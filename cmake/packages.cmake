@@ -1,5 +1,5 @@
 # cpack: Debian packages. With WEND_LIBRARY they are wend, libwend0, libwend-dev, python3-wend and wend-doc, whose pages
-# scripts/packages/build makes, otherwise wend alone.
+# scripts/packages/build makes, otherwise wend alone; and gimp-wend where GIMP's headers are.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME wend)
 set(CPACK_PACKAGE_CONTACT "The authors of Wend <maintainers@wend.invalid>")
@@ -43,7 +43,7 @@ wend_package(program wend graphics "warp pictures and bend solid shapes by letti
     "Pins hold, handles pull, and the rest follows as a soft material would: by the\nvelocity fields of least generalized metric energy. No part of a shape folds\nover. Pictures, films, warp maps and meshes come out, from the window and from\nthe command line. Plug-ins for Inkscape, Blender and ParaView are included.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libopenblas0-pthread, libqt6svg6")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "pocl-opencl-icd, qt6-translations-l10n, ffmpeg")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, wend-doc")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, wend-doc, inkscape, blender, paraview")
 if(WEND_LIBRARY)
     string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", libwend0 (= ${full_version})")
     wend_package(lib libwend0 libs "deformation of meshes and pictures - library"
@@ -71,5 +71,10 @@ if(WEND_LIBRARY)  # made by scripts/packages/build
         "The manual of Wend as web pages, with a search and the reference of the\nlibrary, and examples.")
     set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
     set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
+endif()
+if(WEND_HAS_GIMP)
+    wend_package(gimp gimp-wend graphics "bend layers of GIMP with Wend"
+        "A filter of GIMP, by which a layer bends as a project of Wend bends its\npicture.")
+    set(CPACK_DEBIAN_GIMP_PACKAGE_DEPENDS "gimp, wend")
 endif()
 include(CPack)
