@@ -202,7 +202,10 @@ template <int Dim>
 Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& descent,
                                        const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
     Descended result;
-    if (m_system.unknowns().empty()) return result;
+    if (m_system.unknowns().empty()) {  // every vertex is held: there is one shape
+        result.isConverged = true;
+        return result;
+    }
     m_untilExact = 0;
     int nudges = 0;
     bool small = false, serves = descent.reusesFactor && m_isMade && m_isExact;

@@ -383,6 +383,26 @@ void dragIsElastic(double phi) {
     QVERIFY(drag.constraintError() < 1e-12);
 }
 
+/// One handle turns every vertex by a right angle, and the shape settles.
+template <int Dim>
+void nothingIsFree(double memory) {
+    Bend<Dim> bend(6, 2, 3, kPi / 2);
+    bend.material = withMemory(*bend.material, memory);
+    bend.handles = {bend.handles.back()};
+    bend.handles[0].at = Region<Dim>(Box<Dim>{Vec<Dim>::Constant(-10), Vec<Dim>::Constant(10)});
+    IntegrationOptions options;
+    options.settle = {{1, 2}};
+    options.end = 2;
+    auto deformer = bend.deformer(options);
+    QCOMPARE(deformer.advance(2).outcome, Outcome::Done);
+    Vec<Dim> centre = Vec<Dim>::Zero();
+    centre[0] = 1.5, centre[1] = 3 * 0.55;
+    Mat<Dim> turn = Mat<Dim>::Identity();
+    turn.template topLeftCorner<2, 2>() << 0, -1, 1, 0;
+    const Points<Dim> expected = (turn * (bend.mesh->points.colwise() - centre)).colwise() + centre;
+    QVERIFY(distance(deformer.state().points, expected) < 1e-12);
+}
+
 }  // namespace
 
 class TestElastic : public QObject {
@@ -442,6 +462,12 @@ class TestElastic : public QObject {
         dragIsElastic<3>(phi);
     }
     void resumes() { resumesToTheSameBits(); }
+    void heldEverywhere() {
+        for (const double memory : {1.0, kElastic}) {
+            nothingIsFree<2>(memory);
+            nothingIsFree<3>(memory);
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(TestElastic)
