@@ -143,7 +143,8 @@ Image inpainted(const Image& picture, const std::vector<bool>& hole, const std::
     const std::string in = folder.path() + "/in.cimg", out = folder.path() + "/out.cimg";
     const ExchangeFile exchange(picture, hole);
     exchange.write(in);
-    std::vector<std::string> words{"OMP_NUM_THREADS=1", program()};
+    // Its settings, too, are in the folder: it leaves nothing behind, and reads no commands of the user.
+    std::vector<std::string> words{"OMP_NUM_THREADS=1", "GMIC_PATH=" + folder.path(), program()};
     const std::vector<std::string> own = wordsFor(in, out, picture);
     words.insert(words.end(), own.begin(), own.end());
     FedProcess gmic(programInPath("env"), words);
