@@ -149,7 +149,7 @@ inline QString widestIn(const QWidget& panel) {
     QStringList words;
     for (const QLabel* label : widest->findChildren<QLabel*>(Qt::FindDirectChildrenOnly))
         words << label->text();
-    return placeOf(*widest, words.join(' '));
+    return placeOf(*widest, words.isEmpty() ? widest->objectName() : words.join(' '));
 }
 
 /// What does not have the room for its text, or is not within its window, and panels that are wider than the

@@ -29,20 +29,24 @@ ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Action
       m_view(viewButton(actions.exportView)),
       m_film(viewButton(actions.exportFilm)) {
     addKind(ExportKind::Picture, tr("Picture"), actions.exportPicture);
-    addKind(ExportKind::Film, tr("Film"), actions.exportFilm);
-    addKind(ExportKind::Frames, tr("Sequence"), actions.exportFrames);
     addKind(ExportKind::StMap, tr("ST Map"), actions.exportStMap);
     addKind(ExportKind::Mesh, tr("Mesh"), actions.exportMesh);
-    auto* kinds = new QHBoxLayout;
-    kinds->setSpacing(0);
-    for (QAbstractButton* button : m_kinds->buttons()) kinds->addWidget(button);
+    addKind(ExportKind::Film, tr("Film"), actions.exportFilm);
+    addKind(ExportKind::Frames, tr("Sequence"), actions.exportFrames);
+    // In one row they would be wider than the panel in some languages.
+    auto *still = new QHBoxLayout, *moving = new QHBoxLayout;
+    still->setSpacing(0);
+    moving->setSpacing(0);
+    for (QAbstractButton* button : m_kinds->buttons())
+        (isMotion(static_cast<ExportKind>(m_kinds->id(button))) ? moving : still)->addWidget(button);
     m_write->setProperty("role", "primary");
     describe(m_write, tr("Export"), tr("Choose a name and write what the preview shows."));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 12, 16, 12);
     column->setSpacing(8);
     column->addWidget(panelTitle(tr("Export"), this));
-    column->addLayout(kinds);
+    column->addLayout(still);
+    column->addLayout(moving);
     column->addWidget(m_form, 1);
     column->addWidget(m_write);
     column->addWidget(m_view);
@@ -55,7 +59,7 @@ void ExportPanel::addKind(ExportKind kind, const QString& name, QAction* action)
     button->setText(name);
     button->setCheckable(true);
     button->setProperty("role", "segment");
-    button->setProperty("long", true);  // four in a narrow panel
+    button->setProperty("long", true);  // three in a narrow panel
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_kinds->addButton(button, static_cast<int>(kind));
     m_actions[static_cast<int>(kind)] = action;
