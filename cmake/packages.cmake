@@ -40,10 +40,10 @@ set(full_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(CPACK_COMPONENTS_ALL)
 
 wend_package(program wend graphics "warp pictures and bend solid shapes by letting them flow"
-    "Pins hold, handles pull, and the rest follows as a soft material would: by the\nvelocity fields of least generalized metric energy. No part of a shape folds\nover. Pictures, films, warp maps and meshes come out, from the window and from\nthe command line. Plug-ins for Inkscape, Blender and ParaView are included.")
+    "Pins hold, handles pull, and the rest follows as a soft material would: by the\nvelocity fields of least generalized metric energy. No part of a shape folds\nover. Pictures, films, warp maps and meshes come out, from the window and from\nthe command line. Plug-ins for Inkscape, Blender,\nKrita and ParaView are included.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libopenblas0-pthread, libqt6svg6")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "pocl-opencl-icd, qt6-translations-l10n, ffmpeg")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, wend-doc, inkscape, blender, paraview")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, wend-doc, inkscape, blender, krita, paraview")
 if(WEND_LIBRARY)
     string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", libwend0 (= ${full_version})")
     wend_package(lib libwend0 libs "deformation of meshes and pictures - library"

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Bends a layer of Krita as a project of Wend bends its picture, by the program `wend`."""
+import json
+import os
+import subprocess
+import tempfile
+
+from krita import InfoObject, Krita
+from PyQt5.QtCore import QRect
+
+
+class Failure(Exception):
+    """A message for the user."""
+
+
+def program():
+    """The program, or what the environment variable WEND names."""
+    return os.environ.get("WEND", "wend")
+
+
+def wend(*arguments, folder=None, text=""):
+    """Runs the program in a folder with a text as its input, and returns its output."""
+    try:
+        done = subprocess.run([program(), *arguments], cwd=folder, input=text, capture_output=True, text=True)
+    except OSError:
+        raise Failure("The program wend was not found. Please install Wend.")
+    if done.returncode:
+        raise Failure(done.stderr.strip())
+    return done.stdout
+
+
+def save_layer(document, layer, file):
+    """Writes a layer or group as a PNG of the document's size, with its colour profile and its own depth."""
+    options = InfoObject()
+    for name, value in {"alpha": True, "compression": 1, "forceSRGB": False, "indexed": False, "interlaced": False,
+                        "saveSRGBProfile": True, "transparencyFillcolor": [255, 255, 255]}.items():
+        options.setProperty(name, value)
+    frame = QRect(0, 0, document.width(), document.height())
+    # Krita asks about the format otherwise.
+    Krita.instance().setBatchmode(True)
+    try:
+        layer.save(file, document.xRes(), document.yRes(), options, frame)
+    finally:
+        Krita.instance().setBatchmode(False)
+    if not os.path.exists(file):
+        raise Failure(f"The layer could not be written to {file}")
+
+
+def with_picture(project, document, picture):
+    """The text of a project with another picture of the same size in the place of its own."""
+    try:
+        with open(project, encoding="utf-8") as file:
+            content = json.load(file)
+        own = content["domain"]["image"]
+    except (OSError, ValueError, KeyError, TypeError):
+        raise Failure(f"{project} is not a project of a single picture")
+    info = json.loads(wend("info", "--json", os.path.join(os.path.dirname(project), own)))
+    size, ours = (info["width"], info["height"]), (document.width(), document.height())
+    if size != ours:
+        raise Failure("The project bends a picture of {} × {} pixels; this document has {} × {}".format(*size, *ours))
+    content["domain"]["image"] = picture
+    return json.dumps(content)
+
+
+def add_layer(document, layer, file, name):
+    """Puts the first layer of a picture above another one, in the colours of the document."""
+    loaded = Krita.instance().openDocument(file)
+    if loaded is None:
+        raise Failure("The bent picture could not be read")
+    try:
+        loaded.setBatchmode(True)
+        loaded.setColorSpace(document.colorModel(), document.colorDepth(), document.colorProfile())
+        loaded.waitForDone()
+        pixels = loaded.pixelData(0, 0, document.width(), document.height())
+    finally:
+        loaded.close()
+    bent = document.createNode(name, "paintlayer")
+    bent.setColorSpace(document.colorModel(), document.colorDepth(), document.colorProfile())
+    bent.setPixelData(pixels, 0, 0, document.width(), document.height())
+    layer.parentNode().addChildNode(bent, layer)
+    document.refreshProjection()
+    return bent
+
+
+def bend(document, layer, project, time=-1.0):
+    """Returns the bent layer, which lies above the layer or group. Before time 0 stands for the end."""
+    project = os.path.abspath(project)
+    with tempfile.TemporaryDirectory() as folder:
+        before, after = os.path.join(folder, "before.png"), os.path.join(folder, "after.png")
+        save_layer(document, layer, before)
+        at = [] if time < 0 else ["--at", repr(time)]
+        wend("run", "-", "--quiet", "--image", after, *at, folder=os.path.dirname(project),
+             text=with_picture(project, document, before))
+        return add_layer(document, layer, after, layer.name() + ", bent")
