@@ -903,6 +903,18 @@
         <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
         <translation>Diesen Film macht das Programm ffmpeg, das nicht installiert ist (Debian: sudo apt install ffmpeg). Animiertes WebP braucht kein anderes Programm.</translation>
     </message>
+    <message>
+        <source>glTF film</source>
+        <translation>glTF-Film</translation>
+    </message>
+    <message>
+        <source>Spine skeleton</source>
+        <translation>Spine-Skelett</translation>
+    </message>
+    <message>
+        <source>DragonBones skeleton</source>
+        <translation>DragonBones-Skelett</translation>
+    </message>
 </context>
 <context>
     <name>FileCard</name>

@@ -903,6 +903,18 @@
         <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
         <translation>Esta película la hace el programa ffmpeg, que no está instalado (Debian: sudo apt install ffmpeg). WebP animado no necesita otro programa.</translation>
     </message>
+    <message>
+        <source>glTF film</source>
+        <translation>Película glTF</translation>
+    </message>
+    <message>
+        <source>Spine skeleton</source>
+        <translation>Esqueleto de Spine</translation>
+    </message>
+    <message>
+        <source>DragonBones skeleton</source>
+        <translation>Esqueleto de DragonBones</translation>
+    </message>
 </context>
 <context>
     <name>FileCard</name>

@@ -903,6 +903,18 @@
         <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
         <translation>Ce film est fait par le programme ffmpeg, qui n’est pas installé (Debian : sudo apt install ffmpeg). Le WebP animé n’a besoin d’aucun autre programme.</translation>
     </message>
+    <message>
+        <source>glTF film</source>
+        <translation>Film glTF</translation>
+    </message>
+    <message>
+        <source>Spine skeleton</source>
+        <translation>Squelette Spine</translation>
+    </message>
+    <message>
+        <source>DragonBones skeleton</source>
+        <translation>Squelette DragonBones</translation>
+    </message>
 </context>
 <context>
     <name>FileCard</name>

@@ -903,6 +903,18 @@
         <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
         <translation>このフィルムはプログラム ffmpeg で作られますが、インストールされていません（Debian：sudo apt install ffmpeg）。アニメーション WebP には他のプログラムは要りません。</translation>
     </message>
+    <message>
+        <source>glTF film</source>
+        <translation>glTFフィルム</translation>
+    </message>
+    <message>
+        <source>Spine skeleton</source>
+        <translation>Spineスケルトン</translation>
+    </message>
+    <message>
+        <source>DragonBones skeleton</source>
+        <translation>DragonBonesスケルトン</translation>
+    </message>
 </context>
 <context>
     <name>FileCard</name>

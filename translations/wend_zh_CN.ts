@@ -903,6 +903,18 @@
         <source>This film is made by the program ffmpeg, which is not installed (Debian: sudo apt install ffmpeg). Animated WebP needs no other program.</source>
         <translation>此影片由程序 ffmpeg 生成，但尚未安装（Debian：sudo apt install ffmpeg）。动画 WebP 不需要其他程序。</translation>
     </message>
+    <message>
+        <source>glTF film</source>
+        <translation>glTF 影片</translation>
+    </message>
+    <message>
+        <source>Spine skeleton</source>
+        <translation>Spine 骨架</translation>
+    </message>
+    <message>
+        <source>DragonBones skeleton</source>
+        <translation>DragonBones 骨架</translation>
+    </message>
 </context>
 <context>
     <name>FileCard</name>

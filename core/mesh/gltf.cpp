@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/mesh/error.h"
@@ -102,25 +103,30 @@ std::string bytesOrNone(const std::string& path) try { return readInput(path); }
     return {};
 }
 
+/// Textures by the path of their picture.
+using Textures = std::map<std::string, int>;
+
 /// The picture as a texture; −1 if it is missing or of another format.
-int addTexture(Json& gltf, Buffer& buffer, const std::string& path) {
+int addTexture(Json& gltf, Buffer& buffer, Textures& textures, const std::string& path) {
+    if (const auto known = textures.find(path); known != textures.end()) return known->second;
     const std::string bytes = bytesOrNone(path);
-    if (!isPng(bytes) && !isJpeg(bytes)) return -1;
+    if (!isPng(bytes) && !isJpeg(bytes)) return textures[path] = -1;
     gltf["images"].push_back({{"bufferView", buffer.view(bytes.data(), bytes.size(), 0)},
                               {"mimeType", isPng(bytes) ? "image/png" : "image/jpeg"}});
     gltf["textures"].push_back({{"source", gltf["images"].size() - 1}});
-    return static_cast<int>(gltf["textures"].size()) - 1;
+    return textures[path] = static_cast<int>(gltf["textures"].size()) - 1;
 }
 
-void addMaterial(Json& gltf, Buffer& buffer, const SkinMaterial& material) {
+void addMaterial(Json& gltf, Buffer& buffer, Textures& textures, const SkinMaterial& material, bool isUnlit) {
     Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", 0.8}};
-    const int texture = material.texture.empty() ? -1 : addTexture(gltf, buffer, material.texture);
+    const int texture = material.texture.empty() ? -1 : addTexture(gltf, buffer, textures, material.texture);
     if (texture >= 0)
         surface["baseColorTexture"] = {{"index", texture}};
     else if (material.colour != SkinMaterial().colour)
         surface["baseColorFactor"] = material.colour;
     Json json = {{"name", material.name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}};
-    if (material.colour[3] < 1) json["alphaMode"] = "BLEND";
+    if (material.colour[3] < 1 || isUnlit) json["alphaMode"] = "BLEND";
+    if (isUnlit) json["extensions"]["KHR_materials_unlit"] = Json::object();
     gltf["materials"].push_back(json);
 }
 
@@ -245,8 +251,11 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
                 {{"attributes", attributes}, {"indices", buffer.indices(part)}, {"material", material}});
         ++material;
     }
-    if (scene.materials.empty()) addMaterial(gltf, buffer, {"surface", {0.8F, 0.8F, 0.8F, 1}, scene.texture});
-    for (const SkinMaterial& one : scene.materials) addMaterial(gltf, buffer, one);
+    std::vector<SkinMaterial> materials = scene.materials;
+    if (materials.empty()) materials.push_back({"surface", {0.8F, 0.8F, 0.8F, 1}, scene.texture});
+    Textures textures;
+    for (const SkinMaterial& one : materials) addMaterial(gltf, buffer, textures, one, scene.isUnlit);
+    if (scene.isUnlit) gltf["extensionsUsed"] = {"KHR_materials_unlit"};
     addAnimation(gltf, buffer, mesh, scene, zUp);
     gltf["meshes"] = Json::array({mesh});
     gltf["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});

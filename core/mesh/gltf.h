@@ -17,6 +17,7 @@ struct GltfScene {
     std::vector<int> materialOf;  // per triangle, into materials (−1: none); empty: one material
     std::vector<SkinMaterial> materials;
     bool smooth = false;           // with normals, in every pose; else the reader shades facets
+    bool isUnlit = false;          // textures show their own colours, and their alpha (KHR_materials_unlit)
     std::vector<double> times;     // seconds, increasing; one per pose
     std::vector<Points<3>> poses;  // become morph targets that a weights animation shows one after another
 };

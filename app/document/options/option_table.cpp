@@ -293,8 +293,8 @@ constexpr std::array kOptions{
     Option{"", "--paint-direction", File, "", kAny, "", "", "run", "the same with one of the direction"},
     Option{"", "--frames", Output, "", kAny, "", "", "run",
            "write a sequence of pictures or meshes; #### stands for the frame's number. .vtu: with a .pvd "
-           "beside; "
-           "without #### a .webp holds all pictures as a film, and a .glb all frames of a solid"},
+           "beside; without #### one file holds all frames: .webp as a film, .glb as morph targets, and of "
+           "pictures NAME_ske.json as a DragonBones skeleton and another .json as a Spine skeleton"},
     Option{"", "--count", Integer, "25", kFrames, "", "", "run",
            Options::tr("number of frames, evenly spaced from the start to the last time"), Field{},
            Row{.label = Options::tr("F&rames")}},

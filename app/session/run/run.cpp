@@ -17,6 +17,8 @@
 #include "app/session/run/point_file.h"
 #include "app/session/run/pose_file.h"
 #include "app/session/run/report.h"
+#include "app/session/run/rig.h"
+#include "app/session/run/rig_files.h"
 #include "app/session/run/run_options.h"
 #include "app/session/run/run_states.h"
 #include "app/session/run/shape_file.h"
@@ -259,9 +261,8 @@ class Run {
             writeMaterial();
             writeWaitingFrames();
             writeFilms();
-        } else {
-            writeAnimations();
         }
+        writeAnimations();
         writeCollections();
     }
 
@@ -514,7 +515,7 @@ class Run {
         for (const std::string& pattern : m_options.outputs.frames) {
             if (Dim == 2 && canWriteImage(pattern))
                 hasPictures = true;
-            else if (Dim == 3 && isAnimation(pattern))
+            else if (isAnimation(pattern))
                 hasAnimations = true;
             else
                 takeMeshFrame(pattern, number, state);
@@ -554,11 +555,25 @@ class Run {
 
     /// One file holds all its poses.
     void writeAnimations() {
-        for (const std::string& path : m_options.outputs.frames)
-            if (isAnimation(path))
+        for (const std::string& path : m_options.outputs.frames) {
+            if (!isRigFile(path)) continue;
+            if constexpr (Dim == 2)
+                writeRigOf(path);
+            else
                 m_files.add(path, ".glb", [&](const std::string& file) {
                     writeAnimation(file, m_shape, m_animation, m_options.outputs.framesPerSecond);
                 });
+        }
+    }
+
+    void writeRigOf(const std::string& path) {
+        std::vector<std::vector<int>> levels;
+        const auto mesh = drawnRest(m_shape);
+        for (std::size_t k = 0; k < m_animation.size(); ++k)
+            levels.push_back(partLevels(domainOf(m_project).parts, *mesh, frameTime(static_cast<int>(k))));
+        const Rig rig = makeRig(m_shape, m_animation, depths(0), levels, m_options.outputs.framesPerSecond);
+        if (const std::string lost = lostInRig(path, rig); !lost.empty()) m_watch.notice(path + ": " + lost);
+        writeRig(path, rig, m_files);
     }
 
     /// A canvas that fits is known only when all frames are.

@@ -9,6 +9,7 @@
 #include "app/session/run/layer_export.h"
 #include "app/session/run/output_set.h"
 #include "app/session/run/point_file.h"
+#include "app/session/run/rig_files.h"
 #include "app/session/run/run.h"
 #include "app/session/run/shape_file.h"
 #include "app/session/shape/material_picture.h"
@@ -57,14 +58,14 @@ void requireFrames(const Project& project, const std::string& path) {
     if (!isAnimation(path) && path.find('#') == std::string::npos)
         throw InputError(path, std::string("the name of a sequence needs #### in the place of the number") +
                                    (filmFormatOf(path) ? "; for a film take --film" : ""));
-    if (pictures) return requirePicture(project, path);
+    if (pictures || (isRigFile(path) && dimensionOf(project) == 2)) return requirePicture(project, path);
     requireShapeFormat(path, lowerExtension(path), dimensionOf(project));
 }
 
 }  // namespace
 
 bool isAnimation(const std::string& frames) {
-    return isOneOf(lowerExtension(frames), {".glb", ".webp"}) && frames.find('#') == std::string::npos;
+    return isRigFile(frames) || (lowerExtension(frames) == ".webp" && frames.find('#') == std::string::npos);
 }
 
 std::string collectionName(const std::string& pattern) {
@@ -87,9 +88,11 @@ FileNames RunOutputs::singleFiles() const {
         all.insert(all.end(), names->begin(), names->end());
     for (const PointsOutput& one : points) all.push_back(one.out);
     all.insert(all.end(), films.begin(), films.end());
-    for (const std::string& path : frames)
+    for (const std::string& path : frames) {
         if (const std::string file = isAnimation(path) ? path : collectionName(path); !file.empty())
             all.push_back(file);
+        if (isRigFile(path)) std::ranges::copy(filesBesideRig(path), std::back_inserter(all));
+    }
     return all;
 }
 

@@ -183,7 +183,7 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
 
 /// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
 Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::string& folder,
-                     std::stop_token stop, Advice advice) {
+                     const std::stop_token& stop, Advice advice) {
     const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
     // Painted sizes belong to the vertices as the file has them.
     const VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);

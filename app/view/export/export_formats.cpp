@@ -18,6 +18,13 @@ using Formats = QList<ExportFormat>;
 const Formats kPictures{
     {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
 const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
+Formats rigs() {
+    return {{QCoreApplication::translate("ExportFormats", "glTF film"), QStringLiteral(".glb"), true},
+            {QCoreApplication::translate("ExportFormats", "Spine skeleton"), QStringLiteral(".json"), true},
+            {QCoreApplication::translate("ExportFormats", "DragonBones skeleton"),
+             QStringLiteral("_ske.json"), true}};
+}
+
 /// Lists surfaces first in the plane, and formats of tetrahedra first in space.
 Formats meshFormats(bool solid, bool film) {
     Formats formats, others;
@@ -28,7 +35,7 @@ Formats meshFormats(bool solid, bool film) {
             << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),
                             QString::fromUtf8(first.data(), first.size())};
     }
-    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb"), true});
+    if (solid && film) formats.prepend(rigs().front());
     if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
     return formats + others;
 }
@@ -73,7 +80,7 @@ QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
     const bool film = kind == ExportKind::Frames;
     Formats meshes = meshFormats(solid, film);
     if (kind == ExportKind::Mesh) putOwnFirst(meshes, shape);
-    return film && shape.picture() ? kPictures + meshes : meshes;
+    return film && shape.picture() ? kPictures + meshes + rigs() : meshes;
 }
 
 }  // namespace wend
