@@ -38,14 +38,16 @@ const QMap<QString, QStringList> kAllowed = {
     {"python", {"core/*", "kernels", "warp", "api", "app/document", "app/session", "app/cli"}},
     {"app/document", {"core/*", "warp"}},
     {"app/session", {"core/*", "kernels", "warp", "app/document"}},
-    {"app/bench", {"core/*", "kernels", "warp", "app/document", "app/session", "app/view"}},
-    {"app/cli", {"core/*", "kernels", "warp", "app/document", "app/session", "app/bench"}},
+    {"app/cli", {"core/*", "kernels", "warp", "app/document", "app/session"}},
     {"app/mpi", {"core/*", "kernels", "warp", "app/session", "app/cli"}},
     {"app/tools", {"core/*", "warp", "app/document", "app/session"}},
     {"app/panels", {"core/*", "warp", "app/document", "app/session"}},
     {"app/view", {"core/*", "warp", "app/document", "app/session", "app/tools", "app/panels"}},
     {"app", {"core/system", "app/cli", "app/view", "kernels", "warp"}},
+    {"bench", {"core/*", "kernels", "warp", "app/document", "app/session", "app/cli", "app/view"}},
 };
+
+const QStringList kTops{"core", "kernels", "warp", "api", "python", "app", "bench"};
 
 struct Include {
     QString file, target;
@@ -80,7 +82,7 @@ QList<Include> includesBelow(const QString& folder) {
 /// The source files that include a header, by way of other headers too.
 QSet<QString> rebuiltBy(const QString& header) {
     QMultiMap<QString, QString> includers;
-    for (const QString top : {"core", "kernels", "warp", "api", "python", "app", "tests"})
+    for (const QString& top : kTops + QStringList("tests"))
         for (const Include& include : includesBelow(top)) {
             const QString beside = include.file.left(include.file.lastIndexOf('/') + 1) + include.target;
             includers.insert(include.target.contains('/') ? include.target : beside, include.file);
@@ -97,7 +99,7 @@ QSet<QString> rebuiltBy(const QString& header) {
 }
 
 bool isOurs(const QString& target) {
-    static const QRegularExpression ours(QStringLiteral("^(core|kernels|warp|app|api|wend)/"));
+    static const QRegularExpression ours(QStringLiteral("^(core|kernels|warp|app|bench|api|wend)/"));
     return ours.match(target).hasMatch();
 }
 
@@ -112,7 +114,7 @@ bool allowed(const QString& from, const QString& to) {
 void TestArchitecture::includesGoOneWay() {
     QStringList wrong;
     int seen = 0;
-    for (const QString top : {"core", "kernels", "warp", "api", "python", "app"}) {
+    for (const QString& top : kTops) {
         for (const Include& include : includesBelow(top)) {
             if (!isOurs(include.target)) continue;
             ++seen;
@@ -164,7 +166,7 @@ void TestArchitecture::installedHeadersStandAlone() {
 }
 
 void TestArchitecture::everyFolderIsKnown() {
-    for (const QString top : {"core", "kernels", "warp", "api", "python", "app"})
+    for (const QString& top : kTops)
         for (const Include& include : includesBelow(top))
             QVERIFY2(kAllowed.contains(folderOf(include.file)), qPrintable(include.file));
 }
@@ -180,7 +182,7 @@ void TestArchitecture::headersRebuildFewFiles_data() {
     QTest::newRow("options") << "app/document/options/options.h" << 58 << 69;
     QTest::newRow("settings") << "app/document/options/settings.h" << 15 << 20;
     QTest::newRow("solver") << "core/solver/velocity_solver.h" << 32 << 65;
-    QTest::newRow("reader") << "app/document/file/project_reader.h" << 10 << 28;
+    QTest::newRow("reader") << "app/document/file/project_reader.h" << 10 << 29;
     QTest::newRow("mesh formats") << "core/mesh/mesh_formats.h" << 31 << 38;
 }
 

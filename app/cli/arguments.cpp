@@ -100,7 +100,8 @@ std::string remark(const Option& option) {
 
 }  // namespace
 
-Arguments::Arguments(const std::string& command, const std::vector<std::string>& words) : m_command(command) {
+Arguments::Arguments(const std::string& command, const std::vector<std::string>& words)
+    : m_command(command), m_words(words) {
     bool onlyFiles = false;
     for (std::size_t at = 0; at < words.size(); ++at) {
         const std::string& word = words[at];

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "app/document/options/option_values.h"
-#include "app/document/options/options.h"
+#include "app/document/project_fwd.h"
 
 namespace wend {
+
+struct Option;
 
 /// The command line itself is wrong (exit code 2).
 class UsageError : public std::runtime_error {
@@ -23,6 +25,8 @@ class Arguments {
     /// kind or out of range.
     Arguments(const std::string& command, const std::vector<std::string>& words);
 
+    /// Returns what followed the subcommand's name, unchanged.
+    const std::vector<std::string>& words() const { return m_words; }
     const std::vector<std::string>& files() const { return m_files; }
     const OptionValues& values() const { return m_values; }
     bool has(const std::string& flag) const { return m_values.has(flag); }
@@ -42,7 +46,7 @@ class Arguments {
               const std::vector<std::string>& words, std::size_t& at);
 
     std::string m_command;
-    std::vector<std::string> m_files;
+    std::vector<std::string> m_words, m_files;
     OptionValues m_values;
 };
 

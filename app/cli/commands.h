@@ -14,7 +14,8 @@ ExitCode runMesh(const Arguments& arguments);
 ExitCode runConvert(const Arguments& arguments);
 ExitCode runInfo(const Arguments& arguments);
 ExitCode runDevices(const Arguments& arguments);
-ExitCode runBench(const Arguments& arguments);
+/// Becomes the program wend-bench. Throws InputError if that is not there.
+ExitCode startBench(const Arguments& arguments);
 /// Prints the reference page of the options (docs/reference.md) or a shell's completion, or writes the manual
 /// pages.
 ExitCode runReference(const Arguments& arguments);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/cli/command_table.h"
+#include "app/document/options/options.h"
 
 namespace wend {
 namespace {

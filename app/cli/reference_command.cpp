@@ -4,6 +4,7 @@
 #include "app/cli/completion.h"
 #include "app/cli/manual_pages.h"
 #include "app/document/file/text_file.h"
+#include "app/document/options/options.h"
 
 namespace wend {
 namespace {

@@ -79,15 +79,27 @@ void TestInstalled::initTestCase() {
 }
 
 void TestInstalled::nothingIsMissing() {
-    for (const char* name :
-         {"bin/wend", "lib/wend/wend-tetgen", "lib/wend/wend-pictures.so", "share/applications/wend.desktop",
-          "share/icons/hicolor/scalable/apps/wend.svg", "share/mime/packages/wend.xml",
-          "share/metainfo/wend.metainfo.xml", "share/doc/wend/LICENSE", "share/wend/manual/manual.md",
-          "share/wend/manual/pictures/window.png", "share/wend/samples/eagle-plumage.png",
-          "share/man/man1/wend-run.1.gz", "share/bash-completion/completions/wend",
-          "share/zsh/vendor-completions/_wend", "share/fish/vendor_completions.d/wend.fish",
-          "share/thumbnailers/wend.thumbnailer", "share/inkscape/extensions/wend_bend.inx",
-          "share/blender/scripts/addons/wend_bend.py", "share/wend/paraview/wend_project.xml"})
+    for (const char* name : {"bin/wend",
+                             "lib/wend/wend-tetgen",
+                             "lib/wend/wend-pictures.so",
+                             "share/applications/wend.desktop",
+                             "share/icons/hicolor/scalable/apps/wend.svg",
+                             "share/mime/packages/wend.xml",
+                             "share/metainfo/wend.metainfo.xml",
+                             "share/doc/wend/LICENSE",
+                             "share/wend/manual/manual.md",
+                             "share/wend/manual/pictures/window.png",
+                             "share/wend/samples/eagle-plumage.png",
+                             "share/man/man1/wend-run.1.gz",
+                             "share/bash-completion/completions/wend",
+                             "share/zsh/vendor-completions/_wend",
+                             "share/fish/vendor_completions.d/wend.fish",
+                             "share/thumbnailers/wend.thumbnailer",
+                             "share/inkscape/extensions/wend_bend.inx",
+                             "share/blender/scripts/addons/wend_bend.py",
+                             "share/krita/pykrita/wend_bend.desktop",
+                             "share/krita/pykrita/wend_bend/docker.py",
+                             "share/wend/paraview/wend_project.xml"})
         QVERIFY2(QFile::exists(file(QLatin1String(name))), name);
     // All that the program starts or loads, whatever is added.
     const QStringList helpers =

@@ -1,0 +1,244 @@
+#include "bench/window_rows.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QThreadPool>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <stdexcept>
+
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/view/actions/toolbox.h"
+#include "app/view/canvas/canvas.h"
+#include "app/view/main_window.h"
+#include "app/view/solid_workshop.h"
+#include "app/view/volume/solid_canvas.h"
+#include "bench/body.h"
+#include "bench/test_picture.h"
+#include "bench/window_drag.h"
+#include "core/mesh/error.h"
+#include "core/mesh/mesh_of_file.h"
+
+namespace wend {
+namespace {
+
+constexpr QSize kWindow(1280, 800), kFineWindow(3840, 2160);
+constexpr double kRound = 3;  // seconds for the path of the hand, there and back
+constexpr int kPictureWidth = 2400, kPictureHeight = 1500;
+
+/// The program's own, or one for the time of the rows; without a display it draws for itself, and no solids.
+class WindowSystem {
+  public:
+    WindowSystem() {
+        if (QCoreApplication::instance()) return;
+        if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+            qputenv("QT_QPA_PLATFORM", qEnvironmentVariableIsSet("DISPLAY") ? "xcb;offscreen" : "offscreen");
+        m_application.emplace(m_count, m_words.data());
+    }
+
+  private:
+    int m_count = 1;
+    std::array<char, 5> m_name{"wend"};
+    std::array<char*, 2> m_words{m_name.data(), nullptr};
+    std::optional<QApplication> m_application;
+};
+
+/// Settings that are no one's.
+class OwnSettings {
+  public:
+    OwnSettings() {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    }
+    QString file(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+  private:
+    QTemporaryDir m_folder;
+};
+
+/// Returns handles for both ends, which hold the shape.
+template <int Dim>
+std::vector<Handle<Dim>> ends(double length) {
+    std::vector<Handle<Dim>> handles(2);
+    for (const int side : {0, 1}) {
+        HalfSpace<Dim> half{Vec<Dim>::Zero(), Vec<Dim>::Zero()};
+        half.point.x() = (side ? 1 - 1e-9 : 1e-9) * length;
+        half.normal.x() = side ? 1 : -1;
+        handles[static_cast<std::size_t>(side)].name = side ? "right" : "left";
+        handles[static_cast<std::size_t>(side)].at = Region<Dim>(half);
+    }
+    return handles;
+}
+
+template <int Dim>
+OpenedFile fileOf(int vertices, double phi, const OwnSettings& settings);
+
+template <>
+OpenedFile fileOf<2>(int vertices, double phi, const OwnSettings&) {
+    auto project = newProject();
+    domainOf(*project).vertices = vertices;
+    Design<2> design;
+    design.material.phi = phi;
+    design.handles = ends<2>(kPictureWidth);
+    designOf(*project) = std::move(design);
+    OpenedFile file;
+    file.project = std::move(project);
+    file.picture = std::make_shared<const Image>(testPicture(kPictureWidth, kPictureHeight));
+    return file;
+}
+
+template <>
+OpenedFile fileOf<3>(int vertices, double phi, const OwnSettings& settings) {
+    auto project = newProject();
+    const Body<3> body = makeBody<3>(vertices);
+    Domain& domain = domainOf(*project);
+    domain.kind = DomainKind::Mesh;
+    domain.path = settings.file("body.vtu").toStdString();
+    writeMesh<3>(domain.path, *body.rest);
+    Design<3> design;
+    design.material.phi = phi;
+    design.handles = ends<3>(body.rest->points.row(0).maxCoeff());
+    designOf(*project) = std::move(design);
+    OpenedFile file;
+    file.project = std::move(project);
+    return file;
+}
+
+/// A window with the shape in it, and the hand.
+template <int Dim>
+class Stage {
+  public:
+    Stage(int vertices, double phi, const QSize& size, std::stop_token stop) : m_stop(stop) {
+        m_window.show();
+        session().document().open(fileOf<Dim>(vertices, phi, m_settings));
+        m_window.tools().action(QStringLiteral("select"))->trigger();
+        wait([this] { return settled(); });
+        for (int i = 0; i < 3; ++i) m_window.resize(m_window.size() + size - view().size());
+        if constexpr (Dim == 3) solid().look(Camera::Axis::Front);
+        if constexpr (Dim == 3) solid().fit();
+        wait([this] { return settled(); });
+        m_hand = std::make_unique<WindowDrag>(
+            WindowDrag::Parts{view(), session(), [this]() -> FramePtr { return drawn(); }});
+    }
+    ~Stage() { session().document().undoStack()->setClean(); }
+
+    WindowDrag::Times drag(double seconds) {
+        const QPointF from = pin();
+        const double reach = 0.18 * std::min<double>(view().width(), 1.6 * view().height());
+        const auto path = [reach](double t) {
+            const double angle = 2 * std::numbers::pi * t / kRound;
+            return reach * QPointF(-0.5 * (1 - std::cos(angle)), std::sin(angle));
+        };
+        return m_hand->drag(from, path, seconds, m_stop);
+    }
+    void wait() {
+        wait([this] { return settled(); });
+    }
+
+  private:
+    ShapeSession& session() { return m_window.session(); }
+    SolidCanvas& solid() { return *m_window.solids().canvas(); }
+    QWidget& view() {
+        if constexpr (Dim == 3) return solid();
+        return m_window.canvas();
+    }
+    FramePtr drawn() {
+        if constexpr (Dim == 3) return session().frame();
+        const auto& drawn = m_window.canvas().drawn();
+        return drawn ? FramePtr(drawn->request.frame) : FramePtr();
+    }
+    QPointF pin() {
+        for (const auto& pin : session().template pins<Dim>()) {
+            if (pin.handle != 1) continue;
+            if constexpr (Dim == 3) return solid().toWidget(pin.centre);
+            if constexpr (Dim == 2) return m_window.canvas().toWidget(pin.centre);
+        }
+        throw std::runtime_error("the shape has no pin");
+    }
+    bool settled() {
+        if constexpr (Dim == 2)
+            if (!m_window.canvas().isSettled()) return false;
+        return session().frame() && !session().isBusy() && !session().isStale();
+    }
+    template <class Condition>
+    void wait(const Condition& condition) {
+        m_tick.start(kTick);
+        do {
+            if (m_stop.stop_requested()) throw Cancelled();
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        } while (!condition());
+        rest();
+        m_tick.stop();
+    }
+    /// Waits until nothing is computed: the next drag is prepared once the motion is known.
+    void rest() {
+        QThreadPool::globalInstance()->waitForDone();  // pictures of the start page
+        for (std::clock_t before = 0, now = std::clock(); now - before > CLOCKS_PER_SEC / 50;) {
+            before = std::clock();
+            QElapsedTimer clock;
+            for (clock.start(); clock.elapsed() < 200;)
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            now = std::clock();
+        }
+    }
+
+    static constexpr int kTick = 20;  // milliseconds: events that wake what waits
+
+    OwnSettings m_settings;
+    QTimer m_tick;
+    MainWindow m_window;
+    std::stop_token m_stop;
+    std::unique_ptr<WindowDrag> m_hand;
+};
+
+BenchRow rowOf(const std::string& what, const WindowDrag::Times& times) {
+    std::vector<double> sorted = times.latency;
+    std::ranges::sort(sorted);
+    BenchRow row{what, 0, {}, {}};
+    row.time = {1e-3 * sorted[sorted.size() / 2], 1e-3 * sorted.front(), 1e-3 * sorted.back(), 0,
+                static_cast<int>(sorted.size())};
+    const double span = times.shown.back() - times.first;
+    row.figures = {
+        {"95 % below (ms)", sorted[sorted.size() * 95 / 100]},
+        {"updates a second", span > 0 ? 1e3 * static_cast<double>(times.shown.size() - 1) / span : 0.0},
+        {"first after the press (ms)", times.first}};
+    return row;
+}
+
+/// Adds a drag of the resting shape, and the beginning of another one right after its release.
+template <int Dim>
+void addRow(int vertices, double phi, const QSize& size, const std::string& name, double seconds,
+            BenchRecorder& recorder) {
+    Stage<Dim> stage(vertices, phi, size, recorder.stop());
+    BenchRow row = rowOf("mouse to frame, " + name, stage.drag(seconds));
+    row.figures.push_back({"first of a drag right after it (ms)", stage.drag(0.2).first});
+    recorder.add(row);
+}
+
+}  // namespace
+
+template <int Dim>
+void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder, double seconds) {
+    const WindowSystem system;
+    if (Dim == 3 && !VolumeView::available()) {
+        recorder.remark("  (no rows of the window: solids need OpenGL 3.3 and a display)");
+        return;
+    }
+    for (const auto& [name, vertices] : sizes) {
+        addRow<Dim>(vertices, phi::kMetr, kWindow, name + ", 1280 × 800", seconds, recorder);
+        addRow<Dim>(vertices, phi::kEquia, kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
+        if (Dim == 2)
+            addRow<Dim>(vertices, phi::kMetr, kFineWindow, name + ", 3840 × 2160", seconds, recorder);
+    }
+}
+
+template void addWindowRows<2>(const std::vector<ShownSize>&, BenchRecorder&, double);
+template void addWindowRows<3>(const std::vector<ShownSize>&, BenchRecorder&, double);
+
+}  // namespace wend
