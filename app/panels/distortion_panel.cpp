@@ -5,13 +5,13 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLocale>
-#include <QSettings>
 #include <QToolButton>
 #include <algorithm>
 
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/session/preferences.h"
 #include "app/session/shape/shape.h"
 #include "core/energy/distortion.h"
 
@@ -58,11 +58,11 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     connect(m_measure, &QComboBox::activated, this, &DistortionPanel::mapChosen);
     connect(m_keep, &QAction::toggled, this, &DistortionPanel::takeFrame);
     connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) {
-        QSettings().setValue("mapOpacity", percent);
+        preferences::mapOpacity.set(percent);
         emit opacityChanged(opacity());
     });
     connect(m_smooth, &QCheckBox::toggled, this, [this](bool on) {
-        QSettings().setValue("mapSmooth", on);
+        preferences::mapSmooth.set(on);
         emit smoothChanged(on);
     });
     connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
@@ -82,11 +82,11 @@ void DistortionPanel::makeControls() {
     m_opacity->setFixedWidth(kControlWidth);
     m_opacity->setRange(5, 100);
     m_opacity->setPageStep(10);
-    m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());
+    m_opacity->setValue(preferences::mapOpacity.value());
     describe(m_opacity, tr("Opacity"),
              tr("How much the overlay covers the picture, or the colours of the solid, below it."));
     m_smooth->setObjectName(QStringLiteral("mapSmooth"));
-    m_smooth->setChecked(QSettings().value("mapSmooth", false).toBool());
+    m_smooth->setChecked(preferences::mapSmooth.value());
     describe(
         m_smooth, tr("Smooth colours"),
         tr("Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its "

@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -14,6 +13,7 @@
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/session/preferences.h"
 
 namespace wend {
 
@@ -117,12 +117,11 @@ void FilmPanel::setSound(const QString& path) {
 }
 
 void FilmPanel::chooseSound() {
-    QSettings settings;
     const QString path = QFileDialog::getOpenFileName(
-        window(), tr("Choose Sound"), settings.value("folder").toString(),
+        window(), tr("Choose Sound"), preferences::folder.value(),
         tr("Sound and films (*.wav *.mp3 *.ogg *.oga *.opus *.flac *.m4a *.aac *.mp4 *.mov *.webm *.mkv)"));
     if (path.isEmpty()) return;
-    settings.setValue("folder", QFileInfo(path).absolutePath());
+    preferences::folder.set(QFileInfo(path).absolutePath());
     setSound(QFileInfo(path).absoluteFilePath());
 }
 

@@ -1,6 +1,5 @@
 #include "app/panels/folding_section.h"
 
-#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -14,7 +13,7 @@ FoldingSection::FoldingSection(const QString& title, const QString& help, const 
       m_title(new QToolButton(this)),
       m_body(new QWidget(this)),
       m_parts(new QVBoxLayout(m_body)),
-      m_setting(QStringLiteral("open/") + name) {
+      m_isOpen(QStringLiteral("open/") + name) {
     setObjectName(name);
     m_title->setText(title);
     m_title->setCheckable(true);
@@ -30,11 +29,11 @@ FoldingSection::FoldingSection(const QString& title, const QString& help, const 
     connect(m_title, &QToolButton::toggled, this, [this](bool open) {
         m_body->setVisible(open);
         m_title->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
-        QSettings().setValue(m_setting, open);
+        m_isOpen.set(open);
     });
     m_title->setArrowType(Qt::RightArrow);
     m_body->hide();
-    m_title->setChecked(QSettings().value(m_setting, false).toBool());
+    m_title->setChecked(m_isOpen.value());
 }
 
 void FoldingSection::add(QWidget* part) {

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "app/session/preferences.h"
+
 class QToolButton;
 class QVBoxLayout;
 
@@ -22,7 +24,7 @@ class FoldingSection : public QWidget {
     QToolButton* m_title;
     QWidget* m_body;
     QVBoxLayout* m_parts;
-    QString m_setting;
+    Preference<bool> m_isOpen;
 };
 
 }  // namespace wend

@@ -189,7 +189,7 @@ void PartList::takeItem(QListWidgetItem* item) {
             const bool isTaken = std::ranges::find(parts(), name, &PicturePart::name) != parts().end();
             if (name == part.name) return;
             if (name.empty() || isTaken) {
-                emit m_session.notice(tr("Another part has this name."));
+                m_session.notify(tr("Another part has this name."));
                 return showParts();
             }
             Document& document = m_session.document();
@@ -223,7 +223,7 @@ void PartList::join(const QString& to) {
         const auto frame = m_session.frame<2>();
         const auto place = frame ? jointPlace(*frame->rest, own.name, to.toStdString()) : std::nullopt;
         if (!place) {
-            emit m_session.notice(tr("These parts do not overlap at rest: there is no place for a joint."));
+            m_session.notify(tr("These parts do not overlap at rest: there is no place for a joint."));
             return showChosen();
         }
         own.joints.push_back({to.toStdString(), *place});

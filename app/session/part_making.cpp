@@ -74,7 +74,7 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     const std::vector<NamedSheet> sheets = sheetsOf(session, whole);
     const NamedSheet* below = sheetBelow(area, sheets);
     if (!below)
-        return emit session.notice(
+        return session.notify(
             words(QT_TRANSLATE_NOOP("PartMaking", "There is nothing of the picture in this area.")));
     const auto seam = seamOf(area, below->sheet);
     NewPart made;
@@ -89,14 +89,13 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     session.selection().clear();
     document.change(words(QT_TRANSLATE_NOOP("PartMaking", "Make a part")), withNewPart(before, made));
     const QString name = QString::fromStdString(made.name);
-    emit session.notice((seam
-                             ? words(QT_TRANSLATE_NOOP("PartMaking",
-                                                       "“%1” is a part now, joined to “%2” where it hangs on "
-                                                       "it. What is behind it is being filled."))
-                             : words(QT_TRANSLATE_NOOP("PartMaking",
-                                                       "“%1” is a part now, cut from “%2”. What is behind it "
-                                                       "is being filled. Pin it, or join it under Parts.")))
-                            .arg(name, QString::fromStdString(made.from)));
+    session.notify((seam ? words(QT_TRANSLATE_NOOP("PartMaking",
+                                                   "“%1” is a part now, joined to “%2” where it hangs on "
+                                                   "it. What is behind it is being filled."))
+                         : words(QT_TRANSLATE_NOOP("PartMaking",
+                                                   "“%1” is a part now, cut from “%2”. What is behind it "
+                                                   "is being filled. Pin it, or join it under Parts.")))
+                       .arg(name, QString::fromStdString(made.from)));
 }
 
 }  // namespace

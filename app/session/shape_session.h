@@ -152,6 +152,9 @@ class ShapeSession : public QObject {
     /// Returns the current gesture, or null.
     const DragGesture* gesture() const { return m_gesture.drag(); }
 
+    /// Shows a line in the status bar: what could not be done, and where.
+    void notify(const QString& text) { emit notice(text); }
+
   signals:
     void frameChanged();
     void pinsChanged();
@@ -166,7 +169,7 @@ class ShapeSession : public QObject {
     void progress(double time, double end);
     /// Emitted with the approximate time that the current step has reached.
     void within(double time, double end);
-    /// Emitted with a line for the status bar: what could not be done, and where.
+    /// Emitted with a line for the status bar.
     void notice(QString text);
     /// Emitted if the project cannot be computed; an empty text withdraws the problem.
     void problem(QString text);

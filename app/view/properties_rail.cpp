@@ -4,13 +4,13 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/look/theme.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/preferences.h"
 #include "app/view/properties.h"
 
 namespace wend {
@@ -19,7 +19,6 @@ namespace {
 
 constexpr int kNarrowWindow = 1100;  // below it the view needs the room
 constexpr int kRailButton = 36, kRailIcon = 20;
-const QString kShownSetting = QStringLiteral("properties");
 
 }  // namespace
 
@@ -28,7 +27,7 @@ PropertiesRail::PropertiesRail(Properties& properties, QAction& shown, QWidget* 
       m_properties(properties),
       m_shown(shown),
       m_column(new QVBoxLayout(this)),
-      m_wanted(QSettings().value(kShownSetting, true).toBool()) {
+      m_wanted(preferences::propertiesShown.value()) {
     setObjectName(QStringLiteral("propertiesRail"));
     setAttribute(Qt::WA_StyledBackground);
     m_column->setContentsMargins(5, 8, 3, 8);  // its line at the left
@@ -80,7 +79,7 @@ void PropertiesRail::take(bool shown) {
         return arrange();
     }
     m_wanted = shown;
-    QSettings().setValue(kShownSetting, shown);
+    preferences::propertiesShown.set(shown);
     close();
     arrange();
 }

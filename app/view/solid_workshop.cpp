@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
-#include <QSettings>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
@@ -16,6 +15,7 @@
 #include "app/panels/measure_panel.h"
 #include "app/session/motion/pose_places.h"
 #include "app/session/opening.h"
+#include "app/session/preferences.h"
 #include "app/view/actions/actions.h"
 #include "app/view/export/picture_dialog.h"
 #include "app/view/export/save_dialog.h"
@@ -101,8 +101,7 @@ void SolidWorkshop::connectView() {
     connect(&maps, &DistortionPanel::faultsChanged, m_canvas,
             [this, &maps] { m_canvas->setFaults(maps.watch().faults<3>()); });
     const auto tellMissing = [this](const QStringList& files) {
-        emit m_around.session.notice(
-            tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
+        m_around.session.notify(tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
     };
     connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
     connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
@@ -140,10 +139,10 @@ void SolidWorkshop::connectNavigation() {
         connect(presets[k], &QAction::toggled, m_canvas, [this, k](bool on) {
             if (!on) return;
             m_canvas->setPreset(static_cast<NavigationPreset>(k));
-            QSettings().setValue("navigation", k);
+            preferences::navigation.set(k);
         });
-    presets[std::clamp(QSettings().value("navigation", 0).toInt(), 0, 2)]->setChecked(true);
-    m_canvas->setPreset(static_cast<NavigationPreset>(QSettings().value("navigation", 0).toInt()));
+    presets[std::clamp(preferences::navigation.value(), 0, 2)]->setChecked(true);
+    m_canvas->setPreset(static_cast<NavigationPreset>(preferences::navigation.value()));
 }
 
 void SolidWorkshop::connectCut() {

@@ -149,10 +149,9 @@ void mirrorPinsOf(ShapeSession& session) {
         handles.push_back(std::move(*image));
     }
     if (beside)
-        emit session.notice(
-            ShapeSession::tr("No pin was set where the mirror image lies outside the shape."));
+        session.notify(ShapeSession::tr("No pin was set where the mirror image lies outside the shape."));
     else if (taken)
-        emit session.notice(ShapeSession::tr("There is already a pin where the mirror image would be."));
+        session.notify(ShapeSession::tr("There is already a pin where the mirror image would be."));
     if (made.empty()) return;
     document.changeDesign(ShapeSession::tr("Mirror %1").arg(session.nameOf(session.selection().handles())),
                           std::move(next));

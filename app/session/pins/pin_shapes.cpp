@@ -56,7 +56,7 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     }
     const Region<Dim> wide = Ball<Dim>{middle, radius};
     if (static_cast<int>(verticesInside<Dim>(wide, *shape->rest).size()) < kMinHeld<Dim>) {
-        emit session.notice(
+        session.notify(
             Dim == 2
                 ? ShapeSession::tr("This circle is smaller than the mesh: make it larger, or the mesh finer.")
                 : ShapeSession::tr("This ball is smaller than the mesh: make it larger, or the mesh finer."));

@@ -97,7 +97,7 @@ bool OutlineTool::isReady() {
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
     if (!document.domain().parts.empty() && !makesPart()) {
-        emit session().notice(QCoreApplication::translate(
+        session().notify(QCoreApplication::translate(
             "OutlineTool", "This picture has parts: choose Make a Part to cut another one out."));
         return false;
     }
@@ -292,7 +292,7 @@ void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
     const bool isLine = isThin(drawn);
     cancel();
     if (isLine)
-        return emit session().notice(QCoreApplication::translate(
+        return session().notify(QCoreApplication::translate(
             "OutlineTool", "That was a line. Draw around a part of the picture."));
     if (drawn.loops.empty()) return;
     if (makesPart()) return makePart(session(), drawn);
@@ -340,22 +340,21 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, smallest)
                             : combined(before, inside, operation, smallest);
     if (next.loops.empty()) {
-        emit session().notice(
-            QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
+        session().notify(QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
         return;
     }
     const auto changed = copyOf(project);
     const int pinsGone = setOutline(*changed, std::move(next));
     if (pinsGone > 0) {
         session().selection().clear();
-        emit session().notice(QCoreApplication::translate(
+        session().notify(QCoreApplication::translate(
             "OutlineTool", "Pins outside the new outline were removed: %n.", nullptr, pinsGone));
     }
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
     if (pinsGone == 0 && domainOf(project).outline == OutlineKind::Alpha)
-        emit session().notice(QCoreApplication::translate(
+        session().notify(QCoreApplication::translate(
             "OutlineTool",
             "From now on the outline is as you draw it, and has no margin to change. "
             "Choose “Cut-out” as the outline to go back to the one that was found."));

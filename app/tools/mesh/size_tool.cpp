@@ -42,7 +42,7 @@ template <int Dim>
 void SizeTool<Dim>::take(const std::vector<Dab>& dabs) {
     Document& document = session().document();
     if (Dim == 2 && document.domain().kind != DomainKind::Image) {
-        emit session().notice(
+        session().notify(
             QCoreApplication::translate("SizeTool", "The mesh comes from a file and is used as it is."));
         return;
     }

@@ -52,7 +52,7 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     }
     const BrushSettings& brush = m_brush.now();
     if (paintsNothing(brush)) {
-        emit session().notice(nothingToPaint());
+        session().notify(nothingToPaint());
         return;
     }
     const MaterialPaint<Dim> paint = paintOf<Dim>(brush);
@@ -63,7 +63,7 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
          QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
     m_brush.layer().set({layer, aim});
 } catch (const InputError& error) {  // a picture of the material is missing
-    emit session().notice(QString::fromStdString(error.what()));
+    session().notify(QString::fromStdString(error.what()));
 }
 
 template <int Dim>

@@ -172,7 +172,7 @@ bool GradientTool<Dim>::preview(bool lasts) try {
     surface().redraw();
     return design.has_value();
 } catch (const InputError& error) {  // a picture of the material is missing
-    emit session().notice(QString::fromStdString(error.what()));
+    session().notify(QString::fromStdString(error.what()));
     return false;
 }
 
@@ -180,7 +180,7 @@ template <int Dim>
 void GradientTool<Dim>::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_frame) return;
     const bool isBare = !m_handle && region() && paintsNothing(m_brush.now());
-    if (isBare) emit session().notice(nothingToPaint());
+    if (isBare) session().notify(nothingToPaint());
     // or a click, or it began on removed cells
     if (isBare || !isCurrent() || !preview(true)) return cancel();
     auto design = *next();

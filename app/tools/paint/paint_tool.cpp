@@ -242,7 +242,7 @@ std::shared_ptr<const Material<Dim>> PaintTool<Dim>::laid(const Design<Dim>& nex
     layRegions<Dim>(std::span(next.material.regions).subspan(m_first), rest, folder(), *material);
     return material;
 } catch (const InputError& error) {
-    emit session().notice(QString::fromStdString(error.what()));
+    session().notify(QString::fromStdString(error.what()));
     return nullptr;
 }
 
@@ -295,9 +295,9 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     const auto material = laid(next);
     const bool same = material && isSame(*material, *m_frame->material);
     if (same && erases)
-        emit session().notice(QCoreApplication::translate("PaintTool", "Nothing is painted there"));
+        session().notify(QCoreApplication::translate("PaintTool", "Nothing is painted there"));
     const bool isBare = same && paints && paintsNothing(brush().now());
-    if (isBare) emit session().notice(nothingToPaint());
+    if (isBare) session().notify(nothingToPaint());
     const bool changes = material && !isBare && !(same && erases);
     surface().showMaterial(changes ? material : nullptr, changes);
     m_frame.reset();
@@ -305,7 +305,7 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     const bool lost = paints && brush().now().target != BrushTarget::Keep &&
                       brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
     if (lost)
-        emit session().notice(QCoreApplication::translate(
+        session().notify(QCoreApplication::translate(
             "PaintTool", "There is no direction to follow: the numbers on the right were used."));
     session().document().changeDesign(title(dabs), std::move(next));
     if (!erases) brush().layer().set({m_layer, aim()});

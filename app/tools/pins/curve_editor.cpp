@@ -262,7 +262,7 @@ void CurveEditor<Dim>::removePoint() {
     if (next)
         change(QCoreApplication::translate("CurveEditor", "Delete curve point"), *next);
     else if (own && chosen() > 0)
-        emit m_session.notice(QCoreApplication::translate("CurveEditor", "The ends of a curve must stay."));
+        m_session.notify(QCoreApplication::translate("CurveEditor", "The ends of a curve must stay."));
 }
 
 template <int Dim>

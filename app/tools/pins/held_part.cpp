@@ -159,8 +159,7 @@ bool holdPart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part) {
     if (const auto place = placementOf(surface, part))
         return session.addHandle<Dim>(*place,
                                       QCoreApplication::translate("GrabTool", "Part").toStdString()) >= 0;
-    emit session.notice(
-        QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
+    session.notify(QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
     return false;
 }
 
@@ -170,14 +169,14 @@ bool changePart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part, Qt::Keyboard
     ShapeSession& session = surface.session();
     const auto own = adds || takes ? selectedPart(surface) : std::nullopt;
     if (!own && takes && !adds)
-        emit session.notice(QCoreApplication::translate("GrabTool", "Select one part to take away from."));
+        session.notify(QCoreApplication::translate("GrabTool", "Select one part to take away from."));
     if (!own) return takes && !adds;
     const auto changed = adds ? joined(*own, part) : without(*own, part);
     if (changed == *own) return true;
     if (const auto place = placementOf(surface, changed))
         session.changeHandle<Dim>(session.singleHandle(), *place);
     else
-        emit session.notice(
+        session.notify(
             QCoreApplication::translate("GrabTool", "A handle must hold something; Delete removes it."));
     return true;
 }

@@ -83,11 +83,11 @@ bool PenTool<Dim>::begin(const QPointF& at) {
     if (const int pin = pinAt(at); pin >= 0) {
         session().selection().set({pin});
         if (!beginAt({pin})) return false;
-        emit session().notice({});  // about a click outside all pins
+        session().notify({});  // about a click outside all pins
         return true;
     }
     if (beginAt(session().selection().handles())) return true;
-    if (session().selection().isEmpty()) emit session().notice(hint());
+    if (session().selection().isEmpty()) session().notify(hint());
     return false;
 }
 

@@ -188,7 +188,7 @@ template <int Dim>
 bool PinTool<Dim>::refuse(const Part& part) {
     if (part.kind == Grip::Kind::Move || m_gizmo.canTurn()) return false;
     m_gesture = Gesture::None;
-    emit session().notice(refusal(part.kind));
+    session().notify(refusal(part.kind));
     return true;
 }
 

@@ -62,7 +62,7 @@ void RegionTool::release(const QMouseEvent& event) {
 void RegionTool::take(Qt::KeyboardModifiers with) {
     const auto vertices = verticesInside<3>(region(), *session().frame<3>()->rest);
     if (vertices.empty())
-        return emit session().notice(
+        return session().notify(
             QCoreApplication::translate("RegionTool", "There is no vertex in this region."));
     if (changePart<3>(surface(), vertices, with)) return;
     session().addHandle<3>(region(), QCoreApplication::translate("RegionTool", "Region").toStdString());

@@ -1,9 +1,9 @@
 #include "app/view/actions/appearance_choice.h"
 
 #include <QApplication>
-#include <QSettings>
 
 #include "app/session/mark_size.h"
+#include "app/session/preferences.h"
 #include "app/tools/shape_surface.h"
 #include "app/view/actions/actions.h"
 #include "app/view/volume/solid_canvas.h"
@@ -21,12 +21,12 @@ AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
 }
 
 void AppearanceChoice::restore() {
-    apply(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+    apply(static_cast<Appearance>(preferences::appearance.value()));
     restoreMarks();
 }
 
 void AppearanceChoice::restoreMarks() {
-    const double kept = QSettings().value("markSize", 1).toDouble();
+    const double kept = preferences::markSize.value();
     const QAction* chosen = nullptr;
     for (QAction* one : m_actions.markSizes->actions())
         if (one->data().toDouble() == kept) one->setChecked(true), chosen = one;
@@ -35,7 +35,7 @@ void AppearanceChoice::restoreMarks() {
 
 /// Updates all views at once.
 void AppearanceChoice::enlargeMarks(double factor) {
-    QSettings().setValue("markSize", factor);
+    preferences::markSize.set(factor);
     setMarkSize(factor);
     for (QWidget* one : m_window.findChildren<QWidget*>()) {
         if (auto* picture = dynamic_cast<ShapeSurface<2>*>(one)) picture->redraw();
@@ -44,7 +44,7 @@ void AppearanceChoice::enlargeMarks(double factor) {
 }
 
 void AppearanceChoice::apply(Appearance appearance) {
-    QSettings().setValue("appearance", static_cast<int>(appearance));
+    preferences::appearance.set(static_cast<int>(appearance));
     const QPalette look = wendPalette(appearance, m_system);
     QApplication::setPalette(look);
     const QString sheet = wendStyleSheet(look);

@@ -1,15 +1,9 @@
 #include "app/view/actions/backdrop_choice.h"
+#include "app/session/preferences.h"
 
 #include <QActionGroup>
-#include <QSettings>
 
 namespace wend {
-
-namespace {
-
-const QString kBackdropSetting = QStringLiteral("backdrop");
-
-}  // namespace
 
 BackdropChoice::BackdropChoice(QObject* parent)
     : ActionMaker(parent), m_menu(new QMenu), m_group(new QActionGroup(this)) {
@@ -19,7 +13,7 @@ BackdropChoice::BackdropChoice(QObject* parent)
         {{tr("&White"), tr("White behind the shape, to see dark edges")}, QColor(Qt::white)},
         {{tr("&Grey"), tr("Grey behind the shape")}, QColor(128, 128, 128)},
         {{tr("&Black"), tr("Black behind the shape, to see light edges")}, QColor(Qt::black)}};
-    const int remembered = QSettings().value(kBackdropSetting, 0).toInt();
+    const int remembered = preferences::backdrop.value();
     for (const auto& [words, colour] : choices) {
         QAction* one = addToggle(words, {});
         one->setData(colour);
@@ -34,7 +28,7 @@ QColor BackdropChoice::colour() const {
 }
 
 void BackdropChoice::choose(const QAction* chosen) {
-    QSettings().setValue(kBackdropSetting, m_group->actions().indexOf(chosen));
+    preferences::backdrop.set(static_cast<int>(m_group->actions().indexOf(chosen)));
     emit changed(colour());
 }
 

@@ -1,16 +1,14 @@
 #include "app/view/actions/language_choice.h"
+#include "app/session/preferences.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QSettings>
 
 namespace wend {
 
 namespace {
-
-const QString kLanguageSetting = QStringLiteral("language");
 
 struct Language {
     const char *code, *name;
@@ -20,7 +18,7 @@ constexpr Language kLanguages[] = {{"de", "Deutsch"},  {"en", "English"}, {"es",
 
 /// Returns the code from the settings; empty for the desktop's language.
 QString chosenCode() {
-    const QString kept = QSettings().value(kLanguageSetting).toString();
+    const QString kept = preferences::language.value();
     for (const Language& one : kLanguages)
         if (kept == QLatin1String(one.code)) return kept;
     return {};
@@ -79,7 +77,7 @@ LanguageChoice::LanguageChoice(QObject* parent)
 }
 
 void LanguageChoice::choose(const QString& code) {
-    QSettings().setValue(kLanguageSetting, code);
+    preferences::language.set(code);
     if (code != m_spoken) emit changed(tr("The language changes when Wend starts the next time."));
 }
 

@@ -2,11 +2,11 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 
 #include "app/document/domain.h"
 #include "app/document/in_background.h"
 #include "app/document/said.h"
+#include "app/session/preferences.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_formats.h"
 #include "core/mesh/skin_file.h"
@@ -41,12 +41,11 @@ DetailChooser::DetailChooser(Document& document, QWidget& window)
     : QObject(&window), m_document(document), m_window(window) {}
 
 void DetailChooser::ask() {
-    QSettings settings;
     const QString path =
-        QFileDialog::getOpenFileName(&m_window, tr("Choose Skin"), settings.value("folder").toString(),
+        QFileDialog::getOpenFileName(&m_window, tr("Choose Skin"), preferences::folder.value(),
                                      tr("Surfaces (%1)").arg(surfacePatterns()));
     if (path.isEmpty()) return;
-    settings.setValue("folder", QFileInfo(path).absolutePath());
+    preferences::folder.set(QFileInfo(path).absolutePath());
     read(QFileInfo(path).absoluteFilePath());
 }
 

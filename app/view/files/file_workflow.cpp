@@ -10,11 +10,11 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QSettings>
 
 #include "app/document/in_background.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
+#include "app/session/preferences.h"
 #include "app/session/run/own_files.h"
 #include "app/view/export/save_dialog.h"
 #include "app/view/files/project_watch.h"
@@ -93,9 +93,7 @@ void FileWorkflow::askOpen() {
                             tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
                             tr("Projects (*.wend)") + QStringLiteral(";;") +
                             tr("Meshes (%1)").arg(meshExtensions());
-    QSettings settings;
-    openAll(
-        QFileDialog::getOpenFileNames(&m_window, tr("Open"), settings.value("folder").toString(), filters));
+    openAll(QFileDialog::getOpenFileNames(&m_window, tr("Open"), preferences::folder.value(), filters));
 }
 
 void FileWorkflow::openAll(const QStringList& paths) {
@@ -361,7 +359,7 @@ bool FileWorkflow::mayLeave() {
 
 QStringList FileWorkflow::recent() const {
     QStringList existing;
-    for (const QString& path : QSettings().value("recent").toStringList())
+    for (const QString& path : preferences::recentFiles.value())
         if (QFileInfo::exists(path)) existing << path;
     return existing;
 }
@@ -371,12 +369,11 @@ void FileWorkflow::addRecent(const QString& path) {
     const QString folder = QFileInfo(path).absolutePath();
     const QStringList samples = samplePaths();
     if (!samples.isEmpty() && folder == QFileInfo(samples.first()).absolutePath()) return;
-    QSettings settings;
-    settings.setValue("folder", folder);
+    preferences::folder.set(folder);
     QStringList paths = recent();
     paths.removeAll(path);
     paths.prepend(path);
-    settings.setValue("recent", paths.mid(0, kMostRemembered));
+    preferences::recentFiles.set(paths.mid(0, kMostRemembered));
     emit recentChanged();
 }
 
