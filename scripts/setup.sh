@@ -53,12 +53,18 @@ configure() { # PRESET OPTION…: quietly; all that cmake said where it failed
     rm -f "$log"
 }
 
+configured_with() { # NAME=VALUE…: whether the build is configured so
+    [ -e "$build_dir/build.ninja" ] || return 1
+    for setting in "$@"; do
+        grep -q "^${setting%%=*}:BOOL=${setting#*=}\$" "$build_dir/CMakeCache.txt" || return 1
+    done
+}
+
 build() { # TARGET…
-    local werror=${WEND_WERROR:-OFF} when=again
+    local settings=("WEND_WERROR=${WEND_WERROR:-OFF}") when=again
+    [ -z "${WEND_LIBRARY:-}" ] || settings+=("WEND_LIBRARY=$WEND_LIBRARY")
     [ -e "$build_dir/.ninja_log" ] || when=first
-    if [ ! -e "$build_dir/build.ninja" ] || ! grep -q "^WEND_WERROR:BOOL=$werror\$" "$build_dir/CMakeCache.txt"; then
-        configure release -DWEND_WERROR="$werror" || return 1
-    fi
+    configured_with "${settings[@]}" || configure release "${settings[@]/#/-D}" || return 1
     NINJA_STATUS='[%f/%t] ' ninja -C "$build_dir" "$@" 2>&1 | narrate_build "$when" >&2
     return "${PIPESTATUS[0]}"
 }

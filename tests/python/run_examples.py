@@ -1,22 +1,47 @@
 #!/usr/bin/env python3
-"""Runs every example of a page in Python, each in a folder of its own with the samples in it.
+"""Runs examples in Python, each in a folder of its own with the samples in it: every one of a page, or the cells of a
+notebook after one another.
 
-usage: run_examples.py PAGE SAMPLES, with the folder of the module in PYTHONPATH.
+usage: run_examples.py SAMPLES PAGE|NOTEBOOK…, with the folder of the module in PYTHONPATH. Ends with 77, which skips the
+test, if there are notebooks but no Matplotlib.
 """
+import importlib.util
+import json
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
-page, samples = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-examples = re.findall(r'^```python\n(.*?)^```$', page.read_text(), re.MULTILINE | re.DOTALL)
-if len(examples) < 3:
-    sys.exit(f'{page}: only {len(examples)} examples were found')
-for example in examples:
+
+def examples_of(file):
+    text = file.read_text()
+    if file.suffix == '.ipynb':
+        cells = [''.join(cell['source']) for cell in json.loads(text)['cells'] if cell['cell_type'] == 'code']
+        return ['import matplotlib\nmatplotlib.use("Agg")\n' + '\n'.join(cells)]
+    return re.findall(r'^```python\n(.*?)^```$', text, re.MULTILINE | re.DOTALL)
+
+
+def run(file, example, samples):
     with tempfile.TemporaryDirectory() as folder:
         for sample in samples.iterdir():
             (pathlib.Path(folder) / sample.name).symlink_to(sample)
-        done = subprocess.run([sys.executable, '-W', 'error', '-c', example], cwd=folder)
+        # Debian's Matplotlib warns about NumPy's.
+        strict = [] if file.suffix == '.ipynb' else ['-W', 'error']
+        done = subprocess.run([sys.executable, *strict, '-c', example], cwd=folder)
         if done.returncode != 0:
-            sys.exit(f'{page}: this example ends with {done.returncode}:\n{example}')
+            sys.exit(f'{file}: this example ends with {done.returncode}:\n{example}')
+
+
+samples, files = pathlib.Path(sys.argv[1]).resolve(), [pathlib.Path(name) for name in sys.argv[2:]]
+if not files:
+    sys.exit('no examples are given')
+if any(file.suffix == '.ipynb' for file in files) and importlib.util.find_spec('matplotlib') is None:
+    print('skipped: python3-matplotlib is not installed')
+    sys.exit(77)
+for file in files:
+    examples = examples_of(file)
+    if not examples:
+        sys.exit(f'{file}: no example is found')
+    for example in examples:
+        run(file, example, samples)
