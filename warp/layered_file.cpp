@@ -1,9 +1,6 @@
 #include "warp/layered_file.h"
 
-#include <minizip/unzip.h>
-
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <pugixml.hpp>
 #include <set>
@@ -11,43 +8,11 @@
 
 #include "core/mesh/error.h"
 #include "warp/byte_numbers.h"
+#include "warp/krita_layer.h"
+#include "warp/zip_archive.h"
 
 namespace wend {
 namespace {
-
-constexpr std::uint64_t kLongest = std::uint64_t(2) << 30;  // bytes of a file in an archive
-
-class ZipArchive {
-  public:
-    explicit ZipArchive(const std::string& path) : m_path(path), m_zip(unzOpen64(path.c_str()), unzClose) {
-        if (!m_zip) fail("is a damaged ZIP archive");
-    }
-
-    /// Returns the file of that name, or its first bytes; nothing if there is none.
-    std::optional<std::string> file(const std::string& name, std::uint64_t most = kLongest) const {
-        unz_file_info64 info{};
-        if (unzLocateFile(m_zip.get(), name.c_str(), 1) != UNZ_OK) return std::nullopt;
-        if (unzGetCurrentFileInfo64(m_zip.get(), &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK ||
-            unzOpenCurrentFile(m_zip.get()) != UNZ_OK)
-            fail("has a damaged " + name);
-        if (info.uncompressed_size > kLongest) fail("has a " + name + " of more than 2 GB");
-        std::string bytes(std::min<std::uint64_t>(info.uncompressed_size, most), '\0');
-        for (std::size_t at = 0; at < bytes.size();) {
-            const auto part = static_cast<unsigned>(std::min<std::size_t>(bytes.size() - at, 1 << 20));
-            const int got = unzReadCurrentFile(m_zip.get(), bytes.data() + at, part);
-            if (got <= 0) fail("has a damaged " + name);
-            at += static_cast<std::size_t>(got);
-        }
-        if (unzCloseCurrentFile(m_zip.get()) == UNZ_CRCERROR) fail("has a damaged " + name);
-        return bytes;
-    }
-
-    [[noreturn]] void fail(const std::string& why) const { throw InputError(m_path, why); }
-
-  private:
-    std::string m_path;
-    std::unique_ptr<void, int (*)(unzFile)> m_zip;
-};
 
 /// The places where a format keeps the properties of its layers.
 struct Description {
@@ -60,14 +25,21 @@ struct Description {
 constexpr Description kOpenRaster{"stack.xml", "composite-op", "visibility", "visible", 1};
 constexpr Description kKrita{"maindoc.xml", "compositeop", "visible", "1", 255};
 
+std::string blendOf(const pugi::xml_node& node, const Description& description) {
+    const std::string blend = node.attribute(description.blend).as_string("normal");
+    return blend.substr(blend.find(':') + 1);  // "svg:multiply" by OpenRaster
+}
+
 PictureLayer layerOf(const pugi::xml_node& node, const Description& description) {
     PictureLayer layer;
     layer.name = node.attribute("name").value();
     layer.x = node.attribute("x").as_int();
     layer.y = node.attribute("y").as_int();
-    std::string blend = node.attribute(description.blend).as_string("normal");
-    layer.blend = blend.substr(blend.find(':') + 1);        // "svg:multiply" by OpenRaster
+    layer.blend = blendOf(node, description);
     for (pugi::xml_node at = node; at; at = at.parent()) {  // with the groups that it is in
+        const std::string mode = blendOf(at, description);
+        if (at != node && !isPlainBlend(mode))
+            layer.leftOut.push_back("the blend mode " + mode + " of its group");
         const std::string_view shown = at.attribute(description.visible).as_string(description.shown);
         layer.visible = layer.visible && shown == description.shown;
         layer.opacity *= at.attribute("opacity").as_double(description.opaque) / description.opaque;
@@ -86,10 +58,13 @@ void takeSize(const std::optional<std::string>& png, PictureLayer& layer) {
 /// The layers of a description, without groups, and where their pictures are in the archive.
 struct LayerList {
     std::vector<PictureLayer> layers;
-    std::vector<std::string> files;
+    std::vector<std::string> files;  // of OpenRaster
+    std::vector<KritaLayer> kritas;
 };
 
-LayerList layersOf(const ZipArchive& zip, const Description& description) {
+LayerList layersOf(const ZipArchive& zip, PictureFormat format) {
+    const bool isKrita = format == PictureFormat::Krita;
+    const Description& description = isKrita ? kKrita : kOpenRaster;
     const auto text = zip.file(description.file);
     pugi::xml_document document;
     if (!text || !document.load_buffer(text->data(), text->size()))
@@ -99,6 +74,7 @@ LayerList layersOf(const ZipArchive& zip, const Description& description) {
         PictureLayer layer = layerOf(found.node(), description);
         list.files.emplace_back(found.node().attribute("src").value());
         if (!list.files.back().empty()) takeSize(zip.file(list.files.back(), 24), layer);
+        if (isKrita) list.kritas.push_back(kritaLayerOf(zip, found.node(), layer));
         list.layers.push_back(std::move(layer));
     }
     std::vector<std::string*> names;
@@ -113,7 +89,11 @@ LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
     const ZipArchive zip(path);
     auto merged = zip.file("mergedimage.png");
     if (!merged) zip.fail("holds no picture of all its layers (mergedimage.png): save it with one");
-    return {std::move(*merged), layersOf(zip, format == PictureFormat::Krita ? kKrita : kOpenRaster).layers};
+    return {std::move(*merged), layersOf(zip, format).layers};
+}
+
+bool isPlainBlend(const std::string& mode) {
+    return mode.empty() || mode == "normal" || mode == "src-over" || mode == "pass-through";
 }
 
 void giveOwnNames(const std::vector<std::string*>& names) {
@@ -132,10 +112,14 @@ std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::strin
     return static_cast<std::size_t>(found - layers.begin());
 }
 
-std::string readLayerPicture(const std::string& path, const std::string& name) try {
+std::string readLayerPicture(const std::string& path, PictureFormat format, const std::string& name) try {
     const ZipArchive zip(path);
-    const LayerList list = layersOf(zip, kOpenRaster);
-    auto picture = zip.file(list.files[layerNamed(list.layers, name)]);
+    const LayerList list = layersOf(zip, format);
+    const std::size_t place = layerNamed(list.layers, name);
+    if (!list.layers[place].unread.empty())
+        throw InputError("its layer \"" + name + "\" " + list.layers[place].unread + " and cannot be read");
+    if (format == PictureFormat::Krita) return kritaLayerPicture(zip, list.kritas[place]);
+    auto picture = zip.file(list.files[place]);
     if (!picture) throw InputError("holds no picture of its layer \"" + name + '"');
     return std::move(*picture);
 } catch (const InputError& error) {

@@ -24,7 +24,11 @@ void giveOwnNames(const std::vector<std::string*>& names);
 /// Returns the place of the layer with that name. Throws InputError without a file if there is none.
 std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name);
 
-/// Reads the picture of one layer, a PNG file, of an OpenRaster file. Throws InputError(path, reason).
-std::string readLayerPicture(const std::string& path, const std::string& name);
+/// Reads the picture of one layer, a PNG file, of an OpenRaster or Krita file. Throws
+/// InputError(path, reason).
+std::string readLayerPicture(const std::string& path, PictureFormat format, const std::string& name);
+
+/// Returns whether layers of that mode cover those below: its own words in OpenRaster, Krita and Photoshop.
+bool isPlainBlend(const std::string& mode);
 
 }  // namespace wend

@@ -15,6 +15,9 @@ struct PictureLayer {
     double opacity = 1;
     std::string blend;  // mode; empty if the file's library knows neither it nor opacity and visibility
     bool visible = true;
+    bool clipped = false;                   // it shows only where the one below is
+    std::string unread = {};                // why its pixels cannot be read: "is a vector layer"
+    std::vector<std::string> leftOut = {};  // what is not shown of it: "its filter mask"
 };
 
 /// The metadata of every picture that was read from a file.

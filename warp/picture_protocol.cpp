@@ -16,7 +16,7 @@ PictureMessage messageOf(const std::vector<PictureLayer>& layers) {
     PictureMessage list = PictureMessage::array();
     for (const PictureLayer& layer : layers)
         list.push_back({layer.name, layer.x, layer.y, layer.width, layer.height, layer.opacity, layer.blend,
-                        layer.visible});
+                        layer.visible, layer.clipped, layer.unread, layer.leftOut});
     return list;
 }
 
@@ -24,7 +24,7 @@ std::vector<PictureLayer> layersOf(const PictureMessage& list) {
     std::vector<PictureLayer> layers;
     for (const PictureMessage& layer : list)
         layers.push_back({layer.at(0), layer.at(1), layer.at(2), layer.at(3), layer.at(4), layer.at(5),
-                          layer.at(6), layer.at(7)});
+                          layer.at(6), layer.at(7), layer.at(8), layer.at(9), layer.at(10)});
     return layers;
 }
 

@@ -132,11 +132,11 @@ PictureSource layerSourceOf(const std::string& path, const std::string& layer,
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::Psd)
-        source.bytes = readPsdLayer(file, layer, notices);
-    else if (source.format == PictureFormat::OpenRaster)
-        source.bytes = readLayerPicture(path, layer);
+        source.bytes = readPsdLayer(file, layer);
+    else if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita)
+        source.bytes = readLayerPicture(path, source.format, layer);
     else
-        throw InputError(path, "its layers cannot be read one by one: save it as OpenRaster (.ora) or .psd");
+        throw InputError(path, "has no layers that can be read one by one");
     source.format = PictureFormat::Png;
     takePng({path, source.bytes}, source, notices);
     return source;

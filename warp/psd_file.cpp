@@ -12,6 +12,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/byte_numbers.h"
+#include "warp/png_bytes.h"
 
 namespace wend {
 namespace {
@@ -97,27 +98,48 @@ std::string blendMode(std::string_view key) {
     return known != kBlendModes.end() ? known->second : std::string(key);
 }
 
+/// What a layer is multiplied with: a plane in a box of the picture, one number elsewhere.
+struct PsdMask {
+    PixelBox box;
+    int elsewhere = 255;
+    bool isUsed = false;
+};
+
+PsdMask maskIn(ByteWalk walk) {
+    constexpr unsigned kOff = 2;
+    PsdMask mask;
+    if (walk.left() < 18) return mask;
+    mask.box.y = walk.signedNumber(), mask.box.x = walk.signedNumber();
+    mask.box.height = walk.signedNumber() - mask.box.y, mask.box.width = walk.signedNumber() - mask.box.x;
+    mask.elsewhere = static_cast<int>(walk.number(1));
+    mask.isUsed = (walk.number(1) & kOff) == 0;
+    return mask;
+}
+
 /// A layer's record. Groups are records, too: one below their layers, and one above with their properties.
 struct LayerRecord {
     enum class Kind { Layer, GroupTop, GroupBottom };
     Kind kind = Kind::Layer;
     PictureLayer layer;
-    bool hasMask = false;
-    std::vector<std::pair<int, std::uint64_t>> channels;  // what it is (−1: alpha), bytes
+    PsdMask mask;
+    std::vector<std::pair<int, std::uint64_t>> channels;  // what it is (−1: alpha, −2: mask), bytes
 };
 
 /// Takes what follows a layer's record: its name, and whether it is one or begins or ends a group.
 void takeExtras(ByteWalk extras, bool isLarge, LayerRecord& record) {
     constexpr std::uint32_t kBottom = 3;
-    const std::uint32_t mask = extras.number();
-    record.hasMask = mask > 0;
-    extras.skip(mask);
+    record.mask = maskIn(ByteWalk(std::string(extras.bytes(extras.number()))));
     extras.skip(extras.number());  // blending ranges
     const std::size_t length = extras.number(1);
     record.layer.name = extras.bytes(length);
     extras.skip(std::min<std::size_t>((4 - (length + 1) % 4) % 4, extras.left()));
     while (const auto block = nextBlock(extras, isLarge)) {
         if (block->key == "luni" && block->data.size() >= 4) record.layer.name = utf8(block->data.substr(4));
+        if (block->key == "iOpa" && !block->data.empty())
+            record.layer.opacity *= bigEndian(block->data, 0, 1) / 255.0;
+        if (block->key == "lfx2") record.layer.leftOut.emplace_back("its effects");
+        if ((block->key == "vmsk" || block->key == "vsms") && !record.mask.isUsed)
+            record.layer.leftOut.emplace_back("its vector mask");
         if (block->key != "lsct" || block->data.size() < 4) continue;
         const std::uint32_t kind = bigEndian(block->data);
         if (kind != 0)
@@ -138,7 +160,7 @@ LayerRecord nextRecord(ByteWalk& walk, bool isLarge) {
     walk.skip(4);
     layer.blend = blendMode(walk.bytes(4));
     layer.opacity = walk.number(1) / 255.0;
-    walk.skip(1);
+    layer.clipped = walk.number(1) != 0;
     layer.visible = (walk.number(1) & kHidden) == 0;
     walk.skip(1);
     takeExtras(ByteWalk(std::string(walk.bytes(walk.number()))), isLarge, record);
@@ -147,12 +169,19 @@ LayerRecord nextRecord(ByteWalk& walk, bool isLarge) {
 
 /// Gives layers the opacity of their groups, from the top down, and hides them with these.
 void takeGroups(std::vector<LayerRecord>& records) {
-    std::vector<std::pair<double, bool>> groups{{1, true}};
+    std::vector<PictureLayer> groups(1);
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
-        record->layer.opacity *= groups.back().first;
-        record->layer.visible = record->layer.visible && groups.back().second;
-        if (record->kind == LayerRecord::Kind::GroupTop)
-            groups.emplace_back(record->layer.opacity, record->layer.visible);
+        PictureLayer& layer = record->layer;
+        const PictureLayer& group = groups.back();
+        layer.opacity *= group.opacity;
+        layer.visible = layer.visible && group.visible;
+        layer.leftOut.insert(layer.leftOut.end(), group.leftOut.begin(), group.leftOut.end());
+        if (record->kind == LayerRecord::Kind::GroupTop) {
+            if (!isPlainBlend(layer.blend))
+                layer.leftOut.push_back("the blend mode " + layer.blend + " of its group");
+            if (record->mask.isUsed) layer.leftOut.emplace_back("the mask of its group");
+            groups.push_back(PictureLayer(layer));
+        }
         if (record->kind == LayerRecord::Kind::GroupBottom && groups.size() > 1) groups.pop_back();
     }
 }
@@ -221,74 +250,16 @@ std::string noLayers(bool isLarge, bool isTransparent) {
     return length(layers.size()) + layers;
 }
 
-/// The planes of a layer, each after how it is packed: not, by runs of bytes (PackBits), or by zlib.
-class PsdPlanes {
+/// Unpacks planes of one size, each after how it is packed: not, by runs of bytes (PackBits), or by zlib.
+class PsdUnpacker {
   public:
-    PsdPlanes(const LayerRecord& record, std::string pixels, unsigned bits, bool isLarge)
-        : m_width(static_cast<std::size_t>(std::max(record.layer.width, 0))),
-          m_height(static_cast<std::size_t>(std::max(record.layer.height, 0))),
+    PsdUnpacker(int width, int height, unsigned bits, bool isLarge)
+        : m_width(static_cast<std::size_t>(std::max(width, 0))),
+          m_height(static_cast<std::size_t>(std::max(height, 0))),
           m_bytes(bits / 8),
           m_isLarge(isLarge) {
-        if (m_width == 0 || m_height == 0)
-            throw InputError("has an empty layer \"" + record.layer.name + '"');
         if (1e-6 * static_cast<double>(m_width) * static_cast<double>(m_height) > kMaxMegapixels)
             throw InputError("has a layer of more than 400 million pixels");
-        ByteWalk walk(std::move(pixels));
-        for (const auto& [kind, length] : record.channels) {
-            const std::string_view packed = walk.bytes(length);
-            if (kind >= -1) m_planes[kind] = unpacked(ByteWalk(std::string(packed)));
-        }
-    }
-
-    /// A PNG file of the planes, with this colour profile if it is not empty.
-    std::string png(int colours, const std::string& profile) const {
-        constexpr std::array<char, 8> kMark{'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
-        std::vector<std::string_view> planes;
-        for (int kind = 0; kind < colours; ++kind) planes.push_back(plane(kind));
-        const bool hasAlpha = m_planes.contains(-1);
-        if (hasAlpha) planes.push_back(plane(-1));
-        std::string rows;
-        for (std::size_t y = 0; y < m_height; ++y) {
-            rows += '\0';
-            for (std::size_t at = y * rowBytes(); at < (y + 1) * rowBytes(); at += m_bytes)
-                for (const std::string_view one : planes) rows += one.substr(at, m_bytes);
-        }
-        const int kind = (colours > 1 ? 2 : 0) + (hasAlpha ? 4 : 0);
-        const std::string header = bytesOf(m_width, 4) + bytesOf(m_height, 4) + bytesOf(8 * m_bytes, 1) +
-                                   bytesOf(static_cast<std::size_t>(kind), 1) + std::string(3, '\0');
-        std::string file(kMark.begin(), kMark.end());
-        file += chunk("IHDR", header);
-        if (!profile.empty()) file += chunk("iCCP", "profile" + std::string(2, '\0') + zipped(profile));
-        return file + chunk("IDAT", zipped(rows)) + chunk("IEND", {});
-    }
-
-  private:
-    std::size_t rowBytes() const { return m_width * m_bytes; }
-    std::size_t size() const { return rowBytes() * m_height; }
-    std::string_view plane(int kind) const {
-        const auto found = m_planes.find(kind);
-        if (found == m_planes.end()) throw InputError("is truncated or corrupt");
-        return found->second;
-    }
-
-    static std::string bytesOf(std::size_t value, std::size_t size) {
-        std::string bytes(size, '\0');
-        for (std::size_t k = size; k-- > 0; value >>= 8U) bytes[k] = static_cast<char>(value & 0xffU);
-        return bytes;
-    }
-    static std::string chunk(const std::string& name, const std::string& data) {
-        const std::string named = name + data;
-        const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(named.data()), named.size());
-        return bytesOf(data.size(), 4) + named + bytesOf(sum, 4);
-    }
-    static std::string zipped(std::string_view bytes) {
-        uLongf length = compressBound(bytes.size());
-        std::string packed(length, '\0');
-        if (compress2(reinterpret_cast<Bytef*>(packed.data()), &length,
-                      reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 1) != Z_OK)
-            throw InputError("cannot be unpacked");
-        packed.resize(length);
-        return packed;
     }
 
     std::string unpacked(ByteWalk walk) const {
@@ -302,6 +273,10 @@ class PsdPlanes {
         if (packing == ZipOfDifferences) sumUp(plane);
         return plane;
     }
+
+  private:
+    std::size_t rowBytes() const { return m_width * m_bytes; }
+    std::size_t size() const { return rowBytes() * m_height; }
 
     /// PackBits: a number n ≥ 0 before n + 1 bytes, or −n before one that is there n + 1 times.
     std::string fromRuns(ByteWalk& walk) const {
@@ -345,7 +320,81 @@ class PsdPlanes {
 
     std::size_t m_width, m_height, m_bytes;
     bool m_isLarge;
-    std::map<int, std::string> m_planes;  // by what they are: −1 alpha, 0 … the colours
+};
+
+/// The planes of a layer, and its mask.
+class PsdPlanes {
+  public:
+    PsdPlanes(const LayerRecord& record, std::string pixels, unsigned bits, bool isLarge)
+        : m_box{record.layer.x, record.layer.y, record.layer.width, record.layer.height},
+          m_bytes(bits / 8),
+          m_mask(record.mask) {
+        if (m_box.width < 1 || m_box.height < 1)
+            throw InputError("has an empty layer \"" + record.layer.name + '"');
+        const PsdUnpacker own(m_box.width, m_box.height, bits, isLarge);
+        const PsdUnpacker ofMask(m_mask.box.width, m_mask.box.height, bits, isLarge);
+        ByteWalk walk(std::move(pixels));
+        for (const auto& [kind, length] : record.channels) {
+            ByteWalk packed{std::string(walk.bytes(length))};
+            if (kind >= -1) m_planes[kind] = own.unpacked(std::move(packed));
+            if (kind == kMask && m_mask.isUsed) m_planes[kind] = ofMask.unpacked(std::move(packed));
+        }
+        if (m_planes.contains(kMask)) applyMask();
+    }
+
+    /// Returns a PNG file of the planes, with this colour profile if it is not empty.
+    std::string png(int colours, const std::string& profile) const {
+        std::vector<std::string_view> planes;
+        for (int kind = 0; kind < colours; ++kind) planes.push_back(plane(kind));
+        const bool hasAlpha = m_planes.contains(-1);
+        if (hasAlpha) planes.push_back(plane(-1));
+        PngPixels pixels{m_box.width, m_box.height, static_cast<int>(8 * m_bytes), colours, hasAlpha, {}};
+        for (std::size_t at = 0; at < size(); at += m_bytes)
+            for (const std::string_view one : planes) pixels.rows += one.substr(at, m_bytes);
+        return pngBytes(pixels, profile);
+    }
+
+  private:
+    static constexpr int kMask = -2;
+
+    std::size_t size() const {
+        return m_bytes * static_cast<std::size_t>(m_box.width) * static_cast<std::size_t>(m_box.height);
+    }
+    std::string_view plane(int kind) const {
+        const auto found = m_planes.find(kind);
+        if (found == m_planes.end()) throw InputError("is truncated or corrupt");
+        return found->second;
+    }
+
+    /// The mask's number at a pixel of the picture, of as many bits as those of the planes.
+    std::uint32_t maskAt(const std::string& mask, int x, int y) const {
+        const PixelBox& box = m_mask.box;
+        if (x < box.x || y < box.y || x >= box.x + box.width || y >= box.y + box.height)
+            return static_cast<std::uint32_t>(m_mask.elsewhere) * (m_bytes == 2 ? 257U : 1U);
+        const auto pixel = static_cast<std::size_t>(y - box.y) * static_cast<std::size_t>(box.width) +
+                           static_cast<std::size_t>(x - box.x);
+        return bigEndian(mask, pixel * m_bytes, m_bytes);
+    }
+
+    void applyMask() {
+        const std::string mask = std::move(m_planes[kMask]);
+        const std::uint64_t full = m_bytes == 2 ? 65535 : 255;
+        std::string& alpha = m_planes[-1];
+        if (alpha.empty()) alpha.assign(size(), '\xff');
+        for (std::size_t at = 0, pixel = 0; at < alpha.size(); at += m_bytes, ++pixel) {
+            const auto width = static_cast<std::size_t>(m_box.width);
+            const std::uint64_t factor = maskAt(mask, m_box.x + static_cast<int>(pixel % width),
+                                                m_box.y + static_cast<int>(pixel / width));
+            const std::uint64_t value = (bigEndian(alpha, at, m_bytes) * factor + full / 2) / full;
+            for (std::size_t k = 0; k < m_bytes; ++k)
+                alpha[at + k] = static_cast<char>(value >> (8 * (m_bytes - 1 - k)) & 0xffU);
+        }
+    }
+
+    PixelBox m_box;
+    std::size_t m_bytes;
+    PsdMask m_mask;
+    std::map<int, std::string> m_planes;  // by what they are: −2 the mask, −1 alpha, 0 … the colours
 };
 
 /// The sections of a file, each after its length: colours, resources, layers, and the picture.
@@ -373,7 +422,7 @@ class PsdSections {
     }
 
     /// Returns a PNG file of that layer.
-    std::string layer(const std::string& name, std::vector<std::string>& notices) {
+    std::string layer(const std::string& name) {
         constexpr unsigned kGrey = 1, kRgb = 3;
         const LayerSection section = layers();
         layerNamed(section.layers(), name);
@@ -386,8 +435,6 @@ class PsdSections {
             const std::string header = m_file.bytes(0, 26);
             const unsigned mode = bigEndian(header, 24, 2);
             if (mode != kGrey && mode != kRgb) throw InputError("has colours that are neither RGB nor grey");
-            if (record.hasMask)
-                notices.push_back("the mask of its layer \"" + name + "\" is left out: apply it first");
             if (const unsigned bits = bigEndian(header, 22, 2); bits != 8 && bits != 16)
                 throw InputError("has layers of " + std::to_string(bits) + " bits: only 8 and 16 are read");
             const PsdPlanes planes(record, section.pixels.substr(std::min(at, section.pixels.size())),
@@ -440,9 +487,8 @@ LayeredFile readPsdFile(const InputFile& file) try {
     throw error.named(file.path());
 }
 
-std::string readPsdLayer(const InputFile& file, const std::string& name,
-                         std::vector<std::string>& notices) try {
-    return PsdSections(file).layer(name, notices);
+std::string readPsdLayer(const InputFile& file, const std::string& name) try {
+    return PsdSections(file).layer(name);
 } catch (const InputError& error) {
     throw error.named(file.path());
 }

@@ -11,8 +11,8 @@ namespace wend {
 /// Formats Specification" describes the format. Throws InputError(path, reason).
 LayeredFile readPsdFile(const InputFile& file);
 
-/// Returns a PNG file of one layer, without its mask, which is mentioned in `notices`. Throws
-/// InputError(path, reason), also for colours other than RGB and grey.
-std::string readPsdLayer(const InputFile& file, const std::string& name, std::vector<std::string>& notices);
+/// Returns a PNG file of one layer, whose mask is applied. Throws InputError(path, reason), also for colours
+/// other than RGB and grey.
+std::string readPsdLayer(const InputFile& file, const std::string& name);
 
 }  // namespace wend

@@ -55,6 +55,9 @@ Json layersInfo(const std::vector<PictureLayer>& layers) {
             one["opacity"] = layer.opacity;
             one["blend"] = layer.blend;
             one["visible"] = layer.visible;
+            if (layer.clipped) one["clipped"] = true;
+            if (!layer.unread.empty()) one["unread"] = layer.unread;
+            if (!layer.leftOut.empty()) one["leftOut"] = layer.leftOut;
         }
         list.push_back(one);
     }

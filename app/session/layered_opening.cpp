@@ -22,11 +22,20 @@ bool hasOutline(const Image& picture) {
     }
 }
 
-/// Returns the layers from front to back. A Photoshop file begins with the layer at the back.
-std::vector<PictureLayer> layersOf(const Image& picture, PictureFormat format) {
+/// Returns the layers that can be read from front to back. Photoshop and TIFF files begin with the one at the
+/// back.
+std::vector<PictureLayer> layersOf(const std::string& path, const Image& picture,
+                                   std::vector<std::string>& notices) {
+    const PictureFormat format = pictureFormat(InputFile(path));
     std::vector<PictureLayer> layers = fileMetadata(picture)->layers;
-    if (format == PictureFormat::Psd) std::ranges::reverse(layers);
-    std::erase_if(layers, [](const PictureLayer& layer) { return layer.width < 1 || layer.height < 1; });
+    if (format == PictureFormat::Psd || format == PictureFormat::Tiff) std::ranges::reverse(layers);
+    for (const PictureLayer& layer : layers)
+        if (!layer.unread.empty())
+            notices.push_back(path + ": the layer \"" + layer.name + "\" " + layer.unread +
+                              ": it is left out");
+    std::erase_if(layers, [](const PictureLayer& layer) {
+        return !layer.unread.empty() || layer.width < 1 || layer.height < 1;
+    });
     return layers;
 }
 
@@ -50,9 +59,9 @@ void letSmallOnesRide(std::vector<PicturePart>& parts, const PartPictures& pictu
 
 std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& picture,
                                        std::vector<std::string>& notices) try {
-    const PictureFormat format = pictureFormat(InputFile(path));
-    if (format != PictureFormat::OpenRaster && format != PictureFormat::Psd) return {};
-    const std::vector<PictureLayer> layers = layersOf(picture, format);
+    if (fileMetadata(picture)->layers.size() < 2) return {};
+    std::vector<std::string> ofLayers;
+    const std::vector<PictureLayer> layers = layersOf(path, picture, ofLayers);
     if (layers.size() < 2) return {};
     std::vector<PicturePart> parts;
     for (const PictureLayer& layer : layers) {
@@ -61,7 +70,6 @@ std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& pic
         part.path = path;
         part.hidden = !layer.visible;
     }
-    std::vector<std::string> ofLayers;
     letSmallOnesRide(parts, loadParts(parts, {}, {}, &ofLayers));
     if (parts.size() < 2) return {};
     notices = std::move(ofLayers);  // instead of that it was flattened

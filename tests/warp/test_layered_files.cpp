@@ -6,6 +6,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/image.h"
+#include "warp/krita_pixels.h"
 #include "warp/picture_metadata.h"
 
 using namespace wend;
@@ -41,6 +42,10 @@ class TestLayeredFiles : public QObject {
     void layersAreListed();
     void layersAreRead_data();
     void layersAreRead();
+    void masksAreApplied();
+    void greyLayers();
+    void layersOfOtherKinds();
+    void lzf();
     void damagedFiles_data();
     void damagedFiles();
 
@@ -57,10 +62,10 @@ void TestLayeredFiles::pictureOfAllLayers_data() {
     QTest::addColumn<int>("layers");
     QTest::addColumn<bool>("exact");
     QTest::newRow("OpenRaster") << "layers.ora" << 3 << true;
-    QTest::newRow("Krita") << "layers.kra" << 2 << true;
-    QTest::newRow("Photoshop") << "layers.psd" << 2 << false;
-    QTest::newRow("Photoshop, 16 bits") << "layers16.psd" << 2 << false;
-    QTest::newRow("Photoshop, large, opaque") << "layers.psb" << 2 << true;
+    QTest::newRow("Krita") << "layers.kra" << 5 << true;
+    QTest::newRow("Photoshop") << "layers.psd" << 3 << false;
+    QTest::newRow("Photoshop, 16 bits") << "layers16.psd" << 3 << false;
+    QTest::newRow("Photoshop, large, opaque") << "layers.psb" << 3 << true;
 }
 
 /// A Photoshop file has transparent colours over white, rounded: taken off again they are within a step of
@@ -94,13 +99,20 @@ void TestLayeredFiles::pictureOfAllLayers() {
 void TestLayeredFiles::layersAreListed_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QStringList>("layers");
-    const QStringList photoshop{"Körper 0 0 8 6 1 normal shown", "arm -2 1 4 3 0.2 multiply hidden"};
+    const QStringList photoshop{"Körper 0 0 8 6 1 normal shown", "masked 0 0 8 6 1 plus shown clipped",
+                                "arm -2 1 4 3 0.2 multiply hidden"};
     QTest::newRow("OpenRaster") << "layers.ora"
                                 << QStringList{"head 3 1 4 3 0.5 multiply shown",
                                                "arm & hand -2 0 4 3 1 normal hidden",
                                                "Körper 0 0 8 6 1 normal shown"};
     QTest::newRow("Krita") << "layers.kra"
-                           << QStringList{"ink 4 2 0 0 0.2 multiply hidden", "ground 0 0 0 0 1 normal shown"};
+                           << QStringList{
+                                  "words 0 0 0 0 1 normal shown: is a vector layer",
+                                  "arm -2 -1 4 3 0.2 multiply hidden: the blend mode screen of its "
+                                  "group, its filter mask",
+                                  "ink 0 0 0 0 1 normal shown: has colours of the kind CMYKA, not RGB or "
+                                  "grey of 8 or 16 bits",
+                                  "masked 0 0 8 6 1 add shown clipped", "Körper 0 0 8 6 1 normal shown"};
     for (const char* name : {"layers.psd", "layers16.psd", "layers.psb"})
         QTest::newRow(name) << name << photoshop;
 }
@@ -111,16 +123,21 @@ void TestLayeredFiles::layersAreListed() {
     QFETCH(QStringList, layers);
     const Image image = readImage(given(name));
     QStringList found;
-    for (const PictureLayer& layer : fileMetadata(image)->layers)
+    for (const PictureLayer& layer : fileMetadata(image)->layers) {
+        QStringList also;
+        if (!layer.unread.empty()) also << QString::fromStdString(layer.unread);
+        for (const std::string& what : layer.leftOut) also << QString::fromStdString(what);
         found << QString("%1 %2 %3 %4 %5 %6 %7 %8")
-                     .arg(QString::fromStdString(layer.name))
-                     .arg(layer.x)
-                     .arg(layer.y)
-                     .arg(layer.width)
-                     .arg(layer.height)
-                     .arg(layer.opacity)
-                     .arg(QString::fromStdString(layer.blend))
-                     .arg(layer.visible ? "shown" : "hidden");
+                         .arg(QString::fromStdString(layer.name))
+                         .arg(layer.x)
+                         .arg(layer.y)
+                         .arg(layer.width)
+                         .arg(layer.height)
+                         .arg(layer.opacity)
+                         .arg(QString::fromStdString(layer.blend))
+                         .arg(layer.visible ? "shown" : "hidden") +
+                     (layer.clipped ? " clipped" : "") + (also.empty() ? "" : ": " + also.join(", "));
+    }
     QCOMPARE(found, layers);
 }
 
@@ -130,6 +147,12 @@ void TestLayeredFiles::layersAreRead_data() {
     QTest::addColumn<int>("scale");
     QTest::newRow("OpenRaster") << "layers.ora"
                                 << "arm & hand" << 1;
+    QTest::newRow("Krita") << "layers.kra"
+                           << "arm" << 1;
+    QTest::newRow("Krita, 16 bits") << "layers16.kra"
+                                    << "arm" << 257;
+    QTest::newRow("Krita, written by itself") << "by_krita.kra"
+                                              << "arm & hand" << 1;
     QTest::newRow("Photoshop, runs") << "layers.psd"
                                      << "arm" << 1;
     QTest::newRow("Photoshop, zip") << "layers16.psd"
@@ -144,13 +167,17 @@ void TestLayeredFiles::layersAreRead() {
     QFETCH(QString, layer);
     QFETCH(int, scale);
     const Image image = readLayer(given(name), layer.toStdString());
-    QCOMPARE(QSize(image.width, image.height), QSize(4, 3));
+    const bool isWhole = name == "by_krita.kra";  // all of a tile
+    QCOMPARE(QSize(image.width, image.height), isWhole ? QSize(64, 64) : QSize(4, 3));
     QCOMPARE(image.channels, 4);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < 4; ++c) QCOMPARE(sample(image, x, y, c), scale * pixel(x, y)[std::size_t(c)]);
+            for (int c = 0; c < 4; ++c) {
+                const bool isInside = x < 4 && y < 3;
+                QCOMPARE(sample(image, x, y, c), isInside ? scale * pixel(x, y)[std::size_t(c)] : 0);
+            }
     const Image ground = readLayer(given(name), "Körper");
-    QCOMPARE(QSize(ground.width, ground.height), QSize(kWidth, kHeight));
+    QCOMPARE(QSize(ground.width, ground.height), isWhole ? QSize(64, 64) : QSize(kWidth, kHeight));
     const auto reasonFor = [&](const std::string& file, const std::string& one) {
         try {
             readLayer(file, one);
@@ -160,7 +187,65 @@ void TestLayeredFiles::layersAreRead() {
         return QString();
     };
     QCOMPARE(reasonFor(given(name), "tail"), QString("has no layer \"tail\""));
-    QVERIFY(reasonFor(given("layers.kra"), "ink").startsWith("its layers cannot be read one by one"));
+}
+
+/// Both have the numbers 51 x of the mask, from (1, 0) on, and white beside it.
+void TestLayeredFiles::masksAreApplied() {
+    const auto check = [](const char* name, int width, int height, int maskWidth) {
+        const Image image = readLayer(given(name), "masked");
+        QCOMPARE(QSize(image.width, image.height), QSize(width, height));
+        const int scale = image.type == PixelType::UInt8 ? 1 : 257;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const bool isMasked = x >= 1 && x < 1 + maskWidth && y < 3;
+                const double factor = isMasked ? 51 * (x - 1) / 255.0 : 1;
+                const int alpha = pixel(x, y)[3] * scale;
+                QVERIFY(std::abs(sample(image, x, y, 3) - factor * alpha) <= 0.51);
+                for (int c = 0; c < 3; ++c)
+                    QCOMPARE(sample(image, x, y, c), scale * pixel(x, y)[static_cast<std::size_t>(c)]);
+            }
+    };
+    check("layers.kra", kWidth, kHeight, 4);
+    check("layers16.kra", kWidth, kHeight, 4);
+    check("layers.psd", kWidth, kHeight, 2);
+    check("layers16.psd", kWidth, kHeight, 2);
+    check("layers.psb", kWidth, kHeight, 2);
+}
+
+void TestLayeredFiles::greyLayers() {
+    const Image image = readLayer(given("grey.kra"), "arm");
+    QCOMPARE(image.channels, 2);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            QCOMPARE(sample(image, x, y, 0), pixel(x, y)[1]);
+            QCOMPARE(sample(image, x, y, 1), pixel(x, y)[3]);
+        }
+}
+
+void TestLayeredFiles::layersOfOtherKinds() {
+    const auto reasonFor = [&](const char* file, const std::string& layer) {
+        try {
+            readLayer(given(file), layer);
+        } catch (const InputError& error) {
+            return QString::fromStdString(error.reason());
+        }
+        return QString();
+    };
+    QCOMPARE(reasonFor("layers.kra", "words"),
+             QString("its layer \"words\" is a vector layer and cannot be read"));
+    QVERIFY(reasonFor("layers.kra", "ink").contains("CMYKA"));
+}
+
+/// The shortest examples of each kind of its parts, and damaged ones.
+void TestLayeredFiles::lzf() {
+    QCOMPARE(fromLzf({"\2abc", 4}, 3), std::string("abc"));
+    QCOMPARE(fromLzf({"\2abc\x20\2", 6}, 6), std::string("abcabc"));     // three bytes from three back
+    QCOMPARE(fromLzf({"\0a\xe0\1\0", 5}, 11), std::string(11, 'a'));     // 7 + 1 + 2 times the last one
+    QVERIFY_EXCEPTION_THROWN(fromLzf({"\2ab", 3}, 3), InputError);       // too few literals
+    QVERIFY_EXCEPTION_THROWN(fromLzf({"\0a\x20\1", 4}, 4), InputError);  // from before the first byte
+    QVERIFY_EXCEPTION_THROWN(fromLzf({"\0a\x20", 3}, 4), InputError);    // no distance
+    QVERIFY_EXCEPTION_THROWN(fromLzf({"\2abc", 4}, 2), InputError);      // more than there should be
+    QVERIFY_EXCEPTION_THROWN(fromLzf({"\2abc", 4}, 4), InputError);      // fewer
 }
 
 void TestLayeredFiles::damagedFiles_data() {

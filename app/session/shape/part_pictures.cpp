@@ -31,10 +31,7 @@ class PartReader {
         const LayersOfFile& file = layersOf(path);
         const PictureLayer& layer = named(file, path, part.layer);
         auto picture = std::make_shared<const Image>(readLayer(path, part.layer, m_notices));
-        const bool isPlain = layer.blend.empty() || layer.blend == "normal" || layer.blend == "src-over";
-        if (!isPlain && m_notices)
-            m_notices->push_back(path + ": the layer \"" + layer.name + "\" has the blend mode " +
-                                 layer.blend + ": it is shown as normal");
+        if (m_notices) tellOf(layer, path);
         return picture;
     }
 
@@ -59,6 +56,14 @@ class PartReader {
     }
 
   private:
+    void tellOf(const PictureLayer& layer, const std::string& path) {
+        const std::string which = path + ": the layer \"" + layer.name + "\" ";
+        if (!isPlainBlend(layer.blend))
+            m_notices->push_back(which + "has the blend mode " + layer.blend + ": it is shown as normal");
+        if (layer.clipped) m_notices->push_back(which + "is clipped by the one below: it is shown whole");
+        for (const std::string& what : layer.leftOut)
+            m_notices->push_back(which + "is shown without " + what);
+    }
     static const PictureLayer& named(const LayersOfFile& file, const std::string& path,
                                      const std::string& name) try {
         return file.layers[layerNamed(file.layers, name)];

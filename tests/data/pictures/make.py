@@ -2,7 +2,8 @@
 """Writes the layered pictures beside it with nothing but Python: OpenRaster, Krita and Photoshop files of 8 x 6 pixels.
 
 The picture of all layers has the pixel (20 x + 5, 40 y + 3, 7 x y, 255 - 30 x) at (x, y); layers.psb has none of its
-transparency. What Wend reads of them is in tests/warp/test_layered_files.cpp.
+transparency. Krita 5.1.5 has written by_krita.kra: it is layers.ora, converted by `krita --export`. What Wend reads of
+them is in tests/warp/test_layered_files.cpp.
 """
 import pathlib
 import struct
@@ -45,10 +46,61 @@ STACK = """<?xml version='1.0' encoding='UTF-8'?>
 MAINDOC = """<?xml version="1.0" encoding="UTF-8"?>
 <!DOCTYPE DOC PUBLIC '-//KDE//DTD krita 2.0//EN' 'http://www.calligra.org/DTD/krita-2.0.dtd'>
 <DOC xmlns="http://www.calligra.org/DTD/krita"><IMAGE name="a" width="8" height="6"><layers>
- <layer name="group" nodetype="grouplayer" x="0" y="0" opacity="255" compositeop="normal" visible="1"><layers>
-  <layer name="ink" nodetype="paintlayer" x="4" y="2" opacity="51" compositeop="multiply" visible="0"/></layers></layer>
- <layer name="ground" nodetype="paintlayer" x="0" y="0" opacity="255" compositeop="normal" visible="1"/>
+ <layer name="words" nodetype="shapelayer" filename="layer1" x="0" y="0" opacity="255" compositeop="normal" visible="1"/>
+ <layer name="group" nodetype="grouplayer" x="0" y="0" opacity="255" compositeop="screen" visible="0"><layers>
+  <layer name="arm" nodetype="paintlayer" filename="layer2" colorspacename="COLOURS" x="2" y="2" opacity="51" compositeop="multiply"
+   visible="1"><masks><mask nodetype="filtermask" filename="mask9" x="0" y="0"/></masks></layer></layers></layer>
+ <layer name="ink" nodetype="paintlayer" filename="layer5" colorspacename="CMYKA" x="0" y="0" opacity="255" compositeop="normal"/>
+ <layer name="masked" nodetype="paintlayer" filename="layer3" colorspacename="COLOURS" x="0" y="0" opacity="255" compositeop="add"
+   channelflags="1110">
+  <masks><mask nodetype="transparencymask" filename="mask4" x="1" y="0" visible="1"/></masks></layer>
+ <layer name="K\u00f6rper" nodetype="paintlayer" filename="layer3" colorspacename="COLOURS" x="0" y="0" opacity="255" compositeop="normal"/>
 </layers></IMAGE></DOC>"""
+
+
+def lzf(data):
+    """Runs of one byte are references to the byte before, all others literals."""
+    packed, at, literal = b"", 0, b""
+    while at < len(data):
+        run = 0
+        while at > 0 and run < 264 and at + run < len(data) and data[at + run] == data[at - 1]:
+            run += 1
+        if run >= 3 or (len(literal) == 32):
+            packed += bytes([len(literal) - 1]) + literal if literal else b""
+            literal = b""
+        if run >= 3:
+            packed += bytes([run - 2 << 5, 0]) if run < 9 else bytes([7 << 5, run - 9, 0])
+            at += run
+        else:
+            literal += data[at:at + 1]
+            at += 1
+    return packed + (bytes([len(literal) - 1]) + literal if literal else b"")
+
+
+def tiles(boxes, pixel_bytes, sample):
+    """Krita's pixels: tiles of 4 x 3, every second one packed, with the bytes sorted by their place in a pixel."""
+    data = f"VERSION 2\nTILEWIDTH 4\nTILEHEIGHT 3\nPIXELSIZE {pixel_bytes}\nDATA {len(boxes)}\n".encode()
+    for number, (left, top) in enumerate(boxes):
+        pixels = [sample(left + x, top + y) for y in range(3) for x in range(4)]
+        content = b"\0" + b"".join(pixels)
+        if number % 2 == 0:
+            content = b"\1" + lzf(b"".join(pixel[k:k + 1] for k in range(pixel_bytes) for pixel in pixels))
+        data += f"{left},{top},LZF,{len(content)}\n".encode() + content
+    return data
+
+
+def krita(name, kind, pack):
+    """Pixels are packed by `pack`; the layer "arm" is at (1, -1), left of and above its own origin by a tile."""
+    size = len(pack((0, 0, 0, 0)))
+    whole = [(0, 0), (4, 0), (0, 3), (4, 3)]
+    archive(name, "application/x-krita", [
+        ("maindoc.xml", MAINDOC.replace("COLOURS", kind)), ("mergedimage.png", png(WIDTH, HEIGHT, pixel)),
+        ("a/layers/layer2", tiles([(-4, -3)], size, lambda x, y: pack(pixel(x + 4, y + 3)))),
+        ("a/layers/layer2.defaultpixel", bytes(size)),
+        ("a/layers/layer3", tiles(whole, size, lambda x, y: pack(pixel(x, y)))),
+        ("a/layers/layer3.defaultpixel", pack((0, 0, 0, 255))),
+        ("a/layers/mask4.pixelselection", tiles([(0, 0)], 1, lambda x, y: bytes([51 * x]))),
+        ("a/layers/mask4.pixelselection.defaultpixel", b"\xff")])
 
 
 def packed_row(row):
@@ -76,20 +128,25 @@ def psd(name, depth, large, transparent):
         data += b"\0" * (-len(data) % 4)
         return b"8BIM" + key + struct.pack(">I", len(data)) + data
 
-    def record(label, left, top, width, height, blend, opacity, flags, divider):
+    def record(label, left, top, width, height, blend, opacity, flags, divider, mask=None):
         pixels = [] if divider else [(c, channel_data(plane(max(c, 0) if c >= 0 else 3, width, height))) for c in (-1, 0, 1, 2)]
         name8 = label.encode("ascii", "replace")
         name8 = bytes([len(name8)]) + name8
-        extras = struct.pack(">II", 0, 0) + name8 + b"\0" * (-len(name8) % 4)
+        masked = b""
+        if mask:  # of 2 x 3 pixels at (1, 0), white elsewhere, of the numbers 51 x
+            masked = struct.pack(">iiiiBBH", 0, 1, 3, 3, 255, 0, 0)
+            pixels.append((-2, channel_data([b"".join(struct.pack(sample, scale * 51 * x) for x in range(2))] * 3)))
+        extras = struct.pack(">I", len(masked)) + masked + struct.pack(">I", 0) + name8 + b"\0" * (-len(name8) % 4)
         extras += block(b"luni", struct.pack(">I", len(label)) + label.encode("utf-16-be"))
         if divider:
             extras += block(b"lsct", struct.pack(">I", divider))
         head = struct.pack(">iiiiH", top, left, top + height, left + width, len(pixels))
         head += b"".join(struct.pack(">h" + size[1], c, len(data)) for c, data in pixels)
-        head += b"8BIM" + blend + bytes([opacity, 0, flags, 0]) + struct.pack(">I", len(extras)) + extras
+        head += b"8BIM" + blend + bytes([opacity, 1 if mask else 0, flags, 0]) + struct.pack(">I", len(extras)) + extras
         return head, b"".join(data for _, data in pixels)
 
     layers = [record("</Layer group>", 0, 0, 0, 0, b"norm", 255, 0, 3), record("Körper", 0, 0, 8, 6, b"norm", 255, 0, 0),
+              record("masked", 0, 0, 8, 6, b"lddg", 255, 0, 0, True),
               record("arm", -2, 1, 4, 3, b"mul ", 51, 2, 0), record("limbs", 0, 0, 0, 0, b"pass", 255, 0, 1)]
     info = struct.pack(">h", -len(layers) if transparent else len(layers))
     info += b"".join(head for head, _ in layers) + b"".join(data for _, data in layers)
@@ -119,7 +176,9 @@ if __name__ == "__main__":
     part = png(4, 3, pixel)
     archive("layers.ora", "image/openraster", [("stack.xml", STACK), ("mergedimage.png", merged), ("data/0.png", part),
                                                ("data/1.png", part), ("data/2.png", merged)])
-    archive("layers.kra", "application/x-krita", [("maindoc.xml", MAINDOC), ("mergedimage.png", merged)])
+    krita("layers.kra", "RGBA", lambda c: bytes([c[2], c[1], c[0], c[3]]))
+    krita("layers16.kra", "RGBA16", lambda c: struct.pack("<HHHH", *(257 * v for v in (c[2], c[1], c[0], c[3]))))
+    krita("grey.kra", "GRAYA", lambda c: bytes([c[1], c[3]]))
     psd("layers.psd", 8, False, True)
     psd("layers16.psd", 16, False, True)
     psd("layers.psb", 8, True, False)

@@ -1,0 +1,37 @@
+#include "warp/zip_archive.h"
+
+#include <minizip/unzip.h>
+
+#include <algorithm>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+
+ZipArchive::ZipArchive(const std::string& path) : m_path(path), m_zip(unzOpen64(path.c_str()), unzClose) {
+    if (!m_zip) fail("is a damaged ZIP archive");
+}
+
+std::optional<std::string> ZipArchive::file(const std::string& name, std::uint64_t most) const {
+    unz_file_info64 info{};
+    if (unzLocateFile(m_zip.get(), name.c_str(), 1) != UNZ_OK) return std::nullopt;
+    if (unzGetCurrentFileInfo64(m_zip.get(), &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK ||
+        unzOpenCurrentFile(m_zip.get()) != UNZ_OK)
+        fail("has a damaged " + name);
+    if (info.uncompressed_size > kLongest) fail("has a " + name + " of more than 2 GB");
+    std::string bytes(std::min<std::uint64_t>(info.uncompressed_size, most), '\0');
+    for (std::size_t at = 0; at < bytes.size();) {
+        const auto part = static_cast<unsigned>(std::min<std::size_t>(bytes.size() - at, 1 << 20));
+        const int got = unzReadCurrentFile(m_zip.get(), bytes.data() + at, part);
+        if (got <= 0) fail("has a damaged " + name);
+        at += static_cast<std::size_t>(got);
+    }
+    if (unzCloseCurrentFile(m_zip.get()) == UNZ_CRCERROR) fail("has a damaged " + name);
+    return bytes;
+}
+
+void ZipArchive::fail(const std::string& why) const {
+    throw InputError(m_path, why);
+}
+
+}  // namespace wend
