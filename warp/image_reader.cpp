@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
+#include "warp/atlas.h"
 #include "warp/image.h"
 #include "warp/orientation.h"
+#include "warp/picture_metadata.h"
 #include "warp/picture_process.h"
 #include "warp/pixels.h"
 
@@ -48,16 +52,49 @@ Image readUpright(const std::string& path, const std::string& layer, double maxM
     throw OutOfMemory(path);
 }
 
+/// Returns whether the file's layers are its pages, of which the first is what a reader finds.
+bool hasPagesAsLayers(const std::string& path, const Image& image) {
+    return !fileMetadata(image)->layers.empty() && pictureFormat(InputFile(path)) == PictureFormat::Tiff;
+}
+
+/// Returns the size of all pages, at their places.
+std::pair<int, int> sizeOf(const std::vector<PictureLayer>& pages) {
+    int width = 1, height = 1;
+    for (const PictureLayer& page : pages) {
+        width = std::max(width, page.x + page.width);
+        height = std::max(height, page.y + page.height);
+    }
+    return {width, height};
+}
+
+/// Returns the pages over one another, the first one below.
+Image flattenedPages(const std::string& path, const Image& first, double maxMegapixels) {
+    const std::vector<PictureLayer>& pages = fileMetadata(first)->layers;
+    const auto [width, height] = sizeOf(pages);
+    if (width * 1e-6 * height > maxMegapixels) throw InputError(path, "has pages that are too far apart");
+    std::vector<Sheet> sheets;
+    for (const PictureLayer& page : pages) {
+        const auto picture = std::make_shared<const Image>(readLayer(path, page.name));
+        sheets.insert(sheets.begin(), {picture, Vec<2>(page.x, page.y)});
+    }
+    Image image = flattened(sheets, width, height);
+    image.metadata = first.metadata;
+    return image;
+}
+
 }  // namespace
 
 Image readImageHeader(const std::string& path) {
     auto [image, orientation, ignored] = readPictureHeader(path);
     if (orientation >= 5) std::swap(image.width, image.height);
+    if (hasPagesAsLayers(path, image))
+        std::tie(image.width, image.height) = sizeOf(fileMetadata(image)->layers);
     return std::move(image);
 }
 
 Image readImage(const std::string& path, double maxMegapixels, std::vector<std::string>* notices) {
-    return readUpright(path, {}, maxMegapixels, notices);
+    Image image = readUpright(path, {}, maxMegapixels, notices);
+    return hasPagesAsLayers(path, image) ? flattenedPages(path, image, maxMegapixels) : image;
 }
 
 Image readLayer(const std::string& path, const std::string& layer, std::vector<std::string>* notices) {

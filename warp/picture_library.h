@@ -23,6 +23,7 @@ struct PictureSource {
     std::optional<ColourSpace> colours = {};  // that take the place of what the format's library says
     std::vector<PictureLayer> layers = {};    // that the file says are merged in the picture
     bool namesExtraSamples = true;            // false of a TIFF that does not say what follows its colours
+    std::optional<int> page = {};  // of several pictures; without: the first, as the file's picture
 };
 
 /// A picture as it is stored in its file, how an EXIF tag asks to turn it (upright()), and notices for the

@@ -44,6 +44,7 @@ class TestLayeredFiles : public QObject {
     void layersAreRead();
     void masksAreApplied();
     void greyLayers();
+    void pagesAreFlattened();
     void layersOfOtherKinds();
     void lzf();
     void damagedFiles_data();
@@ -113,6 +114,8 @@ void TestLayeredFiles::layersAreListed_data() {
                                   "ink 0 0 0 0 1 normal shown: has colours of the kind CMYKA, not RGB or "
                                   "grey of 8 or 16 bits",
                                   "masked 0 0 8 6 1 add shown clipped", "Körper 0 0 8 6 1 normal shown"};
+    QTest::newRow("TIFF") << "layers.tif" << QStringList{"Körper 0 0 8 6 1  shown", "arm 5 4 4 3 1  shown"};
+    QTest::newRow("TIFF of pages without names") << "pages.tif" << QStringList{};
     for (const char* name : {"layers.psd", "layers16.psd", "layers.psb"})
         QTest::newRow(name) << name << photoshop;
 }
@@ -153,6 +156,8 @@ void TestLayeredFiles::layersAreRead_data() {
                                     << "arm" << 257;
     QTest::newRow("Krita, written by itself") << "by_krita.kra"
                                               << "arm & hand" << 1;
+    QTest::newRow("TIFF") << "layers.tif"
+                          << "arm" << 1;
     QTest::newRow("Photoshop, runs") << "layers.psd"
                                      << "arm" << 1;
     QTest::newRow("Photoshop, zip") << "layers16.psd"
@@ -220,6 +225,31 @@ void TestLayeredFiles::greyLayers() {
             QCOMPARE(sample(image, x, y, 0), pixel(x, y)[1]);
             QCOMPARE(sample(image, x, y, 1), pixel(x, y)[3]);
         }
+}
+
+/// The first page is below, and the picture reaches as far as both.
+void TestLayeredFiles::pagesAreFlattened() {
+    std::vector<std::string> notices;
+    const std::string path = given("layers.tif");
+    const Image image = readImage(path, kMaxMegapixels, &notices);
+    QCOMPARE(QSize(image.width, image.height), QSize(9, 7));
+    QCOMPARE(readImageHeader(path).width, 9);
+    QCOMPARE(notices, std::vector{path + ": has 2 layers: opened flattened"});
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 9; ++x) {
+            const bool isBody = x < 8 && y < 6, isArm = x >= 5 && y >= 4;
+            std::array<int, 4> body{}, arm{};
+            if (isBody) body = pixel(x, y);
+            if (isArm) arm = pixel(x - 5, y - 4);
+            const double through = 1 - arm[3] / 255.0, alpha = arm[3] + through * body[3];
+            QVERIFY(std::abs(sample(image, x, y, 3) - alpha) <= 0.51);
+            for (int c = 0; c < 3 && alpha > 0; ++c) {
+                const double colour =
+                    (arm[std::size_t(c)] * arm[3] + through * body[std::size_t(c)] * body[3]) / alpha;
+                QVERIFY(std::abs(sample(image, x, y, c) - colour) <= 1 + 255 / alpha);
+            }
+        }
+    QCOMPARE(readImage(given("pages.tif")).width, kWidth);
 }
 
 void TestLayeredFiles::layersOfOtherKinds() {

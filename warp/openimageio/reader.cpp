@@ -45,7 +45,8 @@ class OpenPicture {
         hints.attribute("oiio:UnassociatedAlpha", 1);
         OIIO::Filesystem::IOProxy* const bytes = &m_bytes;
         if (!source.bytes.empty()) hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
-        if (m_input->open(source.path, spec, hints)) return;
+        if (m_input->open(source.path, spec, hints) && m_input->seek_subimage(source.page.value_or(0), 0))
+            return;
         const std::string reason = firstLine(m_input->geterror());
         throw InputError(source.path,
                          "cannot be read as a picture" + (reason.empty() ? reason : ": " + reason));
@@ -271,9 +272,10 @@ bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Image&
               void* pixels) {
     const OIIO::TypeDesc type = typeDesc(image.type);
     if (spec.tile_width == 0)
-        return input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, image.channels, type, pixels);
-    return input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z, spec.z + 1,
-                            0, image.channels, type, pixels);
+        return input.read_scanlines(input.current_subimage(), 0, spec.y + y, spec.y + end, spec.z, 0,
+                                    image.channels, type, pixels);
+    return input.read_tiles(input.current_subimage(), 0, spec.x, spec.x + spec.width, spec.y + y,
+                            spec.y + end, spec.z, spec.z + 1, 0, image.channels, type, pixels);
 }
 
 /// Reads in strips, so that memory is taken only as real data arrives.
@@ -370,6 +372,10 @@ void setPictures(const PictureSource& source, Image& image) {
             metadata->pictures = framesIn(source);
             break;
         case PictureFormat::Tiff:
+            if (source.page) break;
+            metadata->layers = source.layers;
+            if (source.layers.empty()) metadata->pictures = namesOf(specsIn(source));
+            break;
         case PictureFormat::Exr:
         case PictureFormat::Gif:
         case PictureFormat::Heif:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the layered pictures beside it with nothing but Python: OpenRaster, Krita and Photoshop files of 8 x 6 pixels.
+"""Writes the layered pictures beside it with nothing but Python: OpenRaster, Krita, Photoshop and TIFF files of 8 x 6 pixels.
 
 The picture of all layers has the pixel (20 x + 5, 40 y + 3, 7 x y, 255 - 30 x) at (x, y); layers.psb has none of its
 transparency. Krita 5.1.5 has written by_krita.kra: it is layers.ora, converted by `krita --export`. What Wend reads of
@@ -171,6 +171,31 @@ def psd(name, depth, large, transparent):
                               + struct.pack(size, len(section)) + section + merged)
 
 
+def tiff(name, pages):
+    """Pages with names and places, in fractions of an inch of 300 pixels, as GIMP writes layers."""
+    data = b"II*\0" + struct.pack("<I", 8)
+    for number, (label, left, top, width, height) in enumerate(pages):
+        begin = len(data)
+        pixels = b"".join(bytes(pixel(x, y)) for y in range(height) for x in range(width))
+        label = label.encode() + b"\0"
+        entries = [(254, 4, 1, 2), (256, 4, 1, width), (257, 4, 1, height), (258, 3, 4, struct.pack("<HHHH", 8, 8, 8, 8)), (259, 3, 1, 1),
+                   (262, 3, 1, 2), (273, 4, 1, pixels), (277, 3, 1, 4), (278, 4, 1, height), (279, 4, 1, len(pixels)),
+                   (282, 5, 1, struct.pack("<II", 300, 1)), (283, 5, 1, struct.pack("<II", 300, 1)), (285, 2, len(label), label),
+                   (286, 5, 1, struct.pack("<II", left, 300)), (287, 5, 1, struct.pack("<II", top, 300)), (296, 3, 1, 2), (338, 3, 1, 2)]
+        table, behind = b"", b""
+        for tag, kind, count, value in entries:
+            if isinstance(value, bytes) and len(value) <= 4:
+                value = struct.unpack("<I", value + b"\0" * (4 - len(value)))[0]
+            elif isinstance(value, bytes):
+                place = begin + 2 + 12 * len(entries) + 4 + len(behind)
+                behind += value + b"\0" * (len(value) % 2)
+                value = place
+            table += struct.pack("<HHII", tag, kind, count, value)
+        end = begin + 2 + len(table) + 4 + len(behind)
+        data += struct.pack("<H", len(entries)) + table + struct.pack("<I", 0 if number + 1 == len(pages) else end) + behind
+    (HERE / name).write_bytes(data)
+
+
 if __name__ == "__main__":
     merged = png(WIDTH, HEIGHT, pixel)
     part = png(4, 3, pixel)
@@ -182,3 +207,5 @@ if __name__ == "__main__":
     psd("layers.psd", 8, False, True)
     psd("layers16.psd", 16, False, True)
     psd("layers.psb", 8, True, False)
+    tiff("layers.tif", [("Körper", 0, 0, 8, 6), ("arm", 5, 4, 4, 3)])
+    tiff("pages.tif", [("one", 0, 0, 8, 6), ("", 0, 0, 4, 3)])
