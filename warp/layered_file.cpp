@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <pugixml.hpp>
-#include <set>
 #include <string_view>
 
 #include "core/mesh/error.h"
@@ -94,22 +93,6 @@ LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
 
 bool isPlainBlend(const std::string& mode) {
     return mode.empty() || mode == "normal" || mode == "src-over" || mode == "pass-through";
-}
-
-void giveOwnNames(const std::vector<std::string*>& names) {
-    std::set<std::string> taken;
-    for (std::string* name : names) {
-        if (name->empty()) *name = "layer";
-        const std::string own = *name;
-        for (int number = 2; !taken.insert(*name).second; ++number)
-            *name = own + " (" + std::to_string(number) + ")";
-    }
-}
-
-std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name) {
-    const auto found = std::ranges::find(layers, name, &PictureLayer::name);
-    if (found == layers.end()) throw InputError("has no layer \"" + name + '"');
-    return static_cast<std::size_t>(found - layers.begin());
 }
 
 std::string readLayerPicture(const std::string& path, PictureFormat format, const std::string& name) try {

@@ -83,7 +83,6 @@ constexpr std::array kNotRead{
     Mark<const char*>{0, "\xabKTX "sv, "a KTX texture"},
     Mark<const char*>{0, "%PDF"sv, "a PDF document"},
     Mark<const char*>{0, "%!PS"sv, "a PostScript document"},
-    Mark<const char*>{0, "<svg"sv, "an SVG drawing"},
     Mark<const char*>{0, "gimp xcf"sv, "a GIMP picture (XCF)"},
     Mark<const char*>{0, "P7"sv, "a PAM picture"},
     Mark<const char*>{0, "\0\0\2\0"sv, "a Windows cursor"},
@@ -117,7 +116,8 @@ bool isInItsContainer(PictureFormat format, std::string_view head) {
 }
 
 bool isSvg(std::string_view head) {
-    return head.starts_with("<?xml") && head.find("<svg") != std::string_view::npos;
+    return head.starts_with("<svg") ||
+           (head.starts_with("<?xml") && head.find("<svg") != std::string_view::npos);
 }
 
 /// Bytes below a blank that no text has.
@@ -131,7 +131,6 @@ bool arePoints(std::string_view head) {
 }
 
 std::string kindOfOther(std::string_view head) {
-    if (isSvg(head)) return "an SVG drawing";
     if (const auto known = marked(kNotRead, head); known != kNotRead.end()) return known->what;
     if (arePoints(head)) return "a list of points without a surface";
     return isText(head) ? "a text file" : "not a picture that Wend knows";
@@ -144,19 +143,20 @@ PictureFormat pictureFormat(const InputFile& file) {
     const std::string head = file.bytes(0, 512);
     const auto known = marked(kRead, head);
     if (known != kRead.end() && isInItsContainer(known->what, head)) return known->what;
+    if (isSvg(head)) return PictureFormat::Svg;
     if (isTga(head, static_cast<double>(file.size()))) return PictureFormat::Tga;
     throw InputError(file.path(), "is " + kindOfOther(head) +
                                       ". Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, "
-                                      "Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures");
+                                      "Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures");
 }
 
 const std::vector<std::string>& pictureFileExtensions() {
     static const std::vector<std::string> extensions{
-        ".png",  ".jpg",  ".jpeg", ".tif", ".tiff", ".exr",  ".webp", ".hdr", ".bmp", ".tga", ".pnm",
-        ".ppm",  ".pgm",  ".pbm",  ".pfm", ".gif",  ".apng", ".psd",  ".psb", ".ora", ".kra", ".heic",
-        ".heif", ".avif", ".jp2",  ".j2k", ".dds",  ".dpx",  ".cin",  ".sgi", ".rgb", ".iff", ".ico",
-        ".fits", ".dcm",  ".dng",  ".cr2", ".cr3",  ".crw",  ".nef",  ".nrw", ".arw", ".srf", ".sr2",
-        ".orf",  ".raf",  ".rw2",  ".pef", ".srw",  ".x3f",  ".mrw",  ".3fr", ".iiq", ".erf", ".kdc"};
+        ".png",  ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".webp", ".hdr", ".bmp", ".tga", ".pnm",  ".ppm",
+        ".pgm",  ".pbm", ".pfm",  ".gif", ".apng", ".psd", ".psb",  ".ora", ".kra", ".svg", ".heic", ".heif",
+        ".avif", ".jp2", ".j2k",  ".dds", ".dpx",  ".cin", ".sgi",  ".rgb", ".iff", ".ico", ".fits", ".dcm",
+        ".dng",  ".cr2", ".cr3",  ".crw", ".nef",  ".nrw", ".arw",  ".srf", ".sr2", ".orf", ".raf",  ".rw2",
+        ".pef",  ".srw", ".x3f",  ".mrw", ".3fr",  ".iiq", ".erf",  ".kdc"};
     return extensions;
 }
 

@@ -7,7 +7,8 @@
 
 namespace wend {
 
-/// The formats that are read: by OpenImageIO's readers, and last those of archives that hold a PNG.
+/// The formats that are read: by OpenImageIO's readers, and last archives that hold a PNG, and drawings of
+/// which one is made.
 enum class PictureFormat {
     Png,
     Jpeg,
@@ -32,7 +33,8 @@ enum class PictureFormat {
     Fits,
     Dicom,
     OpenRaster,
-    Krita
+    Krita,
+    Svg
 };
 
 /// Returns the format of a file by its first bytes, never by its name or by trying readers. TGA has no

@@ -1,5 +1,6 @@
 #include "warp/picture_source.h"
 
+#include <cstdint>
 #include <optional>
 
 #include "core/mesh/error.h"
@@ -10,6 +11,7 @@
 #include "warp/png_check.h"
 #include "warp/png_colours.h"
 #include "warp/psd_file.h"
+#include "warp/svg_layers.h"
 #include "warp/tga_check.h"
 #include "warp/tiff_pages.h"
 
@@ -51,6 +53,17 @@ void takePng(const InputFile& file, PictureSource& source, std::vector<std::stri
     tellOf(extras, notices);
 }
 
+/// A drawing as pixels: all of it, or one layer.
+PictureSource drawing(const InputFile& file, const std::string& layer, PictureSource source) {
+    constexpr std::uint64_t kLongest = 256U << 20U;
+    if (file.size() > kLongest) throw InputError(source.path, "is a drawing of more than 256 MB");
+    DrawnSvg drawn = drawnSvg(source.path, file.bytes(), layer);
+    if (layer.empty()) source.layers = std::move(drawn.layers);
+    source.bytes = std::move(drawn.picture);
+    source.format = PictureFormat::Png;
+    return source;
+}
+
 PictureSource tiffPage(const InputFile& file, const std::string& layer, PictureSource source) try {
     const TiffLayers found = tiffLayers(file);
     source.page = found.pages[layerNamed(found.layers, layer)];
@@ -70,6 +83,7 @@ PictureSource sourceOf(const std::string& path, std::vector<std::string>& notice
         takePng(mergedPicture(path, source), source, notices);
         return source;
     }
+    if (source.format == PictureFormat::Svg) return drawing(file, {}, source);
     if (source.format == PictureFormat::Psd) {
         LayeredFile layered = readPsdFile(file);
         source.bytes = std::move(layered.merged);
@@ -96,6 +110,7 @@ PictureSource layerSourceOf(const std::string& path, const std::string& layer,
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::Tiff) return tiffPage(file, layer, source);
+    if (source.format == PictureFormat::Svg) return drawing(file, layer, source);
     if (source.format == PictureFormat::Psd)
         source.bytes = readPsdLayer(file, layer);
     else if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita)

@@ -45,6 +45,8 @@ class TestLayeredFiles : public QObject {
     void masksAreApplied();
     void greyLayers();
     void pagesAreFlattened();
+    void groupsAreLayers();
+    void damagedDrawings();
     void layersOfOtherKinds();
     void lzf();
     void damagedFiles_data();
@@ -54,6 +56,11 @@ class TestLayeredFiles : public QObject {
     static QByteArray contents(const QString& name) {
         QFile file(QString::fromStdString(given(name)));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    std::string written(const QString& name, const QByteArray& text) const {
+        QFile file(m_folder.filePath(name));
+        if (file.open(QIODevice::WriteOnly)) file.write(text);
+        return file.fileName().toStdString();
     }
     QTemporaryDir m_folder;
 };
@@ -250,6 +257,51 @@ void TestLayeredFiles::pagesAreFlattened() {
             }
         }
     QCOMPARE(readImage(given("pages.tif")).width, kWidth);
+}
+
+/// The last group is in front. A small drawing is drawn larger, by a whole number: 16 pixels for one.
+void TestLayeredFiles::groupsAreLayers() {
+    const std::string path = written("drawing.svg", R"svg(<?xml version="1.0"?><!-- a drawing -->
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+     width="64" height="32" viewBox="0 0 64 32"><title>all</title><g transform="translate(8, 0)">
+ <g id="g1" inkscape:label="body"><rect x="16" y="8" width="32" height="16" fill="#00ff00"/></g>
+ <rect id="loose" x="40" y="4" width="4" height="4" fill="#0000ff"/><rect x="40" y="8" width="4" height="4"/>
+ <g id="arm" style="mix-blend-mode:multiply"><rect y="4" width="20" height="8" fill="#ff0000" fill-opacity="0.5"/></g>
+ <g id="ghost" style="display:none"><rect x="2" y="2" width="4" height="4" fill="#808080"/></g>
+</g></svg>)svg");
+    const Image image = readImage(path);
+    QCOMPARE(QSize(image.width, image.height), QSize(1024, 512));
+    QStringList found;
+    for (const PictureLayer& layer : fileMetadata(image)->layers)
+        found << QString("%1 %2 %3 %4 %5 %6 %7")
+                     .arg(QString::fromStdString(layer.name))
+                     .arg(layer.x)
+                     .arg(layer.y)
+                     .arg(layer.width)
+                     .arg(layer.height)
+                     .arg(QString::fromStdString(layer.blend))
+                     .arg(layer.visible);
+    QCOMPARE(found, (QStringList{"ghost 160 32 64 64 normal 0", "arm 128 64 320 128 multiply 1",
+                                 "loose 768 64 64 128 normal 1", "body 384 128 512 256 normal 1"}));
+    const auto colour = [](const Image& one, int x, int y) {
+        std::array<int, 4> values{};
+        for (int c = 0; c < 4; ++c) values[static_cast<std::size_t>(c)] = sample(one, x, y, c);
+        return values;
+    };
+    const Image arm = readLayer(path, "arm"), body = readLayer(path, "body"),
+                ghost = readLayer(path, "ghost");
+    QCOMPARE(QSize(arm.width, arm.height), QSize(320, 128));
+    const auto half = colour(arm, 100, 50);
+    QVERIFY(half[0] >= 254 && half[1] == 0 && std::abs(half[3] - 128) <= 1);
+    QCOMPARE(colour(body, 0, 0), (std::array{0, 255, 0, 255}));
+    QCOMPARE(colour(ghost, 10, 10), (std::array{128, 128, 128, 255}));
+    QCOMPARE(colour(image, 600, 200), (std::array{0, 255, 0, 255}));
+    QCOMPARE(colour(image, 170, 40)[3], 0);  // hidden
+}
+
+void TestLayeredFiles::damagedDrawings() {
+    for (const char* text : {"<svg", "<svg xmlns='http://www.w3.org/2000/svg'>", "<svg></g>", "<svg/>"})
+        QVERIFY_EXCEPTION_THROWN(readImage(written("damaged.svg", text)), InputError);
 }
 
 void TestLayeredFiles::layersOfOtherKinds() {

@@ -113,8 +113,6 @@ void TestPictureFormat::notRead_data() {
     row(QByteArray("\0\0\0\x20", 4) + "ftypisom" + zeros, "a film");
     row("FORM" + QByteArray("\0\0\1\0", 4) + "ILBMBMHD" + zeros, "an IFF file");
     row("PK\3\4" + QByteArray("\x14\0\0\0", 4) + zeros, "a ZIP archive");
-    row("<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG drawing");
-    row("<?xml version='1.0'?>\n<!-- drawn -->\n<svg/>", "an SVG drawing");
     row("%PDF-1.4\n" + zeros, "a PDF document");
     row("gimp xcf v011" + zeros, "a GIMP picture (XCF)");
     row("P7\nWIDTH 4\n", "a PAM picture");
