@@ -6,13 +6,14 @@
 
 namespace wend {
 
-void giveOwnNames(const std::vector<std::string*>& names) {
+void giveOwnNames(const std::vector<std::string*>& names, const std::string& mark) {
     std::set<std::string> taken;
     for (std::string* name : names) {
         if (name->empty()) *name = "layer";
         const std::string own = *name;
         for (int number = 2; !taken.insert(*name).second; ++number)
-            *name = own + " (" + std::to_string(number) + ")";
+            *name =
+                own + (mark.empty() ? " (" + std::to_string(number) + ")" : mark + std::to_string(number));
     }
 }
 

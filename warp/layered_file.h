@@ -18,8 +18,9 @@ struct LayeredFile {
 /// Throws InputError(path, reason).
 LayeredFile readLayeredFile(const std::string& path, PictureFormat format);
 
-/// Makes the names of layers different: of equal ones, later ones get a number, "hand (2)"; no name: "layer".
-void giveOwnNames(const std::vector<std::string*>& names);
+/// Makes the names of layers different: of equal ones, later ones get a number, "hand (2)", or behind another
+/// mark, "hand_2"; no name: "layer".
+void giveOwnNames(const std::vector<std::string*>& names, const std::string& mark = {});
 
 /// Returns the place of the layer with that name. Throws InputError without a file if there is none.
 std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::string& name);

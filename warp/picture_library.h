@@ -67,6 +67,8 @@ struct PictureToWrite {
     std::function<bool(const TakeRows&)> strips;
     bool lossy =
         false;  // of WebP: details that are hardly visible are dropped, for a file of a fraction of the size
+    std::vector<std::string> channelNames =
+        {};  // of an EXR with more than one picture; empty: the usual ones
 };
 
 /// A film that is written to a file.

@@ -232,7 +232,11 @@ OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
 }
 
 void writeStored(const PictureToWrite& writing) {
-    const OIIO::ImageSpec spec = fileSpec(writing.format, writing.picture);
+    OIIO::ImageSpec spec = fileSpec(writing.format, writing.picture);
+    if (!writing.channelNames.empty()) {
+        spec.channelnames = writing.channelNames;
+        spec.alpha_channel = 3;  // of the first picture
+    }
     if (!codecOf(writing.format).writer)
         writeWebpPicture(writing, spec);
     else

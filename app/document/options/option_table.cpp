@@ -268,7 +268,7 @@ constexpr std::array kOptions{
            "with the number of vertices only; auto: by size and the machine's memory",
            Field{AT(integration.solver), nullptr, Makes::Motion}, Row{.undo = Options::tr("Change solver")}},
     Option{"", "--image", Output, "", kAny, "", "", "run",
-           "write the warped picture (png, tif, exr, jpg, webp …); ora: every part as a layer"},
+           "write the warped picture (png, tif, exr, jpg, webp …); ora, exr: every part as a layer, too"},
     Option{
         "", "--mesh", Output, "", kAny, "", "", "run",
         "write the deformed mesh ({surfaces}, glb; {volumes}); for a solid, those before the semicolon get "
@@ -280,7 +280,8 @@ constexpr std::array kOptions{
            "write them to OUT"},
     Option{"", "--inverse", Flag, "", kAny, "", "", "run",
            "map the points of --points from the deformed shape back to the rest"},
-    Option{"", "--stmap", Output, "", kAny, "", "", "run", "write the ST map of the warp (exr, tif)"},
+    Option{"", "--stmap", Output, "", kAny, "", "", "run",
+           "write the ST map of the warp (exr, tif); exr: that of each part, too"},
     Option{"", "--phi-picture", Output, "", kAny, "", "", "run",
            "write what is kept at rest as a grey picture: black keeps area, white keeps angles"},
     Option{"", "--stiffness-picture", Output, "", kAny, "", "", "run",

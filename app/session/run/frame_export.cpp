@@ -15,6 +15,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
+#include "warp/layered_exr.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
@@ -109,11 +110,13 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
     if (view.scale != 1) warp.restMargin = 0;  // in pixels of the picture in its own size
     requireDepth(path, options);
-    if (isLayeredFile(path)) {
+    const bool hasChannels = getsPartChannels(path, *posed<2>(m_frame)->built);
+    if (isLayeredFile(path) || hasChannels) {
         const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);
-        return writeWhole(path, [&](const std::string& temporary) {
-            writeOpenRaster(temporary, layers, warpImage(*m_picture, *m_rest, m_pose, view, warp));
-        });
+        const Image merged = warpImage(*m_picture, *m_rest, m_pose, view, warp);
+        if (hasChannels) return writeLayeredExr(path, merged, layers, options.depth);
+        return writeWhole(path,
+                          [&](const std::string& temporary) { writeOpenRaster(temporary, layers, merged); });
     }
     writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth, options.lossy);
 }
@@ -123,7 +126,10 @@ Image FrameExport::stMapOf(const View& view) const {
 }
 
 void FrameExport::writeStMap(const std::string& path, const View& view) const {
-    writeImage(path, stMapOf(view));
+    const Shape<2>& shape = *posed<2>(m_frame)->built;
+    const Image map = stMapOf(view);
+    if (!getsPartChannels(path, shape)) return writeImage(path, map);
+    writeLayeredExr(path, map, stMapsOfParts(shape, m_pose, view, m_depths), map.type);
 }
 
 template <int Dim>

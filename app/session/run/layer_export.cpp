@@ -30,6 +30,11 @@ std::vector<Cell<2>> cellsOf(const SimplicialMesh<2>& mesh, const MeshPart& part
     return {mesh.cells.begin() + part.firstCell, mesh.cells.begin() + part.endCell};
 }
 
+std::vector<float> depthsOf(const std::vector<float>& all, const MeshPart& part) {
+    if (all.empty()) return {};
+    return {all.begin() + part.firstCell, all.begin() + part.endCell};
+}
+
 /// Returns one part, with the order of its own cells.
 LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& pixels, const View& view,
                         WarpOptions options) {
@@ -40,8 +45,7 @@ LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& 
     View own = view;
     own.origin += view.scale * Vec<2>(box.x, box.y);
     own.width = std::max(1, box.width), own.height = std::max(1, box.height);
-    if (!options.depth.empty())
-        options.depth = {options.depth.begin() + part.firstCell, options.depth.begin() + part.endCell};
+    options.depth = depthsOf(options.depth, part);
     options.restMargin = 0;
     options.outside = Outside::Transparent;
     Image picture = warpImage(*sheet.picture, mesh, pixels, own, options);
@@ -53,6 +57,22 @@ LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& 
 
 bool isLayeredFile(const std::string& path) {
     return lowerExtension(path) == ".ora";
+}
+
+bool getsPartChannels(const std::string& path, const Shape<2>& shape) {
+    return lowerExtension(path) == ".exr" && shape.texture && shape.texture->sheets.size() > 1;
+}
+
+std::vector<LayerToWrite> stMapsOfParts(const Shape<2>& shape, const Points<2>& pixels, const View& view,
+                                        const std::vector<float>& depth) {
+    const SimplicialMesh<2>& rest = sourceRest(shape);
+    const auto [width, height] = canvasSize(shape);
+    std::vector<LayerToWrite> maps;
+    for (const MeshPart& part : shape.texture->drawn->parts) {
+        const SimplicialMesh<2> own{rest.points, cellsOf(rest, part)};
+        maps.push_back({part.name, stMap(own, pixels, view, width, height, depthsOf(depth, part))});
+    }
+    return maps;
 }
 
 std::vector<LayerToWrite> warpedLayers(const Shape<2>& shape, const Points<2>& pixels,

@@ -11,6 +11,14 @@ struct WarpOptions;
 /// Returns whether the name is that of an OpenRaster file, which gets every part as a layer.
 bool isLayeredFile(const std::string& path);
 
+/// Returns whether a picture of that name gets the parts of the shape, too, as the channels of an EXR file.
+bool getsPartChannels(const std::string& path, const Shape<2>& shape);
+
+/// Returns the ST maps of the parts, each as if it were alone. The picture has that size at rest, and `depth`
+/// is that of WarpOptions.
+std::vector<LayerToWrite> stMapsOfParts(const Shape<2>& shape, const Points<2>& pixels, const View& view,
+                                        const std::vector<float>& depth);
+
 /// Returns the parts of a pose as layers, from front to back in the order of their `levels` (partLevels()),
 /// each as large as its visible area in the view. `pixels` is inPixels(). A shape without parts is one layer.
 /// Throws Cancelled.

@@ -37,6 +37,7 @@
 #include "kernels/back_end_choice.h"
 #include "warp/film_format.h"
 #include "warp/image_formats.h"
+#include "warp/layered_exr.h"
 #include "warp/picture_library.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
@@ -453,8 +454,12 @@ class Run {
     void writeLayers(const std::string& file, double time, const Points<2>& pixels, const View& view) {
         const WarpOptions options = warpOptions(time, {});
         const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
-        writeOpenRaster(file, warpedLayers(m_shape, pixels, levels, view, options),
-                        warpImage(*m_shape.picture, restInPixels(m_shape), pixels, view, options));
+        const auto layers = warpedLayers(m_shape, pixels, levels, view, options);
+        const Image merged = warpImage(*m_shape.picture, restInPixels(m_shape), pixels, view, options);
+        if (isLayeredFile(file))
+            writeOpenRaster(file, layers, merged);
+        else
+            writeLayeredExr(file, merged, layers, m_options.depth);
     }
 
     /// Throws Cancelled.
@@ -484,13 +489,16 @@ class Run {
         for (std::size_t k = 0; k < outputs.image.size(); ++k) {
             const double done = static_cast<double>(k);
             m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
-                if (isLayeredFile(file)) return writeLayers(file, time, pixels, view);
+                if (isLayeredFile(file) || getsPartChannels(file, m_shape))
+                    return writeLayers(file, time, pixels, view);
                 writePicture(file, warped(time, pixels, view, warping(done / count, (done + 1) / count)));
             });
         }
         for (const std::string& path : outputs.stMap)
             m_files.add(path, ".exr", [&](const std::string& file) {
-                writeImage(file, stMap(sourceRest(m_shape), pixels, view, size[0], size[1], depths(time)));
+                const Image map = stMap(sourceRest(m_shape), pixels, view, size[0], size[1], depths(time));
+                if (!getsPartChannels(file, m_shape)) return writeImage(file, map);
+                writeLayeredExr(file, map, stMapsOfParts(m_shape, pixels, view, depths(time)), map.type);
             });
     }
 

@@ -1,6 +1,8 @@
 // Pictures of several parts: their place, opacity and order, what rides on another part, what is cut out, and
 // the file of layers, which Python's zipfile and Qt read.
 
+#include <OpenImageIO/imageio.h>
+
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -76,6 +78,7 @@ class TestParts : public QObject {
     void mattesAddUp();
     void limbsHangOnSeams();
     void layersAreWritten();
+    void partsAreChannels();
 
   private:
     QString at(const QString& name) const { return m_folder.filePath(name); }
@@ -404,6 +407,43 @@ void TestParts::layersAreWritten() {
     const QImage merged(at("out/mergedimage.png"));
     QCOMPARE(merged.convertToFormat(QImage::Format_RGBA8888), flat.convertToFormat(QImage::Format_RGBA8888));
     QVERIFY(!QImage(at("out/Thumbnails/thumbnail.png")).isNull());
+}
+
+/// Of every part an EXR file has the picture and the map as it is alone, at its place in the pose: also under
+/// another one.
+void TestParts::partsAreChannels() {
+    const LoadedProject loaded = project(
+        R"({"name": "bar", "image": "bar.png", "at": [10, 14]}, {"name": "board", "image": "board.png"})",
+        R"(, "handles": [{"at": {"part": "board", "points": [[5, 5], [70, 50]]}},
+            {"at": {"part": "bar", "points": [[12, 20], [56, 20]]},
+             "motion": [{"kind": "translate", "by": [8, 20]}]}])");
+    RunOptions options;
+    options.outputs.image = {at("parts.exr").toStdString()};
+    options.outputs.stMap = {at("map.exr").toStdString()};
+    options.backEnd = BackEndKind::Cpu;
+    QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome == Outcome::Done);
+    const auto value = [&](const char* file, const std::string& channel, int x, int y) {
+        const auto input = OIIO::ImageInput::open(at(file).toStdString());
+        const OIIO::ImageSpec spec = input->spec();
+        std::vector<float> pixels(static_cast<std::size_t>(spec.width * spec.height * spec.nchannels));
+        input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data());
+        const auto found = std::ranges::find(spec.channelnames, channel);
+        if (found == spec.channelnames.end()) return -1.0F;
+        const auto pixel = static_cast<std::size_t>(y * spec.width + x);
+        return pixels[pixel * static_cast<std::size_t>(spec.nchannels) +
+                      static_cast<std::size_t>(found - spec.channelnames.begin())];
+    };
+    QCOMPARE(value("parts.exr", "R", 40, 40), 1.0F);
+    QCOMPARE(value("parts.exr", "G", 40, 40), 0.0F);
+    QCOMPARE(value("parts.exr", "board.G", 40, 40), 1.0F);  // behind the bar
+    QCOMPARE(value("parts.exr", "bar.A", 40, 40), 1.0F);
+    QCOMPARE(value("parts.exr", "bar.A", 40, 20), 0.0F);
+    const auto isNearTo = [](float a, double b) { return std::abs(static_cast<double>(a) - b) < 1e-5; };
+    for (const char* channel : {"R", "bar.R"})
+        QVERIFY(isNearTo(value("map.exr", channel, 40, 40), 32.5 / 80));
+    QVERIFY(isNearTo(value("map.exr", "bar.G", 40, 40), 1 - 20.5 / 60));
+    QVERIFY(isNearTo(value("map.exr", "board.R", 40, 40), 40.5 / 80));
+    QVERIFY(isNearTo(value("map.exr", "board.A", 2, 2), 1));
 }
 
 QTEST_GUILESS_MAIN(TestParts)
