@@ -5327,6 +5327,38 @@
         <source>Change what a part rides on</source>
         <translation>Ändern, wem ein Teil folgt</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplizieren</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Negativ multiplizieren</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Addieren</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode</source>
+        <translation>&amp;Mischmodus</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>Mischmodus</translation>
+    </message>
+    <message>
+        <source>How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen and Add lighten, as light does.</source>
+        <translation>Wie der Teil mit dem verrechnet wird, was unter ihm liegt: Multiplizieren dunkelt ab, wie ein Schatten; Negativ multiplizieren und Addieren hellen auf, wie Licht.</translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation>Mischmodus ändern</translation>
+    </message>
 </context>
 <context>
     <name>wend::PartsOffer</name>

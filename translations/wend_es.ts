@@ -5327,6 +5327,38 @@
         <source>Change what a part rides on</source>
         <translation>Cambiar a quién sigue una parte</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplicar</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Trama</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir luz</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode</source>
+        <translation>Modo de me&amp;zcla</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>Modo de mezcla</translation>
+    </message>
+    <message>
+        <source>How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen and Add lighten, as light does.</source>
+        <translation>Cómo se combina la parte con lo que hay debajo: Multiplicar oscurece, como una sombra; Trama y Añadir luz aclaran, como la luz.</translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation>Cambiar modo de mezcla</translation>
+    </message>
 </context>
 <context>
     <name>wend::PartsOffer</name>

@@ -5327,6 +5327,38 @@
         <source>Change what a part rides on</source>
         <translation>Changer ce que suit une partie</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Produit</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Écran</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Addition</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode</source>
+        <translation>Mode de f&amp;usion</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>Mode de fusion</translation>
+    </message>
+    <message>
+        <source>How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen and Add lighten, as light does.</source>
+        <translation>Comment la partie se combine avec ce qui est dessous : Produit assombrit, comme une ombre ; Écran et Addition éclaircissent, comme la lumière.</translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation>Modifier le mode de fusion</translation>
+    </message>
 </context>
 <context>
     <name>wend::PartsOffer</name>

@@ -5318,6 +5318,38 @@
         <source>Change what a part rides on</source>
         <translation>パーツの追従先を変更</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>乗算</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>スクリーン</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>加算</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>通常</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode</source>
+        <translation>描画モード(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>描画モード</translation>
+    </message>
+    <message>
+        <source>How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen and Add lighten, as light does.</source>
+        <translation>パーツを下にあるものとどう合成するか。乗算は影のように暗くし、スクリーンと加算は光のように明るくします。</translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation>描画モードを変更</translation>
+    </message>
 </context>
 <context>
     <name>wend::PartsOffer</name>

@@ -5318,6 +5318,38 @@
         <source>Change what a part rides on</source>
         <translation>更改部件的跟随对象</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>正片叠底</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>滤色</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>相加</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode</source>
+        <translation>混合模式(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>混合模式</translation>
+    </message>
+    <message>
+        <source>How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen and Add lighten, as light does.</source>
+        <translation>部件如何与其下方的内容合成：正片叠底像阴影一样变暗；滤色和相加像光一样变亮。</translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation>更改混合模式</translation>
+    </message>
 </context>
 <context>
     <name>wend::PartsOffer</name>

@@ -82,11 +82,16 @@ void copySheet(const Image& sheet, int x, int y, Image& atlas) {
     }
 }
 
-/// Lays a row over another: associated, alpha last.
-void layOver(const std::vector<float>& top, std::size_t channels, float opacity, float* row) {
+/// Lays a row of a sheet over another: associated, alpha last.
+void layOver(const std::vector<float>& top, const Sheet& sheet, const PixelLayout& layout, float* row) {
+    const auto channels = static_cast<std::size_t>(layout.channels), last = channels - 1;
+    const auto opacity = static_cast<float>(sheet.shownOpacity());
+    const bool isLight = layout.type == PixelType::Half || layout.type == PixelType::Float;
     for (std::size_t i = 0; i < top.size(); i += channels) {
-        const float through = 1 - opacity * top[i + channels - 1];
-        for (std::size_t c = 0; c < channels; ++c) row[i + c] = opacity * top[i + c] + through * row[i + c];
+        const float alpha = opacity * top[i + last], below = row[i + last];
+        for (std::size_t c = 0; c < last; ++c)
+            row[i + c] = blendedColour(sheet.blend, opacity * top[i + c], alpha, row[i + c], below, isLight);
+        row[i + last] = alpha + (1 - alpha) * below;
     }
 }
 
@@ -146,8 +151,7 @@ Image flattened(const std::vector<Sheet>& sheets, int width, int height) {
             loadRow(own, y - top, row.data());
             loadRow(image, y, below.data());
             const auto first = row.begin() + static_cast<std::ptrdiff_t>(channels) * (begin - left);
-            layOver({first, first + static_cast<std::ptrdiff_t>(channels) * (end - begin)}, channels,
-                    static_cast<float>(sheet->shownOpacity()),
+            layOver({first, first + static_cast<std::ptrdiff_t>(channels) * (end - begin)}, *sheet, layout,
                     below.data() + channels * static_cast<std::size_t>(begin));
             storeRow(image, y, below.data());
         }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/types.h"
+#include "warp/blend_mode.h"
 #include "warp/image.h"
 
 namespace wend {
@@ -14,6 +15,7 @@ struct Sheet {
     Vec<2> at = Vec<2>::Zero();
     double opacity = 1;
     bool hidden = false;
+    BlendMode blend = BlendMode::Normal;
 
     double shownOpacity() const { return hidden ? 0 : opacity; }
     bool operator==(const Sheet&) const = default;
@@ -31,8 +33,8 @@ struct Atlas {
 /// kMaxMegapixels.
 Atlas makeAtlas(const std::vector<Sheet>& sheets);
 
-/// Returns the sheets over one another, the first one on top, on a canvas of that size: c = c_top + (1 −
-/// α_top) c, in associated form. Sheets are placed at whole pixels.
+/// Returns the sheets over one another, the first one on top, on a canvas of that size, as blendedColour()
+/// says. Sheets are placed at whole pixels.
 Image flattened(const std::vector<Sheet>& sheets, int width, int height);
 
 /// Multiplies the opacity of every pixel; `factor` gives as many factors as the row has pixels, in [0, 1].

@@ -1,6 +1,10 @@
 #pragma once
 
-#include "warp/layers.h"
+#include <functional>
+#include <ranges>
+#include <span>
+
+#include "warp/blended_layers.h"
 #include "warp/pixel_cells.h"
 #include "warp/span_task.h"
 #include "warp/warp_job.h"
@@ -24,8 +28,8 @@ class BandPainter {
           m_paintSpan(spanPainterOf<T>(job.source->base().channels, job.options.filter)) {
         m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
         for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
-        const bool shinesThrough = part == BandPart::All && !job.source->opaque();
-        if (shinesThrough || job.options.outside != Outside::Transparent)
+        m_shinesThrough = part == BandPart::All && (!job.source->opaque() || !job.options.blends.empty());
+        if (m_shinesThrough || job.options.outside != Outside::Transparent)
             m_cells = PixelCells(job.view.width, m_begin, m_end - m_begin);
     }
 
@@ -33,7 +37,7 @@ class BandPainter {
         if (m_part == BandPart::All || !m_cells.empty())
             for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)]) paintCell(cell);
         fillOutside();
-        if (m_part == BandPart::All && !m_job.source->opaque()) resolveOverlaps();
+        if (m_shinesThrough) resolveOverlaps();
         resolveOutline();
     }
 
@@ -158,11 +162,35 @@ class BandPainter {
         m_cells.forOverlaps([&](int pixel, std::span<const int> cells) {
             const int x = pixel % m_job.view.width, y = m_begin + pixel / m_job.view.width;
             T* const to = target(x, y);
+            if (isBlended(cells, std::identity())) {
+                BlendedLayers<1> seen(m_job.header, kFull<T>);
+                for (const int cell : std::views::reverse(cells)) blend(cell, x, y, Layers::kAll, seen);
+                return putOut(seen.colour(), to);
+            }
             if (!(static_cast<float>(to[m_channels - 1]) < kFull<T>)) return;
             Layers seen = layers();
             for (int cell : cells) put(cell, x, y, Layers::kAll, seen);
             putOut(seen.colour(), to);
         });
+    }
+
+    /// Returns whether a part is blended with one below it, in a list of cells from the top one down.
+    template <typename List, typename CellOf>
+    bool isBlended(const List& list, const CellOf& cellOf) const {
+        if (m_job.options.blends.empty() || list.empty()) return false;
+        const auto cell = [&](const auto& one) -> const VisibleCell& {
+            return m_job.cells[static_cast<std::size_t>(std::invoke(cellOf, one))];
+        };
+        const int lowest = cell(list.back()).part;
+        return std::ranges::any_of(list, [&](const auto& one) {
+            return cell(one).blend != BlendMode::Normal && cell(one).part != lowest;
+        });
+    }
+
+    template <std::size_t Samples>
+    void blend(int place, int x, int y, std::uint64_t places, BlendedLayers<Samples>& layers) const {
+        const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(place)];
+        layers.put(sample(cell.map, cell.filter, x, y), places, cell.part, cell.blend);
     }
 
     // --- the outline
@@ -198,6 +226,8 @@ class BandPainter {
 
     /// Composites the cells from the top one down, and the outside where there is none.
     void resolve(int x, int y, const Piece* begin, const Piece* end) {
+        const auto downwards = std::views::reverse(std::span(begin, end));
+        if (isBlended(downwards, &Piece::cell)) return resolveBlended(x, y, std::span(begin, end));
         Layers seen = layers();
         for (const Piece* piece = end; piece != begin;) {
             --piece;
@@ -207,10 +237,20 @@ class BandPainter {
         putOut(seen.colour(), target(x, y));
     }
 
+    void resolveBlended(int x, int y, std::span<const Piece> pieces) {
+        BlendedLayers<64> seen(m_job.header, kFull<T>);
+        std::uint64_t covered = 0;
+        for (const Piece& piece : pieces) covered |= piece.samples;
+        if (~covered != 0) seen.put(outsideColour(x, y), ~covered, -1, BlendMode::Normal);
+        for (const Piece& piece : pieces) blend(piece.cell, x, y, piece.samples, seen);
+        putOut(seen.colour(), target(x, y));
+    }
+
     const WarpJob& m_job;
     BandPart m_part;
     Image& m_strip;
     int m_top, m_band, m_begin, m_end, m_channels;
+    bool m_shinesThrough = false;  // what is below a cell's colours counts
     PaintSpan m_paintSpan;
     SpanTask m_task;
     std::vector<TexelLevel> m_levels;

@@ -90,6 +90,20 @@ std::string fileOf(std::size_t layer) {
     return "data/layer" + std::to_string(layer) + ".png";
 }
 
+const char* compositeOf(BlendMode mode) {
+    switch (mode) {
+        case BlendMode::Multiply:
+            return "svg:multiply";
+        case BlendMode::Screen:
+            return "svg:screen";
+        case BlendMode::Add:
+            return "svg:plus";
+        case BlendMode::Normal:
+            break;
+    }
+    return "svg:src-over";
+}
+
 std::string description(const std::vector<LayerToWrite>& layers, const Image& merged) {
     pugi::xml_document document;
     pugi::xml_node image = document.append_child("image");
@@ -105,7 +119,7 @@ std::string description(const std::vector<LayerToWrite>& layers, const Image& me
         layer.append_attribute("y") = layers[k].y;
         layer.append_attribute("opacity") = layers[k].opacity;
         layer.append_attribute("visibility") = layers[k].visible ? "visible" : "hidden";
-        layer.append_attribute("composite-op") = "svg:src-over";
+        layer.append_attribute("composite-op") = compositeOf(layers[k].blend);
     }
     std::ostringstream text;
     document.save(text, "  ", pugi::format_default, pugi::encoding_utf8);

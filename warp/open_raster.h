@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "warp/blend_mode.h"
 #include "warp/image.h"
 
 namespace wend {
@@ -14,6 +15,7 @@ struct LayerToWrite {
     int x = 0, y = 0;
     double opacity = 1;
     bool visible = true;
+    BlendMode blend = BlendMode::Normal;
 };
 
 /// Writes an OpenRaster file: the layers, the first one on top, as PNG files in a ZIP archive, their

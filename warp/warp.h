@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
+#include "warp/blend_mode.h"
 #include "warp/cell_painter.h"
 #include "warp/image.h"
 #include "warp/pyramid.h"
@@ -25,6 +26,9 @@ struct WarpOptions {
     /// equal, or empty, later cells are in front of earlier ones. Transparent pixels of a cell show those
     /// below it.
     std::vector<float> depth;
+    /// How each part of the mesh (SimplicialMesh::parts) is combined with what is below it; empty: all are
+    /// normal.
+    std::vector<BlendMode> blends;
     /// The plan of the mesh and that depth, made before, for a window that draws one pose after another; or
     /// null.
     std::shared_ptr<const PaintingPlan> plan;

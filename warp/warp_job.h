@@ -39,6 +39,8 @@ struct VisibleCell {
     CellMap map;
     CellFilter filter;
     Vec<2> low, high;  // corners of its box in the source
+    int part = 0;      // of the mesh, where parts are blended
+    BlendMode blend = BlendMode::Normal;
 };
 
 /// All that the bands of one warp share.

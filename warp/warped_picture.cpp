@@ -99,6 +99,15 @@ VisibleCell visibleCell(const WarpJob& job, const SimplicialMesh<2>& rest, const
             corner(0).cwiseMax(corner(1)).cwiseMax(corner(2))};
 }
 
+/// Notes how the part that a cell belongs to is blended.
+void takeBlend(const std::vector<MeshPart>& parts, const std::vector<BlendMode>& blends, int cell,
+               VisibleCell& visible) {
+    const auto own = std::ranges::find_if(
+        parts, [&](const MeshPart& part) { return part.firstCell <= cell && cell < part.endCell; });
+    visible.part = static_cast<int>(own - parts.begin());
+    if (own != parts.end()) visible.blend = blends[static_cast<std::size_t>(visible.part)];
+}
+
 constexpr std::size_t kCellsOfPiece = 1500;  // in less time no thread has begun
 
 /// Returns the visible cells in the order of painting.
@@ -114,8 +123,10 @@ std::vector<VisibleCell> visibleCells(const WarpJob& job, const PaintingPlan& pl
             found[piece].reserve(kCellsOfPiece);
             for (std::size_t k = piece * kCellsOfPiece; k < end; ++k) {
                 const Cell<2>& cell = rest.cells[static_cast<std::size_t>(plan.order[k])];
-                if (visible(pixels, cell, job.view))
-                    found[piece].push_back(visibleCell(job, rest, pose, pixels, cell, levels));
+                if (!visible(pixels, cell, job.view)) continue;
+                found[piece].push_back(visibleCell(job, rest, pose, pixels, cell, levels));
+                if (!job.options.blends.empty())
+                    takeBlend(rest.parts, job.options.blends, plan.order[k], found[piece].back());
             }
         }
     });
@@ -215,7 +226,7 @@ WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest,
     : m_job(makeJob(source, Pyramid::levelsOf(source.width, source.height), rest, pose, view, options)) {
     m_pyramid.emplace(colouredAsNeeded(source, options), deepestLevel(*m_job));
     setSource(*m_job, *m_pyramid);
-    if (options.makePainter) m_painter = options.makePainter(*m_job);
+    if (options.makePainter && options.blends.empty()) m_painter = options.makePainter(*m_job);
 }
 
 WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
@@ -224,7 +235,7 @@ WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& res
     if (needsColours(source.base(), options))
         m_pyramid.emplace(colouredAsNeeded(source.base(), options), deepestLevel(*m_job));
     setSource(*m_job, m_pyramid ? *m_pyramid : source);
-    if (options.makePainter) m_painter = options.makePainter(*m_job);
+    if (options.makePainter && options.blends.empty()) m_painter = options.makePainter(*m_job);
 }
 
 WarpedPicture::~WarpedPicture() = default;

@@ -29,7 +29,7 @@ class WarpedPicture {
     /// options' token stopped it. Not for several threads at a time.
     bool paint(int top, Image& strip) const;
 
-    /// Returns whether WarpOptions::makePainter's painter paints the cells.
+    /// Returns whether WarpOptions::makePainter's painter paints the cells: it blends none.
     bool hasPainter() const { return m_painter != nullptr; }
 
     static constexpr int kRows = 256;  // of a strip that is worth the threads, a multiple of a band's

@@ -246,6 +246,7 @@ Json partsInfo(const Domain& domain) {
         if (!part.ridesOn.empty()) json["ridesOn"] = part.ridesOn;
         for (const Joint& joint : part.joints) json["joinedTo"].push_back(joint.to);
         if (part.hidden) json["hidden"] = true;
+        if (part.blend) json["blend"] = blendWord(*part.blend);
         list.push_back(std::move(json));
     }
     return list;

@@ -7,6 +7,7 @@
 #include "core/meshing/outline.h"
 #include "core/motion/handle.h"
 #include "warp/alpha_outline_options.h"
+#include "warp/blend_mode.h"
 
 namespace wend {
 
@@ -50,6 +51,8 @@ struct PicturePart {
     std::optional<Vec<2>> at;            // of its first pixel; without: where its layer is, or the origin
     double opacity = 1;                  // of a layer: in its file's place if not 1
     bool hidden = false;
+    /// Without: that of its layer or of the part that it is cut out of; otherwise normal.
+    std::optional<BlendMode> blend;
     /// Changes of the place from front to back, in order of time. Until the first one, the place is that in
     /// the list, counted from 0. Of two parts at the same place, the one that was moved there is in front.
     std::vector<PartOrder> order;

@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 
 #include "app/document/domain.h"
 #include "app/document/edits/part_edits.h"
@@ -30,6 +31,32 @@ QString describedPart(const PicturePart& part) {
     return words.join(QStringLiteral(", "));
 }
 
+constexpr std::array kModes{BlendMode::Normal, BlendMode::Multiply, BlendMode::Screen, BlendMode::Add};
+
+QString nameOf(BlendMode mode) {
+    switch (mode) {
+        case BlendMode::Multiply:
+            return PartList::tr("Multiply");
+        case BlendMode::Screen:
+            return PartList::tr("Screen");
+        case BlendMode::Add:
+            return PartList::tr("Add");
+        case BlendMode::Normal:
+            break;
+    }
+    return PartList::tr("Normal");
+}
+
+/// Returns the mode of a part: its own, or else the one with which the shape shows it, which is its layer's.
+BlendMode modeOf(const PicturePart& part, const Texture* texture) {
+    if (part.blend) return *part.blend;
+    if (!texture || !texture->drawn) return BlendMode::Normal;
+    const auto& shown = texture->drawn->parts;
+    const auto found = std::ranges::find(shown, part.name, &MeshPart::name);
+    return found == shown.end() ? BlendMode::Normal
+                                : texture->sheets[static_cast<std::size_t>(found - shown.begin())].blend;
+}
+
 }  // namespace
 
 PartList::PartList(ShapeSession& session, QWidget* parent)
@@ -39,6 +66,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
       m_forward(new QToolButton(this)),
       m_backward(new QToolButton(this)),
       m_opacity(new NumberBox(this)),
+      m_blend(new QComboBox(this)),
       m_joined(new QComboBox(this)),
       m_rides(new QComboBox(this)) {
     makeControls();
@@ -48,6 +76,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
     m_rows = new QWidget(this);
     auto* rows = bareColumn(m_rows, 8);
     rows->addWidget(panelRowIn(tr("Opac&ity"), m_opacity, this));
+    rows->addWidget(panelRowIn(tr("&Blend mode"), m_blend, this));
     rows->addWidget(panelRowIn(tr("&Joined to"), m_joined, this));
     rows->addWidget(panelRowIn(tr("&Rides on"), m_rides, this));
     layout->addWidget(m_rows);
@@ -78,6 +107,12 @@ void PartList::makeControls() {
     m_opacity->setDecimals(0);
     m_opacity->setSuffix(tr(" %"));
     describe(m_opacity, tr("Opacity"), tr("How much is seen of the part."));
+    m_blend->setObjectName(QStringLiteral("partBlend"));
+    for (const BlendMode mode : kModes) m_blend->addItem(nameOf(mode));
+    describe(m_blend, tr("Blend mode"),
+             tr("How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen "
+                "and Add "
+                "lighten, as light does."));
     m_joined->setObjectName(QStringLiteral("partJoined"));
     describe(
         m_joined, tr("Joined to"),
@@ -104,6 +139,7 @@ void PartList::connectControls() {
         next[static_cast<std::size_t>(chosen())].opacity = value / kFullOpacity;
         change(tr("Change opacity"), std::move(next), QStringLiteral("part opacity %1").arg(chosen()));
     });
+    connect(m_blend, &QComboBox::activated, this, &PartList::blend);
     connect(m_joined, &QComboBox::textActivated, this, &PartList::join);
     connect(m_rides, &QComboBox::textActivated, this, &PartList::ride);
 }
@@ -154,6 +190,10 @@ void PartList::showChosen() {
     if (part < 0) return;
     const QSignalBlocker quiet(m_opacity);
     m_opacity->setValue(kFullOpacity * parts()[static_cast<std::size_t>(part)].opacity);
+    const auto frame = m_session.frame<2>();
+    const BlendMode mode = modeOf(parts()[static_cast<std::size_t>(part)],
+                                  frame && frame->built ? frame->built->texture.get() : nullptr);
+    m_blend->setCurrentIndex(static_cast<int>(mode));
     fillChoices();
 }
 
@@ -212,6 +252,16 @@ void PartList::move(int by) {
     const int from = chosen(), to = from + by;
     if (from < 0 || to < 0 || to >= static_cast<int>(parts().size())) return;
     change(tr("Change order"), withPartMoved(parts(), from, to));
+}
+
+/// The mode of a file's layer is overruled; elsewhere normal need not be said.
+void PartList::blend(int mode) {
+    if (chosen() < 0) return;
+    std::vector<PicturePart> next = parts();
+    PicturePart& own = next[static_cast<std::size_t>(chosen())];
+    own.blend = kModes[static_cast<std::size_t>(mode)];
+    if (own.blend == BlendMode::Normal && own.layer.empty() && own.cutFrom.empty()) own.blend.reset();
+    change(tr("Change blend mode"), std::move(next));
 }
 
 void PartList::join(const QString& to) {

@@ -16,7 +16,8 @@ class ShapeSession;
 
 /// Lists the parts of a picture, the frontmost first: an eye, a name that a double click changes, and an
 /// order that dragging and Alt with the arrow keys change. Below are the properties of the chosen part: its
-/// opacity, its joints, and the part to which it is attached. Hidden for a picture of a single part.
+/// opacity, its blend mode, its joints, and the part to which it is attached. Hidden for a picture of a
+/// single part.
 class PartList : public QWidget {
     Q_OBJECT
 
@@ -39,6 +40,7 @@ class PartList : public QWidget {
     void takeOrder(int from, int to);
     void move(int by);
     void change(const QString& step, std::vector<PicturePart> parts, const QString& key = {});
+    void blend(int mode);
     void join(const QString& to);
     void ride(const QString& on);
 
@@ -46,7 +48,7 @@ class PartList : public QWidget {
     QListWidget* m_list;
     QToolButton *m_forward, *m_backward;
     NumberBox* m_opacity;
-    QComboBox *m_joined, *m_rides;
+    QComboBox *m_blend, *m_joined, *m_rides;
     QWidget* m_rows = nullptr;
 };
 

@@ -69,6 +69,8 @@ std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& pic
         part.name = part.layer = layer.name;
         part.path = path;
         part.hidden = !layer.visible;
+        const auto blend = blendNamed(layer.blend);
+        if (blend && *blend != BlendMode::Normal) part.blend = blend;
     }
     letSmallOnesRide(parts, loadParts(parts, {}, {}, &ofLayers));
     if (parts.size() < 2) return {};

@@ -1,6 +1,7 @@
 #include "app/document/file/part_json.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "app/document/domain.h"
@@ -84,6 +85,14 @@ void readSource(JsonObject& object, PicturePart& part) {
     }
 }
 
+BlendMode readBlend(const JsonValue& value) {
+    constexpr std::array kModes{BlendMode::Normal, BlendMode::Multiply, BlendMode::Screen, BlendMode::Add};
+    const std::string word = value.text();
+    const auto mode = std::ranges::find(kModes, word, blendWord);
+    if (mode == kModes.end()) value.fail("must be \"normal\", \"multiply\", \"screen\" or \"add\"");
+    return *mode;
+}
+
 Joint readJoint(const JsonValue& value) {
     Joint joint;
     JsonObject object(value.ownedBy(joint.extras));
@@ -123,6 +132,7 @@ PicturePart readPart(const JsonValue& value) {
         if (!(part.opacity >= 0 && part.opacity <= 1)) opacity->fail("must be in [0, 1]");
     }
     if (auto hidden = object.find("hidden")) part.hidden = hidden->boolean();
+    if (auto blend = object.find("blend")) part.blend = readBlend(*blend);
     if (auto order = object.find("order")) part.order = readOrder(*order);
     if (auto joints = object.find("joints"))
         for (const JsonValue& joint : joints->elements()) part.joints.push_back(readJoint(joint));
@@ -180,6 +190,7 @@ Json partJson(const PicturePart& part) {
     if (part.at) json["at"] = pointJson(*part.at);
     if (part.opacity != 1) json["opacity"] = numberJson(part.opacity);
     if (part.hidden) json["hidden"] = true;
+    if (part.blend) json["blend"] = blendWord(*part.blend);
     for (const PartOrder& order : part.order)
         json["order"].push_back({{"time", numberJson(order.time)}, {"place", numberJson(order.place)}});
     for (const Joint& joint : part.joints) {

@@ -52,6 +52,7 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     if (m_picture) m_size = canvasSize(*flat->built);
     m_source = flat->built->texture && flat->built->texture->drawn ? flat->built->texture->drawn : m_rest;
     const auto drawn = drawnRest(*flat->built);
+    if (flat->built->texture) m_blends = flat->built->texture->blends();
     m_levels = partLevels(document.domain().parts, *drawn, flat->time);
     m_depths = *CellDepths().of(document.depth(), drawn, m_levels);
 }
@@ -99,6 +100,7 @@ WarpOptions FrameExport::warpOptions(const RunOptions& options) const {
     requireNothingOutside(*m_project, options);
     WarpOptions warp = warpOptionsOf(*m_project, options);
     warp.depth = m_depths;
+    warp.blends = m_blends;
     warp.frameWidth = m_size[0], warp.frameHeight = m_size[1];
     return warp;
 }

@@ -3,6 +3,7 @@
 #include "app/document/edits/document.h"
 #include "app/session/motion/frame.h"
 #include "app/session/run/run.h"
+#include "warp/blend_mode.h"
 
 namespace wend {
 
@@ -79,6 +80,7 @@ class FrameExport {
     std::shared_ptr<const SimplicialMesh<2>> m_rest, m_source;  // the second: see sourceRest()
     std::array<int, 2> m_size{};                                // of the plane that is rendered
     Points<2> m_pose;
+    std::vector<BlendMode> m_blends;
     std::vector<int> m_levels;    // of parts: see partLevels()
     std::vector<float> m_depths;  // per cell: see WarpOptions
 };

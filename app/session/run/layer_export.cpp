@@ -46,11 +46,12 @@ LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& 
     own.origin += view.scale * Vec<2>(box.x, box.y);
     own.width = std::max(1, box.width), own.height = std::max(1, box.height);
     options.depth = depthsOf(options.depth, part);
+    options.blends.clear();
     options.restMargin = 0;
     options.outside = Outside::Transparent;
     Image picture = warpImage(*sheet.picture, mesh, pixels, own, options);
     if (picture.data.empty()) throw Cancelled();
-    return {part.name, std::move(picture), box.x, box.y, sheet.opacity, !sheet.hidden};
+    return {part.name, std::move(picture), box.x, box.y, sheet.opacity, !sheet.hidden, sheet.blend};
 }
 
 }  // namespace

@@ -435,6 +435,8 @@ class Run {
         if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
         WarpOptions options = warpOptionsOf(m_project, m_options);
         options.depth = depths(time);
+        if constexpr (Dim == 2)
+            if (m_shape.texture) options.blends = m_shape.texture->blends();
         const auto [width, height] = canvasSize(m_shape);
         options.frameWidth = width, options.frameHeight = height;
         options.makePainter = m_painters;

@@ -181,6 +181,13 @@ Points<2> Texture::withRiders(const Points<2>& pose) const {
     return points;
 }
 
+std::vector<BlendMode> Texture::blends() const {
+    std::vector<BlendMode> modes;
+    for (const Sheet& sheet : sheets) modes.push_back(sheet.blend);
+    const bool isPlain = std::ranges::count(modes, BlendMode::Normal) == std::ssize(modes);
+    return isPlain ? std::vector<BlendMode>() : modes;
+}
+
 std::shared_ptr<const SimplicialMesh<2>> drawnRest(const Shape<2>& shape) {
     return shape.texture && shape.texture->drawn ? shape.texture->drawn : shape.rest;
 }

@@ -31,7 +31,7 @@ class PartReader {
         const LayersOfFile& file = layersOf(path);
         const PictureLayer& layer = named(file, path, part.layer);
         auto picture = std::make_shared<const Image>(readLayer(path, part.layer, m_notices));
-        if (m_notices) tellOf(layer, path);
+        if (m_notices) tellOf(layer, path, part.blend.has_value());
         return picture;
     }
 
@@ -51,14 +51,16 @@ class PartReader {
             const PictureLayer& layer = named(layersOf(path), path, part.layer);
             if (!part.at) sheet.at = {layer.x, layer.y};
             if (part.opacity == 1) sheet.opacity = layer.opacity;
+            sheet.blend = blendNamed(layer.blend).value_or(BlendMode::Normal);
         }
+        sheet.blend = part.blend.value_or(sheet.blend);
         sheet.hidden = part.hidden;
     }
 
   private:
-    void tellOf(const PictureLayer& layer, const std::string& path) {
+    void tellOf(const PictureLayer& layer, const std::string& path, bool hasOwnBlend) {
         const std::string which = path + ": the layer \"" + layer.name + "\" ";
-        if (!isPlainBlend(layer.blend))
+        if (!hasOwnBlend && !blendNamed(layer.blend))
             m_notices->push_back(which + "has the blend mode " + layer.blend + ": it is shown as normal");
         if (layer.clipped) m_notices->push_back(which + "is clipped by the one below: it is shown whole");
         for (const std::string& what : layer.leftOut)
@@ -171,6 +173,7 @@ class SheetMaker {
         m_pictures.sheets[i] = m_pictures.cuts.back().pictures.taken;
         m_pictures.sheets[i].opacity = part.opacity;
         m_pictures.sheets[i].hidden = part.hidden;
+        m_pictures.sheets[i].blend = part.blend.value_or(from.blend);
         from.picture = m_pictures.cuts.back().pictures.left;
     }
 

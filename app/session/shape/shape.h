@@ -45,6 +45,8 @@ struct Texture {
 
     /// Returns the vertices that are drawn of a pose, in domain coordinates.
     Points<2> withRiders(const Points<2>& pose) const;
+    /// Returns how each part is combined with what is below it; nothing if all are normal.
+    std::vector<BlendMode> blends() const;
 };
 
 /// The shape that is deformed, shown and exported: a domain with its files, mesh and material. Immutable

@@ -43,6 +43,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     options.filter = request.filter;
     options.stop = stop;
     options.plan = request.cells ? request.cells->plan : request.plan;
+    if (request.texture && !request.cells) options.blends = request.texture->blends();
     if (request.allOfPicture) options.outside = Outside::Original;
     if (request.texture) {  // the domain may be mirrored, unlike the screen's pixels
         view.origin.setZero();

@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QUndoStack>
 #include <QtTest>
+#include <set>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
@@ -28,7 +29,9 @@ class TestPartList : public QObject {
     void cleanup() { m_f.reset(); }
     void layersAreParts();
     void listChangesParts();
+    void canvasIsTheExport_data();
     void canvasIsTheExport();
+    void partIsBlended();
     void picturesOpenTogether();
 
   private:
@@ -144,10 +147,21 @@ void TestPartList::dragged() {
     QVERIFY((session.frame<2>()->pose - session.frame<2>()->rest->points).colwise().norm().maxCoeff() > 20);
 }
 
+void TestPartList::canvasIsTheExport_data() {
+    QTest::addColumn<int>("mode");
+    QTest::newRow("normal") << 0;
+    QTest::newRow("multiply") << 1;
+    QTest::newRow("add") << 3;
+}
+
 /// A pin belongs to the part under it, and the canvas has the pixels of the file.
 void TestPartList::canvasIsTheExport() {
     ShapeSession& session = m_f->session();
     ShapeCanvas& canvas = m_f->window().canvas();
+    QFETCH(int, mode);
+    list().setCurrentRow(1);
+    emit panel().findChild<QComboBox*>("partBlend")->activated(mode);
+    QVERIFY(settle(session));
     const QPoint middle = canvas.toWidget({70, 45}).toPoint(), end = canvas.toWidget({140, 40}).toPoint();
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, middle);
     QVERIFY(settle(session));
@@ -168,6 +182,7 @@ void TestPartList::canvasIsTheExport() {
     const QImage file(path), drawn = canvas.drawn()->image;
     const double ratio = drawn.devicePixelRatio();
     int compared = 0;
+    std::set<QRgb> colours;
     for (int y = 4; y < file.height() - 4; y += 3)
         for (int x = 4; x < file.width() - 4; x += 3) {
             const QRgb own = file.pixel(x, y);
@@ -180,10 +195,37 @@ void TestPartList::canvasIsTheExport() {
             const QColor seen = drawn.pixelColor(at.toPoint());
             ++compared;
             QVERIFY2(std::abs(seen.alpha() - qAlpha(own)) <= 2 &&
-                         (qAlpha(own) == 0 || std::abs(seen.red() - qRed(own)) <= 2),
+                         (qAlpha(own) == 0 || (std::abs(seen.red() - qRed(own)) <= 2 &&
+                                               std::abs(seen.green() - qGreen(own)) <= 2)),
                      qPrintable(QString("%1 %2").arg(x).arg(y)));
+            colours.insert(own);
         }
     QVERIFY(compared > 500);
+    const QRgb both = mode == 0 ? 0xffff0000 : mode == 1 ? 0xff000000 : 0xffffff00;  // of red over green
+    QVERIFY(colours.contains(both));
+}
+
+/// Normal is what a layer's file does not say, or what the project says against it.
+void TestPartList::partIsBlended() {
+    auto* blend = panel().findChild<QComboBox*>("partBlend");
+    list().setCurrentRow(1);
+    QCOMPARE(blend->currentText(), QString("Normal"));
+    emit blend->activated(2);
+    QVERIFY(parts()[1].blend == BlendMode::Screen);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(blend->currentText(), QString("Screen"));
+    undo().undo();
+    QVERIFY(!parts()[1].blend);
+    QCOMPARE(blend->currentText(), QString("Normal"));
+    const QString path = m_folder.filePath("shade.ora");
+    writeOpenRaster(path.toStdString(),
+                    {{"shade", plainPicture(90, 60, {90, 90, 90, 255}), 10, 10, 1, true, BlendMode::Multiply},
+                     {"ground", plainPicture(180, 90, {9, 200, 9, 255})}},
+                    plainPicture(180, 90, {9, 9, 9, 255}));
+    QVERIFY(m_f->openFile(path));
+    QVERIFY(parts()[0].blend == BlendMode::Multiply && !parts()[1].blend);
+    list().setCurrentRow(0);
+    QCOMPARE(blend->currentText(), QString("Multiply"));
 }
 
 /// The first is in front; a file that is no picture is refused by its name.

@@ -27,6 +27,7 @@
 #include "warp/inpaint.h"
 #include "warp/matte.h"
 #include "warp/open_raster.h"
+#include "warp/picture_metadata.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -46,6 +47,20 @@ Rgba over(const Rgba& top, const Rgba& below) {
     Rgba result{0, 0, 0, alpha};
     for (std::size_t c = 0; c < 3 && alpha > 0; ++c)
         result[c] = (top[c] * top[3] + (1 - top[3]) * below[3] * below[c]) / alpha;
+    return result;
+}
+
+/// The general formula of https://www.w3.org/TR/compositing-1/, in associated colours, and then not.
+Rgba blended(const std::string& mode, const Rgba& top, const Rgba& below) {
+    const double as = top[3], ab = below[3];
+    Rgba result{0, 0, 0, as + ab - as * ab};
+    for (std::size_t c = 0; c < 3 && result[3] > 0; ++c) {
+        const double cs = top[c], cb = below[c];
+        const double mixed = mode == "multiply" ? cs * cb
+                             : mode == "screen" ? 1 - (1 - cs) * (1 - cb)
+                                                : std::min(1.0, cs + cb);
+        result[c] = (as * (1 - ab) * cs + as * ab * mixed + (1 - as) * ab * cb) / result[3];
+    }
     return result;
 }
 
@@ -70,6 +85,10 @@ class TestParts : public QObject {
     void wrongProjects_data();
     void wrongProjects();
     void partsLieOverOneAnother();
+    void partsBlend_data();
+    void partsBlend();
+    void blendedEdgesAreSoft();
+    void layersBlendAsTheirFileSays();
     void orderChanges();
     void limbTurnsAtItsJoint();
     void ridersFollow();
@@ -113,7 +132,7 @@ void TestParts::initTestCase() {
 
 void TestParts::projectsAreKept() {
     const std::string parts = R"(
-        {"name": "arm", "image": "bar.png", "at": [10, 5.5], "opacity": 0.5, "hidden": true, "mood": 1,
+        {"name": "arm", "image": "bar.png", "at": [10, 5.5], "opacity": 0.5, "hidden": true, "mood": 1, "blend": "screen",
          "outline": {"from": "alpha", "threshold": 0.25}, "vertices": 77,
          "order": [{"time": 0.25, "place": 3}, {"time": 0.5, "place": -1}],
          "joints": [{"to": "board", "at": [12, 8], "radius": 2, "of": "leather"}]},
@@ -159,6 +178,8 @@ void TestParts::wrongProjects_data() {
     row("order of times", a + R"(, "order": [{"time": 1, "place": 1}, {"time": 1, "place": 2}]})",
         "domain.parts[0].order[1]");
     row("opacity", a + R"(, "opacity": 1.5})", "domain.parts[0].opacity: must be in [0, 1]");
+    row("blend mode", a + R"(, "blend": "dodge"})",
+        "domain.parts[0].blend: must be \"normal\", \"multiply\"");
     row("handle of no part",
         a + R"(}]}, "handles": [{"name": "h", "at": {"part": "b", "points": [[1, 1]]}}], "with": {"more": [{"x": 1})",
         "handle \"h\": there is no part \"b\"");
@@ -192,6 +213,79 @@ void TestParts::partsLieOverOneAnother() {
             if (x >= 20 && x < 36 && y >= 10 && y < 26) expected = over(blue, expected);
             QVERIFY2(isNear(pixelOf(image, x, y), expected), qPrintable(QString("%1 %2").arg(x).arg(y)));
         }
+}
+
+void TestParts::partsBlend_data() {
+    QTest::addColumn<QString>("mode");
+    for (const char* mode : {"multiply", "screen", "add"}) QTest::newRow(mode) << mode;
+}
+
+/// Sheets of several colours and opacities, of which the upper two blend: over one that is opaque, one that
+/// is half transparent, and nothing.
+void TestParts::partsBlend() {
+    QFETCH(QString, mode);
+    const auto write = [&](const char* name, int width, int height, const std::vector<std::uint8_t>& colour) {
+        writeImage(at(name).toStdString(), plainPicture(width, height, colour));
+    };
+    write("top.png", 30, 30, {200, 90, 30, 255});
+    write("middle.png", 40, 20, {120, 160, 240, 150});
+    write("half.png", 40, 40, {90, 220, 60, 100});
+    write("full.png", 20, 60, {140, 70, 200, 255});
+    const QString parts =
+        R"({"name": "top", "image": "top.png", "at": [10, 6], "blend": "%1", "opacity": 0.6},
+                             {"name": "middle", "image": "middle.png", "at": [4, 14], "blend": "%1"},
+                             {"name": "half", "image": "half.png", "at": [16, 2]},
+                             {"name": "full", "image": "full.png", "at": [24, 0]})";
+    const QImage image = run(project(parts.arg(mode).toStdString()));
+    const Rgba top{200 / 255.0, 90 / 255.0, 30 / 255.0, 0.6},
+        middle{120 / 255.0, 160 / 255.0, 240 / 255.0, 150 / 255.0},
+        thin{90 / 255.0, 220 / 255.0, 60 / 255.0, 100 / 255.0}, full{140 / 255.0, 70 / 255.0, 200 / 255.0, 1};
+    const std::string name = mode.toStdString();
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            Rgba expected = x >= 24 && x < 44 ? full : kNothing;
+            if (x >= 16 && x < 56 && y >= 2 && y < 42) expected = over(thin, expected);
+            if (x >= 4 && x < 44 && y >= 14 && y < 34) expected = blended(name, middle, expected);
+            if (x >= 10 && x < 40 && y >= 6 && y < 36) expected = blended(name, top, expected);
+            QVERIFY2(isNear(pixelOf(image, x, y), expected, 3.5 / 255),
+                     qPrintable(QString("%1 %2").arg(x).arg(y)));
+        }
+    const QImage plain = run(project(parts.arg("normal").toStdString()));
+    QVERIFY(isNear(pixelOf(plain, 30, 20), over(top, over(middle, over(thin, full)))));
+}
+
+/// Where the edge of an opaque sheet halves a pixel, half of it is blended.
+void TestParts::blendedEdgesAreSoft() {
+    const QImage image =
+        run(project(R"({"name": "bar", "image": "bar.png", "at": [4, 14.5], "blend": "multiply"},
+                                        {"name": "board", "image": "board.png"})"));
+    QVERIFY(isNear(pixelOf(image, 20, 20), {0, 0, 0, 1}));
+    QVERIFY(isNear(pixelOf(image, 20, 14), {0, 0.5, 0, 1}));
+    QVERIFY(isNear(pixelOf(image, 20, 26), {0, 0.5, 0, 1}));
+    QVERIFY(isNear(pixelOf(image, 20, 27), kGreen));
+}
+
+/// A layer has the mode of its file, unless the project says another one; exported files say it.
+void TestParts::layersBlendAsTheirFileSays() {
+    writeOpenRaster(
+        at("shade.ora").toStdString(),
+        {{"shade", plainPicture(40, 30, {128, 128, 128, 255}), 10, 10, 1, true, BlendMode::Multiply},
+         {"ground", plainPicture(80, 60, {200, 100, 50, 255})}},
+        plainPicture(80, 60, {0, 0, 0, 255}));
+    const auto parts = [](const char* more) {
+        return R"({"layer": {"file": "shade.ora", "name": "shade"})" + std::string(more) +
+               R"(}, {"layer": {"file": "shade.ora", "name": "ground"}})";
+    };
+    const Rgba dark{100 / 255.0, 50 / 255.0, 25 / 255.0, 1}, grey{128 / 255.0, 128 / 255.0, 128 / 255.0, 1};
+    QVERIFY(isNear(pixelOf(run(project(parts(""))), 20, 20), dark));
+    QVERIFY(isNear(pixelOf(run(project(parts(R"(, "blend": "normal")"))), 20, 20), grey));
+    run(project(parts(R"(, "blend": "add")")), {}, "shade-out.ora");
+    const Image written = readImageHeader(at("shade-out.ora").toStdString());
+    const auto& layers = fileMetadata(written)->layers;
+    QCOMPARE(layers.at(0).blend, std::string("plus"));
+    QCOMPARE(layers.at(1).blend, std::string("src-over"));
+    const Image merged = readImage(at("shade-out.ora").toStdString());
+    QCOMPARE(std::to_integer<int>(merged.row(20)[merged.pixelBytes() * 20]), 255);  // 200 + 128
 }
 
 void TestParts::orderChanges() {
