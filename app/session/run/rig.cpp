@@ -39,7 +39,7 @@ double lengthOf(const std::vector<int>& outline, const Points<2>& points) {
 
 /// Returns a part whose triangles are in `cells`, numbers of cells with the hindmost first.
 RigPart makePart(const SimplicialMesh<2>& mesh, const std::string& name, const std::vector<int>& cells) {
-    RigPart part{name, {}, 0, {}};
+    RigPart part{.name = name};
     for (const int c : cells) part.triangles.push_back(mesh.cells[static_cast<std::size_t>(c)]);
     auto outlines = outlinesOf(part.triangles);
     const auto longest = std::ranges::max_element(
@@ -95,6 +95,8 @@ Rig makeRig(const Shape<2>& shape, const std::vector<Points<2>>& poses, const st
         placeOf[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
         rig.parts.push_back(
             makePart(inTexture, part.name, cellsByDepth(part.firstCell, part.endCell, depth)));
+        if (shape.texture && !shape.texture->sheets.empty())
+            rig.parts.back().blend = shape.texture->sheets[static_cast<std::size_t>(order[k])].blend;
     }
     for (std::size_t k = 0; k < poses.size(); ++k) {
         rig.poses.push_back(inPixels(shape, poses[k]));

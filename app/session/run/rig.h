@@ -15,6 +15,7 @@ struct RigPart {
     std::vector<int> vertices;  // of the mesh that is drawn
     int hull = 0;               // the number of vertices of the outline
     std::vector<Cell<2>> triangles;
+    BlendMode blend = BlendMode::Normal;
 };
 
 /// A deforming picture for programs that play 2D animations: parts of one texture, and their vertices over

@@ -92,7 +92,10 @@ Json spineSkeleton(const Rig& rig, const std::string& region) {
     Json slots = Json::array(), attachments = Json::object(), keys = Json::object();
     const Points<2> rest = yUp(rig.rest, rig.height);
     for (const RigPart& part : rig.parts) {
-        slots.push_back({{"name", part.name}, {"bone", "root"}, {"attachment", part.name}});
+        Json slot = {{"name", part.name}, {"bone", "root"}, {"attachment", part.name}};
+        if (part.blend != BlendMode::Normal)
+            slot["blend"] = part.blend == BlendMode::Add ? "additive" : blendWord(part.blend);
+        slots.push_back(slot);
         attachments[part.name][part.name] = {{"type", "mesh"},
                                              {"path", region},
                                              {"uvs", texturePointsOf(rig, part)},
@@ -176,7 +179,9 @@ Json dragonBonesSkeleton(const Rig& rig, const std::string& name) {
     const double rate = rig.framesPerSecond;
     Json slots = Json::array(), meshes = Json::array(), keys = Json::array();
     for (const RigPart& part : rig.parts) {
-        slots.push_back({{"name", part.name}, {"parent", "root"}});
+        Json slot = {{"name", part.name}, {"parent", "root"}};
+        if (part.blend != BlendMode::Normal) slot["blendMode"] = blendWord(part.blend);
+        slots.push_back(slot);
         const Json mesh = {{"type", "mesh"},
                            {"name", part.name},
                            {"path", name},
@@ -298,6 +303,9 @@ void writeRig(const std::string& path, const Rig& rig, OutputSet& files) {
 }
 
 std::string lostInRig(const std::string& path, const Rig& rig) {
+    const bool isBlended =
+        std::ranges::any_of(rig.parts, [](const RigPart& part) { return part.blend != BlendMode::Normal; });
+    if (lowerExtension(path) == ".glb" && isBlended) return "the format holds no blend modes of parts";
     if (!path.ends_with(kDragonBones)) return {};
     std::size_t begin = 0, last = 0;
     for (const RigPart& part : rig.parts) {

@@ -119,7 +119,7 @@ void TestRig::initTestCase() {
 
 void TestRig::run(const std::vector<const char*>& names) const {
     const std::string text = R"({"format": "wend", "version": 1, "domain": {"vertices": 120, "parts": [
-        {"name": "bar", "image": "bar.png", "at": [10, 20], "order": [{"time": 0.5, "place": 2}]},
+        {"name": "bar", "image": "bar.png", "at": [10, 20], "blend": "add", "order": [{"time": 0.5, "place": 2}]},
         {"name": "board", "image": "board.png"}]}, "handles": [
         {"name": "a", "at": {"part": "bar", "points": [[15, 25], [50, 26]]},
          "motion": [{"kind": "translate", "by": [16, 8], "time": [0, 1]}]},
@@ -160,6 +160,7 @@ void TestRig::spineMoves() {
     for (const QJsonValue& slot : spine["slots"].toArray()) {
         const QString name = slot["name"].toString();
         names << name;
+        QCOMPARE(slot["blend"].toString(), name == "bar" ? "additive" : "");
         const QJsonObject mesh =
             spine["skins"][0]["attachments"][name][slot["attachment"].toString()].toObject();
         QCOMPARE(mesh["path"].toString(), lines[4]);
@@ -197,7 +198,10 @@ void TestRig::dragonBonesMoves() {
     QCOMPARE(atlas["SubTexture"][0]["width"].toInt(), texture.width());
     QCOMPARE(armature["frameRate"].toDouble(), kRate);
     QStringList names;
-    for (const QJsonValue& slot : armature["slot"].toArray()) names << slot["name"].toString();
+    for (const QJsonValue& slot : armature["slot"].toArray()) {
+        names << slot["name"].toString();
+        QCOMPARE(slot["blendMode"].toString(), names.last() == "bar" ? "add" : "");
+    }
     const QJsonObject animation = armature["animation"][0].toObject();
     QCOMPARE(animation["duration"].toInt(), kCount - 1);
     for (const QJsonValue& slot : armature["skin"][0]["slot"].toArray()) {
