@@ -39,7 +39,8 @@ double lengthOf(const std::vector<int>& outline, const Points<2>& points) {
 
 /// Returns a part whose triangles are in `cells`, numbers of cells with the hindmost first.
 RigPart makePart(const SimplicialMesh<2>& mesh, const std::string& name, const std::vector<int>& cells) {
-    RigPart part{.name = name};
+    RigPart part;
+    part.name = name;
     for (const int c : cells) part.triangles.push_back(mesh.cells[static_cast<std::size_t>(c)]);
     auto outlines = outlinesOf(part.triangles);
     const auto longest = std::ranges::max_element(
