@@ -49,6 +49,11 @@ pugi::xml_node pictureOf(pugi::xml_node node) {
     return node;
 }
 
+int placeIn(const pugi::xml_node& node, const char* axis) {
+    constexpr int kFarthest = 100'000'000;
+    return std::clamp(node.attribute(axis).as_int(), -kFarthest, kFarthest);
+}
+
 std::string fileOf(const pugi::xml_node& node) {
     return std::string(pictureOf(node).attribute("name").value()) + "/layers/" +
            node.attribute("filename").value();
@@ -68,7 +73,7 @@ PixelBox boxOf(const KritaPixels& pixels, const KritaColours& colours, const pug
         std::string_view(pixels.other())
             .substr(pixels.pixelBytes() - static_cast<std::size_t>(colours.bits / 8));
     PixelBox box = pixels.box();
-    box.x += node.attribute("x").as_int(), box.y += node.attribute("y").as_int();
+    box.x += placeIn(node, "x"), box.y += placeIn(node, "y");
     if (alpha.find_first_not_of('\0') == std::string_view::npos) return box;
     const pugi::xml_node picture = pictureOf(node);
     return {0, 0, picture.attribute("width").as_int(), picture.attribute("height").as_int()};
@@ -79,8 +84,8 @@ void takeMasks(const pugi::xml_node& node, KritaLayer& kritas, PictureLayer& lay
         if (!mask.attribute("visible").as_bool(true)) continue;
         const std::string_view kind = mask.attribute("nodetype").value();
         if (kind == "transparencymask")
-            kritas.masks.push_back({fileOf(mask) + ".pixelselection", mask.attribute("x").as_int(),
-                                    mask.attribute("y").as_int()});
+            kritas.masks.push_back(
+                {fileOf(mask) + ".pixelselection", placeIn(mask, "x"), placeIn(mask, "y")});
         else if (std::string word = wordOf(kOtherMasks, kind); !word.empty())
             layer.leftOut.push_back(std::move(word));
     }
@@ -140,7 +145,7 @@ KritaLayer kritaLayerOf(const ZipArchive& zip, const pugi::xml_node& node, Pictu
     if (!layer.unread.empty()) return kritas;
     kritas.file = fileOf(node);
     kritas.colours = node.attribute("colorspacename").value();
-    kritas.x = node.attribute("x").as_int(), kritas.y = node.attribute("y").as_int();
+    kritas.x = placeIn(node, "x"), kritas.y = placeIn(node, "y");
     takeMasks(node, kritas, layer);
     takeInheritance(node, layer);
     const KritaColours& colours = *coloursOf(kritas.colours);

@@ -8,7 +8,7 @@
 namespace wend {
 namespace {
 
-constexpr int kFarthest = 100'000'000, kLargestTile = 4096, kLargestPixel = 64;
+constexpr int kFarthest = 100'000'000, kLargestTile = 1024, kLargestPixel = 64;
 
 [[noreturn]] void failDamaged() {
     throw InputError("is truncated or corrupt");

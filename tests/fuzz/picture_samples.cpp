@@ -209,7 +209,8 @@ std::vector<Sample> makeSamples(const fs::path& folder) {
     samples.push_back({"bits.tif", tiff(1, 0)});
     samples.push_back({"grey.pfm", "Pf\n4 2\n-1.0\n" + std::string(32, '?')});
     samples.push_back({"bits.pbm", "P1\n4 2\n0 1 0 1\n1 0 1 0\n"});
-    for (const char* name : {"layers.ora", "layers.psd", "layers16.psd", "layers.psb"})
+    for (const char* name :
+         {"layers.ora", "layers.psd", "layers16.psd", "layers.psb", "layers.kra", "layers.tif"})
         samples.push_back({name, contents(fs::path(WEND_SOURCE_DIR "/tests/data/pictures") / name)});
     return samples;
 }

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <random>
 
 #include "core/mesh/error.h"
 #include "warp/image.h"
@@ -49,6 +50,7 @@ class TestLayeredFiles : public QObject {
     void damagedDrawings();
     void layersOfOtherKinds();
     void lzf();
+    void damagedTiles();
     void damagedFiles_data();
     void damagedFiles();
 
@@ -328,6 +330,35 @@ void TestLayeredFiles::lzf() {
     QVERIFY_EXCEPTION_THROWN(fromLzf({"\0a\x20", 3}, 4), InputError);    // no distance
     QVERIFY_EXCEPTION_THROWN(fromLzf({"\2abc", 4}, 2), InputError);      // more than there should be
     QVERIFY_EXCEPTION_THROWN(fromLzf({"\2abc", 4}, 4), InputError);      // fewer
+}
+
+/// Whatever is wrong in the tiles of a layer, they are read or refused. The zip archive around them has
+/// checksums, which a file that was made with intent has, too.
+void TestLayeredFiles::damagedTiles() {
+    const std::string head = "VERSION 2\nTILEWIDTH 4\nTILEHEIGHT 3\nPIXELSIZE 2\nDATA 2\n";
+    const std::string packed("\1\0a\xe0\16\0", 6);
+    const std::string sound =
+        head + "0,0,LZF,25\n" + std::string(1, '\0') + std::string(24, 'x') + "-4,3,LZF,6\n" + packed;
+    const KritaPixels pixels(sound, "");
+    QCOMPARE(pixels.rows({-4, 0, 8, 1}), std::string(8, '\0') + std::string(8, 'x'));
+    QCOMPARE(pixels.rows({-4, 3, 2, 2}), std::string(8, 'a'));
+    std::mt19937 random(5);
+    int refused = 0;
+    for (int k = 0; k < 20000; ++k) {
+        std::string bytes = sound;
+        for (unsigned changes = 1 + random() % 3; changes > 0; --changes)
+            bytes[random() % bytes.size()] =
+                static_cast<char>(random() % 3 == 0 ? '0' + random() % 10 : random());
+        if (random() % 4 == 0) bytes.resize(random() % bytes.size());
+        try {
+            const KritaPixels changed(bytes, "");
+            const PixelBox& box = changed.box();
+            if (1e-6 * box.width * box.height < 1) changed.rows(box);
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    QVERIFY(refused > 5000);
 }
 
 void TestLayeredFiles::damagedFiles_data() {

@@ -136,21 +136,24 @@ class SvgDrawing {
         if (m_scale * m_scale * 1e-6 * own.width() * own.height() > kMaxMegapixels)
             throw InputError("is larger than 400 million pixels");
         m_size = own * m_scale;
-        for (std::size_t k = 0; k < m_layers.size(); ++k) takeBox(k);
+    }
+
+    /// Returns all of it.
+    DrawnSvg drawn() const {
+        DrawnSvg result{layers(), pngOf(picture(textOf(m_document)))};
+        for (std::size_t k = 0; k < m_layers.size(); ++k) {
+            const QRect seen = seenOf(pictureOf(k));
+            PictureLayer& layer = result.layers[k];
+            layer.x = seen.x(), layer.y = seen.y(), layer.width = seen.width(), layer.height = seen.height();
+        }
+        return result;
     }
 
     DrawnSvg drawn(const std::string& name) const {
-        DrawnSvg result;
-        for (const SvgLayer& layer : m_layers) result.layers.push_back(layer.layer);
-        if (name.empty()) {
-            result.picture = pngOf(picture(textOf(m_document)));
-            return result;
-        }
-        const std::size_t place = layerNamed(result.layers, name);
-        const PictureLayer& layer = result.layers[place];
-        if (layer.width < 1) throw InputError("shows nothing of its layer \"" + name + '"');
-        result.picture = pngOf(pictureOf(place).copy(layer.x, layer.y, layer.width, layer.height));
-        return result;
+        const QImage image = pictureOf(layerNamed(layers(), name));
+        const QRect seen = seenOf(image);
+        if (seen.isEmpty()) throw InputError("shows nothing of its layer \"" + name + '"');
+        return {{}, pngOf(image.copy(seen))};
     }
 
   private:
@@ -187,9 +190,8 @@ class SvgDrawing {
         return picture(textOf(alone));
     }
 
-    /// Sets the box of what is seen of a layer.
-    void takeBox(std::size_t place) {
-        const QImage image = pictureOf(place);
+    /// Returns the box of what is not transparent; empty if all is.
+    static QRect seenOf(const QImage& image) {
         int left = image.width(), top = image.height(), right = 0, bottom = 0;
         for (int y = 0; y < image.height(); ++y) {
             const auto* row = reinterpret_cast<const std::array<uchar, 4>*>(image.constScanLine(y));
@@ -201,9 +203,13 @@ class SvgDrawing {
             left = std::min(left, static_cast<int>(first - row)), right = std::max(right, last);
             top = std::min(top, y), bottom = y + 1;
         }
-        if (bottom == 0) return;
-        PictureLayer& layer = m_layers[place].layer;
-        layer.x = left, layer.y = top, layer.width = right - left, layer.height = bottom - top;
+        return bottom > 0 ? QRect(left, top, right - left, bottom - top) : QRect(0, 0, 0, 0);
+    }
+
+    std::vector<PictureLayer> layers() const {
+        std::vector<PictureLayer> layers;
+        for (const SvgLayer& layer : m_layers) layers.push_back(layer.layer);
+        return layers;
     }
 
     pugi::xml_document m_document;
@@ -215,7 +221,8 @@ class SvgDrawing {
 class QtSvg final : public SvgLibrary {
   public:
     DrawnSvg draw(const std::string& svg, const std::string& layer) const override {
-        return SvgDrawing(svg).drawn(layer);
+        const SvgDrawing drawing(svg);
+        return layer.empty() ? drawing.drawn() : drawing.drawn(layer);
     }
 };
 
