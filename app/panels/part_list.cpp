@@ -140,6 +140,7 @@ void PartList::connectControls() {
         change(tr("Change opacity"), std::move(next), QStringLiteral("part opacity %1").arg(chosen()));
     });
     connect(m_blend, &QComboBox::activated, this, &PartList::blend);
+    connect(&m_session, &ShapeSession::frameChanged, this, &PartList::showBlend);
     connect(m_joined, &QComboBox::textActivated, this, &PartList::join);
     connect(m_rides, &QComboBox::textActivated, this, &PartList::ride);
 }
@@ -190,11 +191,17 @@ void PartList::showChosen() {
     if (part < 0) return;
     const QSignalBlocker quiet(m_opacity);
     m_opacity->setValue(kFullOpacity * parts()[static_cast<std::size_t>(part)].opacity);
+    showBlend();
+    fillChoices();
+}
+
+/// Shows the mode of the chosen part, which may be known with the next shape only.
+void PartList::showBlend() {
+    if (chosen() < 0) return;
     const auto frame = m_session.frame<2>();
-    const BlendMode mode = modeOf(parts()[static_cast<std::size_t>(part)],
+    const BlendMode mode = modeOf(parts()[static_cast<std::size_t>(chosen())],
                                   frame && frame->built ? frame->built->texture.get() : nullptr);
     m_blend->setCurrentIndex(static_cast<int>(mode));
-    fillChoices();
 }
 
 void PartList::fillChoices() {

@@ -35,6 +35,7 @@ class PartList : public QWidget {
     void connectControls();
     void showParts();
     void showChosen();
+    void showBlend();
     void fillChoices();
     void takeItem(QListWidgetItem* item);
     void takeOrder(int from, int to);

@@ -216,6 +216,7 @@ void TestPartList::partIsBlended() {
     QCOMPARE(blend->currentText(), QString("Screen"));
     undo().undo();
     QVERIFY(!parts()[1].blend);
+    QVERIFY(settle(m_f->session()));
     QCOMPARE(blend->currentText(), QString("Normal"));
     const QString path = m_folder.filePath("shade.ora");
     writeOpenRaster(path.toStdString(),
