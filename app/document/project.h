@@ -14,6 +14,13 @@
 
 namespace wend {
 
+/// A named time of the film; the motion does not depend on it.
+struct TimeMarker {
+    double at = 0;
+    std::string name;
+    Extras extras = {};
+};
+
 /// The project as the file describes it (docs/project-file.md): values only, no meshes or pictures.
 struct Project {
     Domain domain;
@@ -23,6 +30,7 @@ struct Project {
     bool endIsGiven = true;  // false: the file leaves `end` to the motions, see endOfMotions()
     double frameRate = 24;   // of films, per unit of time
     std::optional<std::array<double, 2>> cycle;  // the part of time that a loop shows
+    std::vector<TimeMarker> markers;             // in the order of time
     std::string audio;                 // a file that sounds from time 0 on, in films, too; empty: none
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
     SolidView view;                    // in space

@@ -334,10 +334,20 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
                             const QString& key) {
     const Project& project = *m_document.project();
     const bool appends = key.isEmpty() && takesTheEnd(project, gesture.from);
+    if (appends && !m_keepsWay && m_added == std::pair(gesture.handles, m_document.project()))
+        if (const auto next = withLastMoveCorrected<Dim>(project, gesture)) {
+            m_document.change(step, *next);
+            m_added.second = m_document.project();
+            emit notice(
+                ShapeSession::tr("The last move goes straight there now. Motion ▸ Keep the Way leads "
+                                 "pins on instead."));
+            return true;
+        }
     const std::optional<Project> next =
         appends ? withPoseAppended<Dim>(project, gesture, starts) : withPose<Dim>(project, gesture, starts);
     if (!next) return false;
     m_document.change(step, *next, key);
+    if (appends) m_added = {gesture.handles, m_document.project()};
     m_playback.setTime(appends ? m_playback.end() : gesture.from);
     if (appends)
         emit notice(ShapeSession::tr(

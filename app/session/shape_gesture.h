@@ -2,9 +2,13 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <memory>
 #include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
+#include "app/document/project_fwd.h"
 #include "app/session/motion/drag_gesture.h"
 #include "app/session/pins.h"
 
@@ -39,6 +43,7 @@ class ShapeGesture : public QObject {
 
     void setRecording(bool records) { m_records = records; }
     void setPosing(bool poses) { m_poses = poses; }
+    void setKeepsWay(bool keeps) { m_keepsWay = keeps; }
     void begin(const Grip& grip, bool records);
     void moveBy(const Amount& amount, double seconds);
     void end(double tolerance);
@@ -93,8 +98,11 @@ class ShapeGesture : public QObject {
     double m_from = 0;  // when it began, by the clock of the motion
     /// The handles of the gesture at its start.
     std::tuple<std::vector<PinView<2>>, std::vector<PinView<3>>> m_grabbed;
-    bool m_records = false;                    // every drag
-    bool m_poses = false;                      // a drag sets a pose at its time
+    bool m_records = false;   // every drag
+    bool m_poses = false;     // a drag sets a pose at its time
+    bool m_keepsWay = false;  // a drag after one at the end of the film is another move
+    /// The last pose that made the film longer: its handles, and the project until something else changes.
+    std::pair<std::vector<int>, std::shared_ptr<const Project>> m_added;
     QTimer m_goOn;                             // advances the other handles while recording
     QElapsedTimer m_sinceSample, m_sinceLead;  // since the last sample was added; since the last request
     QTimer m_waits;                            // delays the newest sample

@@ -141,6 +141,9 @@ class ShapeSession : public QObject {
     /// Makes every following drag and step of the arrow keys set where the handles are at the shown time,
     /// while what they do before and after stays (see withPose()); at the end the film becomes longer.
     void setPosing(bool poses) { m_gesture.setPosing(poses); }
+    /// Decides what a drag does that directly follows one of the same pins at the end of the film: it leads
+    /// them on, or else it replaces that move by a straight one to the new place.
+    void setKeepsWay(bool keeps) { m_gesture.setKeepsWay(keeps); }
     /// Ends the drag and keeps its path within the tolerance.
     void endDrag(double tolerance) { m_gesture.end(tolerance); }
     /// Ends the drag and keeps the straight path to its end, which was given as a number.

@@ -269,6 +269,7 @@ void mapTimes(Project& project, const Map& map) {
         },
         project.design);
     for (SettleWindow& window : project.settle) window = {map(window.start), map(window.end)};
+    for (TimeMarker& marker : project.markers) marker.at = map(marker.at);
     if (project.cycle) project.cycle = {map(project.cycle->at(0)), map(project.cycle->at(1))};
 }
 

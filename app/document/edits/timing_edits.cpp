@@ -20,7 +20,7 @@ AnyDesign edited(AnyDesign design, int handle, const Edit& edit) {
 /// Returns the interval in which a motion can be placed: between the other motions of its handle that do not
 /// move along, while the handle holds.
 MotionTime roomOf(const AnyDesign& design, const MotionId& of, const std::vector<MotionId>& along) {
-    const auto isLeft = [&](int motion) { return !isAmong(along, {of.handle, motion}); };
+    const auto isLeft = [&](int motion) { return !isAmong(along, MotionId{of.handle, motion}); };
     return std::visit(
         [&](const auto& one) -> MotionTime {
             const auto& own = one.handles.at(static_cast<std::size_t>(of.handle));

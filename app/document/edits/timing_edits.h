@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <type_traits>
 #include <vector>
 
 #include "app/document/project_fwd.h"
@@ -24,8 +25,9 @@ struct MotionId {
     int handle = -1, motion = -1;
     auto operator<=>(const MotionId&) const = default;
 };
-inline bool isAmong(const std::vector<MotionId>& motions, const MotionId& one) {
-    return std::find(motions.begin(), motions.end(), one) != motions.end();
+template <class Id>
+bool isAmong(const std::vector<Id>& ids, const std::type_identity_t<Id>& one) {
+    return std::find(ids.begin(), ids.end(), one) != ids.end();
 }
 /// Returns the interval from the first start to the last end.
 MotionTime spanOf(const AnyDesign& design, const std::vector<MotionId>& motions);

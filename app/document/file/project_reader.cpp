@@ -214,10 +214,24 @@ std::array<double, 2> readCycle(const JsonValue& value) {
     return {times[0], times[1]};
 }
 
+std::vector<TimeMarker> readMarkers(const JsonValue& value) {
+    std::vector<TimeMarker> markers;
+    for (const JsonValue& element : value.elements()) {
+        TimeMarker& marker = markers.emplace_back();
+        JsonObject object(element.ownedBy(marker.extras));
+        marker.at = object.require("at").number("time.markers[].at");
+        if (auto name = object.find("name")) marker.name = name->text();
+        object.finish();
+    }
+    std::ranges::stable_sort(markers, {}, &TimeMarker::at);
+    return markers;
+}
+
 void readTime(const JsonValue& value, Project& project) {
     JsonObject object(value);
     readSettings(object, "time", project);
     if (auto cycle = object.find("cycle")) project.cycle = readCycle(*cycle);
+    if (auto markers = object.find("markers")) project.markers = readMarkers(*markers);
     if (auto audio = object.find("audio")) project.audio = audio->text();
     object.finish();
 }

@@ -385,6 +385,11 @@ Project rebased(Project project, const std::string& path, const std::string& fol
 Json timeJson(const Project& project) {
     Json json = groupJson("time", project);
     if (project.cycle) json["cycle"] = {numberJson(project.cycle->at(0)), numberJson(project.cycle->at(1))};
+    for (const TimeMarker& marker : project.markers) {
+        Json one{{"at", numberJson(marker.at)}};
+        if (!marker.name.empty()) one["name"] = marker.name;
+        json["markers"].push_back(withExtras(std::move(one), marker.extras));
+    }
     if (!project.audio.empty()) json["audio"] = project.audio;
     return json;
 }

@@ -14,6 +14,8 @@ namespace {
 constexpr double kReach = 0.02;  // fraction of the shape's size that an image may be off the shape
 constexpr double kSame = 1e-3;   // of the shape's size: closer pins are one
 constexpr int kSamples = 500;    // of the vertices
+constexpr double kPaired =
+    0.1;  // of the shape's size: a pin that is nearer to the image of another is its counterpart
 
 /// Returns the mean length of an edge, using one of each cell.
 template <int Dim>
@@ -66,6 +68,16 @@ class Imager {
         return std::any_of(handles.begin(), handles.end(), [&](const Handle<Dim>& other) {
             return (middleOf(other) - own).norm() < kSame * m_size;
         });
+    }
+
+    /// Returns the number of the handle that is nearest to the image of one.
+    int counterpart(const std::vector<Handle<Dim>>& handles, int of) const {
+        const Vec<Dim> image = m_mirror(middleOf(handles[of]));
+        int best = of;
+        double least = kPaired * m_size;
+        for (int h = 0; h < static_cast<int>(handles.size()); ++h)
+            if (const double off = (middleOf(handles[h]) - image).norm(); off < least) least = off, best = h;
+        return best;
     }
 
   private:
@@ -199,6 +211,15 @@ Mirror<Dim> mirrorOf(const SimplicialMesh<Dim>& rest) {
     return best;
 }
 
+template <int Dim>
+std::vector<int> mirrorImages(const PosedFrame<Dim>& frame, const std::vector<Handle<Dim>>& handles) {
+    const Imager<Dim> imager(frame);
+    std::vector<int> images;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h)
+        images.push_back(imager.counterpart(handles, h));
+    return images;
+}
+
 void mirrorPins(ShapeSession& session) {
     session.document().dimension() == 2 ? mirrorPinsOf<2>(session) : mirrorPinsOf<3>(session);
 }
@@ -219,6 +240,8 @@ bool canMirrorMotion(const ShapeSession& session) {
         session.document().design());
 }
 
+template std::vector<int> mirrorImages<2>(const PosedFrame<2>&, const std::vector<Handle<2>>&);
+template std::vector<int> mirrorImages<3>(const PosedFrame<3>&, const std::vector<Handle<3>>&);
 template Mirror<2> mirrorOf<2>(const SimplicialMesh<2>&);
 template Mirror<3> mirrorOf<3>(const SimplicialMesh<3>&);
 

@@ -138,6 +138,11 @@ void Actions::makeMotion() {
                       "before and after stays; off: it leads them on to the end of the film")},
                   QKeySequence(tr("Shift+T")), "pose-here");
     poseHere->setChecked(true);
+    keepWay =
+        addToggle({tr("Keep the &Way"),
+                   tr("A drag that follows another of the same pins at the end of the film leads them on "
+                      "by a second; off: it corrects that move, which becomes straight")},
+                  {});
     onionSkin = addToggle(
         {tr("&Onion Skin"), tr("Show the shape as it was a little before and as it is a little after")},
         QKeySequence(tr("Shift+N")), "onion");
@@ -208,7 +213,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     motion->addActions({play, loop, toStart, toEnd});
     motion->addMenu(speed.get());
     motion->addSeparator();
-    motion->addActions({record, poseHere, onionSkin, settle});
+    motion->addActions({record, poseHere, keepWay, onionSkin, settle});
     motion->addMenu(curve);
     window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, manual, shortcuts, about});
     for (const QAction* one : window.menuBar()->actions()) makeLettersUnique(*one->menu());

@@ -28,7 +28,7 @@ class Actions : public ActionMaker {
     QAction *selectTool, *pinTool, *lassoTool;  // tools that others return to, or begin with
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
-    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *onionSkin;
+    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *keepWay, *onionSkin;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;

@@ -2,8 +2,9 @@
 
 #include <QApplication>
 #include <QToolButton>
+#include <utility>
 
-#include "app/document/project.h"
+#include "app/document/edits/film_edits.h"
 #include "app/panels/look/theme.h"
 #include "app/session/settle_step.h"
 #include "app/view/actions/actions.h"
@@ -22,18 +23,15 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.strip, &TimeStrip::wayChanged, &m_parts.tracks,
             [strip = &m_parts.strip, tracks = &m_parts.tracks] { tracks->setWay(strip->way()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
-    const auto showCycle = [&playback, &document = m_parts.session.document()] {
-        const auto cycle = document.isEmpty() ? std::nullopt : document.project()->cycle;
-        playback.setCycle(cycle ? cycle->at(0) : 0, cycle ? cycle->at(1) : 0);
-    };
-    connect(&m_parts.session.document(), &Document::projectChanged, this, showCycle);
-    connect(&m_parts.session.document(), &Document::opened, this, showCycle);
+    connect(&m_parts.session.document(), &Document::projectChanged, this, &FilmControls::takeCycle);
+    connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::takeCycle);
     connect(a.record, &QAction::toggled, &m_parts.session, &ShapeSession::setRecording);
     const auto pose = [this, &a] {
         m_parts.session.setPosing(a.poseHere->isChecked() && m_parts.tools.mode() == Mode::Animate);
     };
     connect(a.poseHere, &QAction::toggled, this, pose);
     connect(&m_parts.tools, &Toolbox::changed, this, pose);
+    connect(a.keepWay, &QAction::toggled, &m_parts.session, &ShapeSession::setKeepsWay);
     connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {
         playback.setSpeed(chosen->data().toDouble());
         a.setSpeed(playback.speed());
@@ -43,6 +41,13 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.tools, &Toolbox::changed, this, &FilmControls::showTracks);
     connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::showTracks);
     showTracks();
+}
+
+/// A cycle that is marked or opened loops.
+void FilmControls::takeCycle() {
+    const auto cycle = filmMarksOf(m_parts.session.document()).cycle;
+    m_parts.session.playback().setCycle(cycle ? cycle->at(0) : 0, cycle ? cycle->at(1) : 0);
+    if (!std::exchange(m_hasCycle, cycle.has_value()) && cycle) m_parts.actions.loop->setChecked(true);
 }
 
 void FilmControls::connectTime() {

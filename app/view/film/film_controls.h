@@ -26,10 +26,12 @@ class FilmControls : public QObject {
 
   private:
     void connectTime();
+    void takeCycle();
     void showPlaying(bool playing);
     void showTracks();
 
     Parts m_parts;
+    bool m_hasCycle = false;
 };
 
 }  // namespace wend

@@ -8,12 +8,12 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/document/edits/film_time.h"
-#include "app/document/project.h"
+#include "app/document/edits/film_edits.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/look/theme.h"
+#include "core/integration/integration_options.h"
 
 namespace wend {
 
@@ -106,8 +106,7 @@ void TimeStrip::showLength() {
 void TimeStrip::changeLength() {
     Document& document = m_session.document();
     if (document.isEmpty() || m_length->exact() == document.end()) return;
-    document.change(tr("Change length"), withLength(*document.project(), m_length->exact()),
-                    QStringLiteral("length"));
+    wend::changeLength(document, tr("Change length"), m_length->exact());
 }
 
 void TimeStrip::setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop) {
@@ -154,7 +153,7 @@ void TimeStrip::paintSettling(QPainter& painter, double end) {
     QColor band = Theme::of(palette()).accent;
     band.setAlphaF(0.25);
     const QRectF groove = way();
-    for (const SettleWindow& window : m_session.document().project()->settle) {
+    for (const SettleWindow& window : settlingOf(*m_session.document().project())) {
         const double from = groove.width() * window.start / end, to = groove.width() * window.end / end;
         painter.fillRect(QRectF(groove.left() + from, m_slider->y() + 2, to - from, m_slider->height() - 4),
                          band);

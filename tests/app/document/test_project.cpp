@@ -685,6 +685,10 @@ class TestProject : public QObject {
             "time.cycle: must be two times");
         row("cycle before the start", projectText(kImage + ", 'time': {'cycle': [-1, 1]}"),
             "time.cycle: must be two times from 0 on");
+        row("marker without a time", projectText(kImage + ", 'time': {'markers': [{'name': 'a'}]}"),
+            "time.markers[0]: the key `at` is missing");
+        row("marker before the start", projectText(kImage + ", 'time': {'markers': [{'at': 1}, {'at': -1}]}"),
+            "time.markers[1].at: -1 is out of range");
         row("frame rate", projectText(kImage + ", 'time': {'frameRate': 0}"),
             "time.frameRate: 0 is out of range");
         row("sound", projectText(kImage + ", 'time': {'audio': 3}"), "time.audio: ");
@@ -707,7 +711,23 @@ class TestProject : public QObject {
         QVERIFY(!again->endIsGiven && again->cycle == project.cycle && again->audio == project.audio &&
                 again->frameRate == project.frameRate);
         const std::string plain = toJson(*parseProject(projectText(kImage), "p.wend").project);
-        for (const char* key : {"frameRate", "cycle", "audio"}) QVERIFY(plain.find(key) == std::string::npos);
+        for (const char* key : {"frameRate", "cycle", "markers", "audio"})
+            QVERIFY(plain.find(key) == std::string::npos);
+    }
+
+    /// In the order of time, with what another program has added to them.
+    void markersAreKept() {
+        const LoadedProject loaded = parseProject(
+            projectText(kImage + ", 'time': {'markers': [{'at': 2, 'name': 'b'}, {'at': 0.5, 'mood': 3}]}"),
+            "p.wend");
+        QCOMPARE(loaded.warnings.size(), std::size_t(1));
+        const auto& markers = loaded.project->markers;
+        QCOMPARE(markers.size(), std::size_t(2));
+        QVERIFY(markers[0].at == 0.5 && markers[0].name.empty() && markers[1].at == 2 &&
+                markers[1].name == "b");
+        const std::string text = toJson(*loaded.project);
+        QVERIFY(text.find("\"mood\": 3") != std::string::npos);
+        QCOMPARE(toJson(*parseProject(text, "p.wend").project), text);
     }
 
     void badInput() {
