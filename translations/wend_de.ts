@@ -966,6 +966,14 @@
         <source>Choose what to keep</source>
         <translation>Wählen, was bleibt</translation>
     </message>
+    <message>
+        <source>Walker</source>
+        <translation>Wanderer</translation>
+    </message>
+    <message>
+        <source>A walk that loops</source>
+        <translation>Gehen in Schleife</translation>
+    </message>
 </context>
 <context>
     <name>FillTool</name>
@@ -2095,6 +2103,38 @@
         <source>tail</source>
         <translation>Schwanz</translation>
     </message>
+    <message>
+        <source>chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>far hand</source>
+        <translation>abgewandte Hand</translation>
+    </message>
+    <message>
+        <source>far heel</source>
+        <translation>abgewandte Ferse</translation>
+    </message>
+    <message>
+        <source>far toe</source>
+        <translation>abgewandte Zehe</translation>
+    </message>
+    <message>
+        <source>near hand</source>
+        <translation>nahe Hand</translation>
+    </message>
+    <message>
+        <source>near heel</source>
+        <translation>nahe Ferse</translation>
+    </message>
+    <message>
+        <source>near toe</source>
+        <translation>nahe Zehe</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>Schatten</translation>
+    </message>
 </context>
 <context>
     <name>SizeTool</name>
@@ -2881,6 +2921,14 @@
     <message>
         <source>Ctrl+J</source>
         <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Way</source>
+        <translation>&amp;Weg behalten</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>Ein Ziehen, das am Ende des Films auf eines derselben Pins folgt, führt sie eine Sekunde weiter; aus: Es berichtigt jene Bewegung, die gerade wird</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6499,14 @@
         <source>Posed at %1 s: what comes before and after stays.</source>
         <translation>Pose bei %1 s: Davor und danach bleibt alles.</translation>
     </message>
+    <message>
+        <source>No pose was set where a pin begins, rotates or does not hold: show another time.</source>
+        <translation>Wo ein Pin beginnt, dreht oder nicht hält, wurde keine Pose gesetzt: Zeigen Sie eine andere Zeit.</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation>Die letzte Bewegung geht nun gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -6871,6 +6927,17 @@
     </message>
 </context>
 <context>
+    <name>wend::SoundTrack</name>
+    <message>
+        <source>The sound is not shown: that needs the program ffmpeg (Debian: sudo apt install ffmpeg).</source>
+        <translation>Der Ton wird nicht gezeigt: Das braucht das Programm ffmpeg (Debian: sudo apt install ffmpeg).</translation>
+    </message>
+    <message>
+        <source>The sound %1 cannot be read: is the file there?</source>
+        <translation>Der Ton %1 ist nicht lesbar: Ist die Datei da?</translation>
+    </message>
+</context>
+<context>
     <name>wend::SpringOffer</name>
     <message>
         <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
@@ -7198,6 +7265,120 @@
     </message>
 </context>
 <context>
+    <name>wend::TimeRuler</name>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>Drag to show another time; with Shift, mark the part that a loop repeats. A right-click counts frames, sets the frame rate, and adds markers</source>
+        <translation>Ziehen zeigt eine andere Zeit; mit Umschalt markiert es den Teil, den eine Schleife wiederholt. Ein Rechtsklick zählt Bilder, stellt die Bildrate ein und setzt Marken</translation>
+    </message>
+    <message>
+        <source>Move marker</source>
+        <translation>Marke verschieben</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>Zyklus ändern</translation>
+    </message>
+    <message>
+        <source>Add marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Rename Marker</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Name of the marker:</source>
+        <translation>Name der Marke:</translation>
+    </message>
+    <message>
+        <source>Rename marker</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Rate</source>
+        <translation>Bild&amp;rate</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;from Here</source>
+        <translation>Zyklus &amp;ab hier</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;to Here</source>
+        <translation>Zyklus &amp;bis hier</translation>
+    </message>
+    <message>
+        <source>&amp;No Cycle</source>
+        <translation>&amp;Kein Zyklus</translation>
+    </message>
+    <message>
+        <source>Remove cycle</source>
+        <translation>Zyklus entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Count Frames</source>
+        <translation>Bilder &amp;zählen</translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation>&amp;Marke setzen</translation>
+    </message>
+    <message>
+        <source>R&amp;ename Marker…</source>
+        <translation>Marke &amp;umbenennen…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Marker</source>
+        <translation>Marke &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove marker</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Play the &amp;Sound</source>
+        <translation>&amp;Ton abspielen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Cycle: %1 to %2</source>
+        <translation>Zyklus: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>frames at %1 fps</source>
+        <translation>Bilder, %1 fps</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeScale</name>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
     <name>wend::TimeStrip</name>
     <message>
         <source>Time</source>
@@ -7310,10 +7491,6 @@
         <translation>Spuren</translation>
     </message>
     <message>
-        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
-        <translation>Eine Zeile je Pin, ein Balken je Bewegung; Auf und Ab wählen einen Pin, Links und Rechts eine andere Zeit, mit Alt bewegen sie den gewählten Balken</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>Zeitlich verschieben</translation>
     </message>
@@ -7330,20 +7507,12 @@
         <translation>Bewegung entfernen</translation>
     </message>
     <message>
-        <source>%1: %2 to %3 s, %4</source>
-        <translation>%1: %2 bis %3 s, %4</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Noch bewegt sich nichts. Ziehen Sie einen Pin, oder nehmen Sie es mit Strg auf: Dann steht hier, Pin für Pin, was Sie getan haben.</translation>
     </message>
     <message>
         <source>Change when it holds</source>
         <translation>Ändern, wann er hält</translation>
-    </message>
-    <message>
-        <source>Holds from %1 to %2 s</source>
-        <translation>Hält von %1 bis %2 s</translation>
     </message>
     <message>
         <source>&amp;Remove Motions</source>
@@ -7354,16 +7523,136 @@
         <translation>Bewegungen entfernen</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
-        <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; Umschalt, Strg oder ein Rahmen um sie wählt mehrere. Ein Rechtsklick stellt ein, wie sie beginnen und enden. Die Enden der Linie sagen, wann der Pin hält</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>Easing</translation>
     </message>
     <message>
         <source>Change easing</source>
         <translation>Easing ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Paste at the Time Shown</source>
+        <translation>Bei der gezeigten Zeit e&amp;infügen</translation>
+    </message>
+    <message>
+        <source>Paste M&amp;irrored</source>
+        <translation>&amp;Gespiegelt einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Straighten</source>
+        <translation>&amp;Gerade machen</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Gerade machen</translation>
+    </message>
+    <message>
+        <source>Simplify to &amp;Keys</source>
+        <translation>Zu &amp;Schlüsselposen vereinfachen</translation>
+    </message>
+    <message>
+        <source>&amp;Few</source>
+        <translation>&amp;Wenige</translation>
+    </message>
+    <message>
+        <source>&amp;Some</source>
+        <translation>&amp;Einige</translation>
+    </message>
+    <message>
+        <source>&amp;Many</source>
+        <translation>&amp;Viele</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Vereinfachen</translation>
+    </message>
+    <message>
+        <source>Key at %1</source>
+        <translation>Schlüsselpose: %1</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2</source>
+        <translation>Hält von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3, %4</source>
+        <translation>%1: %2 bis %3, %4</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Schlüsselposen verschieben</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Schlüsselpose verschieben</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Schlüsselposen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Schlüsselpose entfernen</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Schlüsselposen einfügen</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>Schlüsselposen spiegeln</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linear</translation>
+    </message>
+    <message>
+        <source>Slow &amp;before It</source>
+        <translation>&amp;Davor langsam</translation>
+    </message>
+    <message>
+        <source>Slow &amp;after It</source>
+        <translation>Dan&amp;ach langsam</translation>
+    </message>
+    <message>
+        <source>Slow on B&amp;oth Sides</source>
+        <translation>&amp;Beiderseits langsam</translation>
+    </message>
+    <message>
+        <source>&amp;Hold to the Next</source>
+        <translation>Bis zur nächsten &amp;halten</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>S&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Keys</source>
+        <translation>Schlüsselposen &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Key</source>
+        <translation>Schlüsselpose &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar or keys</source>
+        <translation>Eine Zeile je Pin, ein Balken je Bewegung; Auf und Ab wählen einen Pin, Links und Rechts eine andere Zeit, mit Alt bewegen sie den gewählten Balken oder Schlüsselposen</translation>
+    </message>
+    <message>
+        <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
+        <translation>Eine Schlüsselpose (Raute) oder einen Balken zu einer anderen Zeit ziehen; Umschalt, Strg oder ein Rahmen um sie wählt mehrere. Ein Rechtsklick bietet Easing, Halten, Kopieren, Spiegeln. Die Enden der Linie sagen, wann der Pin hält</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>Nichts ändert sich: Wo ein Pin beginnt, ist er in Ruhe, und Drehungen behalten ihren Verlauf.</translation>
     </message>
 </context>
 <context>

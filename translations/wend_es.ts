@@ -966,6 +966,14 @@
         <source>Choose what to keep</source>
         <translation>Conservar</translation>
     </message>
+    <message>
+        <source>Walker</source>
+        <translation>Caminante</translation>
+    </message>
+    <message>
+        <source>A walk that loops</source>
+        <translation>Un paso en bucle</translation>
+    </message>
 </context>
 <context>
     <name>FillTool</name>
@@ -2095,6 +2103,38 @@
         <source>tail</source>
         <translation>cola</translation>
     </message>
+    <message>
+        <source>chest</source>
+        <translation>pecho</translation>
+    </message>
+    <message>
+        <source>far hand</source>
+        <translation>mano lejana</translation>
+    </message>
+    <message>
+        <source>far heel</source>
+        <translation>talón lejano</translation>
+    </message>
+    <message>
+        <source>far toe</source>
+        <translation>punta del pie lejano</translation>
+    </message>
+    <message>
+        <source>near hand</source>
+        <translation>mano cercana</translation>
+    </message>
+    <message>
+        <source>near heel</source>
+        <translation>talón cercano</translation>
+    </message>
+    <message>
+        <source>near toe</source>
+        <translation>punta del pie cercano</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>sombra</translation>
+    </message>
 </context>
 <context>
     <name>SizeTool</name>
@@ -2881,6 +2921,14 @@
     <message>
         <source>Ctrl+J</source>
         <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Way</source>
+        <translation>Conservar el &amp;camino</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>Un arrastre que sigue a otro de los mismos pines al final de la película los lleva un segundo más; desactivado: corrige ese movimiento, que se vuelve recto</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6499,14 @@
         <source>Posed at %1 s: what comes before and after stays.</source>
         <translation>Pose en %1 s: lo anterior y lo posterior se conserva.</translation>
     </message>
+    <message>
+        <source>No pose was set where a pin begins, rotates or does not hold: show another time.</source>
+        <translation>No se fijó ninguna pose donde un pin empieza, gira o no sujeta: muestre otro momento.</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -6871,6 +6927,17 @@
     </message>
 </context>
 <context>
+    <name>wend::SoundTrack</name>
+    <message>
+        <source>The sound is not shown: that needs the program ffmpeg (Debian: sudo apt install ffmpeg).</source>
+        <translation>El sonido no se muestra: para ello hace falta el programa ffmpeg (Debian: sudo apt install ffmpeg).</translation>
+    </message>
+    <message>
+        <source>The sound %1 cannot be read: is the file there?</source>
+        <translation>No se puede leer el sonido %1: ¿está el archivo?</translation>
+    </message>
+</context>
+<context>
     <name>wend::SpringOffer</name>
     <message>
         <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
@@ -7198,6 +7265,120 @@
     </message>
 </context>
 <context>
+    <name>wend::TimeRuler</name>
+    <message>
+        <source>Ruler</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>Drag to show another time; with Shift, mark the part that a loop repeats. A right-click counts frames, sets the frame rate, and adds markers</source>
+        <translation>Arrastrar muestra otro momento; con Mayús marca la parte que repite un bucle. Un clic derecho cuenta fotogramas, fija la cadencia y añade marcas</translation>
+    </message>
+    <message>
+        <source>Move marker</source>
+        <translation>Mover la marca</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>Cambiar el ciclo</translation>
+    </message>
+    <message>
+        <source>Add marker</source>
+        <translation>Añadir marca</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marca</translation>
+    </message>
+    <message>
+        <source>Rename Marker</source>
+        <translation>Cambiar el nombre de la marca</translation>
+    </message>
+    <message>
+        <source>Name of the marker:</source>
+        <translation>Nombre de la marca:</translation>
+    </message>
+    <message>
+        <source>Rename marker</source>
+        <translation>Cambiar el nombre de la marca</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Rate</source>
+        <translation>C&amp;adencia</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;from Here</source>
+        <translation>Ciclo &amp;desde aquí</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;to Here</source>
+        <translation>Ciclo &amp;hasta aquí</translation>
+    </message>
+    <message>
+        <source>&amp;No Cycle</source>
+        <translation>&amp;Sin ciclo</translation>
+    </message>
+    <message>
+        <source>Remove cycle</source>
+        <translation>Quitar el ciclo</translation>
+    </message>
+    <message>
+        <source>&amp;Count Frames</source>
+        <translation>&amp;Contar fotogramas</translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation>Añadir &amp;marca</translation>
+    </message>
+    <message>
+        <source>R&amp;ename Marker…</source>
+        <translation>Cambiar el n&amp;ombre de la marca…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Marker</source>
+        <translation>&amp;Quitar la marca</translation>
+    </message>
+    <message>
+        <source>Remove marker</source>
+        <translation>Quitar la marca</translation>
+    </message>
+    <message>
+        <source>Play the &amp;Sound</source>
+        <translation>Reproducir el sonid&amp;o</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Cycle: %1 to %2</source>
+        <translation>Ciclo: %1 a %2</translation>
+    </message>
+    <message>
+        <source>frames at %1 fps</source>
+        <translation>fotogr., %1 fps</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeScale</name>
+    <message>
+        <source>frame %1</source>
+        <translation>fotograma %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
     <name>wend::TimeStrip</name>
     <message>
         <source>Time</source>
@@ -7310,10 +7491,6 @@
         <translation>Pistas</translation>
     </message>
     <message>
-        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
-        <translation>Una fila por alfiler, una barra por movimiento; Arriba y Abajo eligen un alfiler, Izquierda y Derecha otro momento, con Alt mueven la barra elegida</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>Mover en el tiempo</translation>
     </message>
@@ -7330,20 +7507,12 @@
         <translation>Eliminar movimiento</translation>
     </message>
     <message>
-        <source>%1: %2 to %3 s, %4</source>
-        <translation>%1: %2 a %3 s, %4</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Todavía no se mueve nada. Arrastre un alfiler, o grábelo con Ctrl: lo que haga estará aquí, alfiler por alfiler.</translation>
     </message>
     <message>
         <source>Change when it holds</source>
         <translation>Cambiar cuándo sujeta</translation>
-    </message>
-    <message>
-        <source>Holds from %1 to %2 s</source>
-        <translation>Sujeta de %1 a %2 s</translation>
     </message>
     <message>
         <source>&amp;Remove Motions</source>
@@ -7354,16 +7523,136 @@
         <translation>Quitar los movimientos</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
-        <translation>Arrastre una barra o sus extremos a otro momento; Mayús, Ctrl o un marco alrededor eligen varias. Un clic derecho fija cómo empiezan y acaban. Los extremos de la línea dicen cuándo sujeta el pin</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>Suavizado</translation>
     </message>
     <message>
         <source>Change easing</source>
         <translation>Cambiar el suavizado</translation>
+    </message>
+    <message>
+        <source>&amp;Paste at the Time Shown</source>
+        <translation>&amp;Pegar en el momento mostrado</translation>
+    </message>
+    <message>
+        <source>Paste M&amp;irrored</source>
+        <translation>Pegar refle&amp;jado</translation>
+    </message>
+    <message>
+        <source>&amp;Straighten</source>
+        <translation>&amp;Enderezar</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Enderezar</translation>
+    </message>
+    <message>
+        <source>Simplify to &amp;Keys</source>
+        <translation>Simplificar a &amp;claves</translation>
+    </message>
+    <message>
+        <source>&amp;Few</source>
+        <translation>&amp;Pocas</translation>
+    </message>
+    <message>
+        <source>&amp;Some</source>
+        <translation>&amp;Algunas</translation>
+    </message>
+    <message>
+        <source>&amp;Many</source>
+        <translation>&amp;Muchas</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Simplificar</translation>
+    </message>
+    <message>
+        <source>Key at %1</source>
+        <translation>Clave: %1</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2</source>
+        <translation>Sujeta de %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3, %4</source>
+        <translation>%1: %2 a %3, %4</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Mover claves</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Mover clave</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Eliminar claves</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Eliminar clave</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Pegar claves</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>Reflejar claves</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Lineal</translation>
+    </message>
+    <message>
+        <source>Slow &amp;before It</source>
+        <translation>Lento a&amp;ntes</translation>
+    </message>
+    <message>
+        <source>Slow &amp;after It</source>
+        <translation>Lento &amp;después</translation>
+    </message>
+    <message>
+        <source>Slow on B&amp;oth Sides</source>
+        <translation>Lento a am&amp;bos lados</translation>
+    </message>
+    <message>
+        <source>&amp;Hold to the Next</source>
+        <translation>Mantener &amp;hasta la siguiente</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Mantener</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>Re&amp;flejar</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Keys</source>
+        <translation>&amp;Eliminar claves</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Key</source>
+        <translation>&amp;Eliminar clave</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar or keys</source>
+        <translation>Una fila por alfiler, una barra por movimiento; Arriba y Abajo eligen un alfiler, Izquierda y Derecha otro momento, con Alt mueven la barra o las claves elegidas</translation>
+    </message>
+    <message>
+        <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
+        <translation>Arrastre una clave (un rombo) o una barra a otro momento; Mayús, Ctrl o un marco alrededor eligen varias. Un clic derecho suaviza, mantiene, copia, refleja. Los extremos de la línea dicen cuándo sujeta el pin</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>Nada cambia: donde un pin empieza está en reposo, y las rotaciones conservan su curso.</translation>
     </message>
 </context>
 <context>

@@ -966,6 +966,14 @@
         <source>Choose what to keep</source>
         <translation>Conserver</translation>
     </message>
+    <message>
+        <source>Walker</source>
+        <translation>Marcheur</translation>
+    </message>
+    <message>
+        <source>A walk that loops</source>
+        <translation>Marche en boucle</translation>
+    </message>
 </context>
 <context>
     <name>FillTool</name>
@@ -2095,6 +2103,38 @@
         <source>tail</source>
         <translation>queue</translation>
     </message>
+    <message>
+        <source>chest</source>
+        <translation>poitrine</translation>
+    </message>
+    <message>
+        <source>far hand</source>
+        <translation>main éloignée</translation>
+    </message>
+    <message>
+        <source>far heel</source>
+        <translation>talon éloigné</translation>
+    </message>
+    <message>
+        <source>far toe</source>
+        <translation>pointe du pied éloigné</translation>
+    </message>
+    <message>
+        <source>near hand</source>
+        <translation>main proche</translation>
+    </message>
+    <message>
+        <source>near heel</source>
+        <translation>talon proche</translation>
+    </message>
+    <message>
+        <source>near toe</source>
+        <translation>pointe du pied proche</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>ombre</translation>
+    </message>
 </context>
 <context>
     <name>SizeTool</name>
@@ -2881,6 +2921,14 @@
     <message>
         <source>Ctrl+J</source>
         <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Way</source>
+        <translation>&amp;Garder le trajet</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>Un glissement qui suit un autre des mêmes épingles à la fin du film les mène une seconde plus loin ; désactivé : il corrige ce mouvement, qui devient droit</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6499,14 @@
         <source>Posed at %1 s: what comes before and after stays.</source>
         <translation>Pose à %1 s : ce qui précède et ce qui suit reste.</translation>
     </message>
+    <message>
+        <source>No pose was set where a pin begins, rotates or does not hold: show another time.</source>
+        <translation>Aucune pose n’a été fixée là où une épingle commence, tourne ou ne tient pas : affichez un autre instant.</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -6871,6 +6927,17 @@
     </message>
 </context>
 <context>
+    <name>wend::SoundTrack</name>
+    <message>
+        <source>The sound is not shown: that needs the program ffmpeg (Debian: sudo apt install ffmpeg).</source>
+        <translation>Le son n’est pas affiché : il y faut le programme ffmpeg (Debian : sudo apt install ffmpeg).</translation>
+    </message>
+    <message>
+        <source>The sound %1 cannot be read: is the file there?</source>
+        <translation>Le son %1 est illisible : le fichier est-il là ?</translation>
+    </message>
+</context>
+<context>
     <name>wend::SpringOffer</name>
     <message>
         <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
@@ -7198,6 +7265,120 @@
     </message>
 </context>
 <context>
+    <name>wend::TimeRuler</name>
+    <message>
+        <source>Ruler</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Drag to show another time; with Shift, mark the part that a loop repeats. A right-click counts frames, sets the frame rate, and adds markers</source>
+        <translation>Glisser affiche un autre instant ; avec Maj, cela marque la partie qu’une boucle répète. Un clic droit compte les images, règle la cadence et ajoute des repères</translation>
+    </message>
+    <message>
+        <source>Move marker</source>
+        <translation>Déplacer le repère</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>Changer le cycle</translation>
+    </message>
+    <message>
+        <source>Add marker</source>
+        <translation>Ajouter un repère</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Rename Marker</source>
+        <translation>Renommer le repère</translation>
+    </message>
+    <message>
+        <source>Name of the marker:</source>
+        <translation>Nom du repère :</translation>
+    </message>
+    <message>
+        <source>Rename marker</source>
+        <translation>Renommer le repère</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Rate</source>
+        <translation>Ca&amp;dence</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 i/s</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;from Here</source>
+        <translation>Cycle à par&amp;tir d’ici</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;to Here</source>
+        <translation>Cycle &amp;jusqu’ici</translation>
+    </message>
+    <message>
+        <source>&amp;No Cycle</source>
+        <translation>Aucu&amp;n cycle</translation>
+    </message>
+    <message>
+        <source>Remove cycle</source>
+        <translation>Retirer le cycle</translation>
+    </message>
+    <message>
+        <source>&amp;Count Frames</source>
+        <translation>&amp;Compter les images</translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation>Ajouter un repè&amp;re</translation>
+    </message>
+    <message>
+        <source>R&amp;ename Marker…</source>
+        <translation>R&amp;enommer le repère…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Marker</source>
+        <translation>Retirer &amp;le repère</translation>
+    </message>
+    <message>
+        <source>Remove marker</source>
+        <translation>Retirer le repère</translation>
+    </message>
+    <message>
+        <source>Play the &amp;Sound</source>
+        <translation>Jouer le &amp;son</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Cycle: %1 to %2</source>
+        <translation>Cycle : %1 à %2</translation>
+    </message>
+    <message>
+        <source>frames at %1 fps</source>
+        <translation>images, %1 i/s</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeScale</name>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
     <name>wend::TimeStrip</name>
     <message>
         <source>Time</source>
@@ -7310,10 +7491,6 @@
         <translation>Pistes</translation>
     </message>
     <message>
-        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
-        <translation>Une ligne par épingle, une barre par mouvement&#x202f;; Haut et Bas choisissent une épingle, Gauche et Droite un autre instant, avec Alt ils déplacent la barre choisie</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>Déplacer dans le temps</translation>
     </message>
@@ -7330,20 +7507,12 @@
         <translation>Supprimer le mouvement</translation>
     </message>
     <message>
-        <source>%1: %2 to %3 s, %4</source>
-        <translation>%1&#x202f;: %2 à %3&#x202f;s, %4</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Rien ne bouge encore. Tirez une épingle, ou enregistrez-la avec Ctrl&#x202f;: vos gestes seront ici, épingle par épingle.</translation>
     </message>
     <message>
         <source>Change when it holds</source>
         <translation>Changer quand elle tient</translation>
-    </message>
-    <message>
-        <source>Holds from %1 to %2 s</source>
-        <translation>Tient de %1 à %2 s</translation>
     </message>
     <message>
         <source>&amp;Remove Motions</source>
@@ -7354,16 +7523,136 @@
         <translation>Supprimer les mouvements</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
-        <translation>Glissez une barre ou ses extrémités vers un autre instant&#x202f;; Maj, Ctrl ou un cadre autour d’elles en choisit plusieurs. Un clic droit règle leur début et leur fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>Lissage</translation>
     </message>
     <message>
         <source>Change easing</source>
         <translation>Changer le lissage</translation>
+    </message>
+    <message>
+        <source>&amp;Paste at the Time Shown</source>
+        <translation>C&amp;oller à l’instant affiché</translation>
+    </message>
+    <message>
+        <source>Paste M&amp;irrored</source>
+        <translation>Coller en m&amp;iroir</translation>
+    </message>
+    <message>
+        <source>&amp;Straighten</source>
+        <translation>Re&amp;dresser</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Redresser</translation>
+    </message>
+    <message>
+        <source>Simplify to &amp;Keys</source>
+        <translation>Simplifier en &amp;clés</translation>
+    </message>
+    <message>
+        <source>&amp;Few</source>
+        <translation>&amp;Peu</translation>
+    </message>
+    <message>
+        <source>&amp;Some</source>
+        <translation>&amp;Quelques-unes</translation>
+    </message>
+    <message>
+        <source>&amp;Many</source>
+        <translation>&amp;Beaucoup</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Simplifier</translation>
+    </message>
+    <message>
+        <source>Key at %1</source>
+        <translation>Clé : %1</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2</source>
+        <translation>Tient de %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3, %4</source>
+        <translation>%1 : %2 à %3, %4</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Déplacer les clés</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Déplacer la clé</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Supprimer les clés</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Supprimer la clé</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Coller les clés</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>Mettre les clés en miroir</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linéaire</translation>
+    </message>
+    <message>
+        <source>Slow &amp;before It</source>
+        <translation>Lent a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Slow &amp;after It</source>
+        <translation>Lent &amp;après</translation>
+    </message>
+    <message>
+        <source>Slow on B&amp;oth Sides</source>
+        <translation>Lent des deu&amp;x côtés</translation>
+    </message>
+    <message>
+        <source>&amp;Hold to the Next</source>
+        <translation>Tenir &amp;jusqu’à la suivante</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Tenir</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>Mettre en &amp;miroir</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Keys</source>
+        <translation>&amp;Supprimer les clés</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Key</source>
+        <translation>&amp;Supprimer la clé</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar or keys</source>
+        <translation>Une ligne par épingle, une barre par mouvement ; Haut et Bas choisissent une épingle, Gauche et Droite un autre instant, avec Alt ils déplacent la barre ou les clés choisies</translation>
+    </message>
+    <message>
+        <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
+        <translation>Glissez une clé (un losange) ou une barre vers un autre instant ; Maj, Ctrl ou un cadre autour d’elles en choisit plusieurs. Un clic droit lisse, tient, copie, met en miroir. Les extrémités de la ligne disent quand l’épingle tient</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>Rien ne change : là où une épingle commence, elle est au repos, et les rotations gardent leur cours.</translation>
     </message>
 </context>
 <context>

@@ -966,6 +966,14 @@
         <source>Choose what to keep</source>
         <translation>保持するものを選ぶ</translation>
     </message>
+    <message>
+        <source>Walker</source>
+        <translation>歩く人</translation>
+    </message>
+    <message>
+        <source>A walk that loops</source>
+        <translation>ループする歩行</translation>
+    </message>
 </context>
 <context>
     <name>FillTool</name>
@@ -2094,6 +2102,38 @@
         <source>tail</source>
         <translation>しっぽ</translation>
     </message>
+    <message>
+        <source>chest</source>
+        <translation>胸</translation>
+    </message>
+    <message>
+        <source>far hand</source>
+        <translation>奥の手</translation>
+    </message>
+    <message>
+        <source>far heel</source>
+        <translation>奥のかかと</translation>
+    </message>
+    <message>
+        <source>far toe</source>
+        <translation>奥のつま先</translation>
+    </message>
+    <message>
+        <source>near hand</source>
+        <translation>手前の手</translation>
+    </message>
+    <message>
+        <source>near heel</source>
+        <translation>手前のかかと</translation>
+    </message>
+    <message>
+        <source>near toe</source>
+        <translation>手前のつま先</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>影</translation>
+    </message>
 </context>
 <context>
     <name>SizeTool</name>
@@ -2880,6 +2920,14 @@
     <message>
         <source>Ctrl+J</source>
         <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Way</source>
+        <translation>経路を残す(&amp;W)</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>フィルムの終わりで同じピンを続けてドラッグすると、1 秒先へ動かします。オフのときは直前の動きを直線に直します</translation>
     </message>
 </context>
 <context>
@@ -6437,6 +6485,14 @@
         <source>Posed at %1 s: what comes before and after stays.</source>
         <translation>%1 秒のポーズです。前後はそのままです。</translation>
     </message>
+    <message>
+        <source>No pose was set where a pin begins, rotates or does not hold: show another time.</source>
+        <translation>ピンの始まり、回転中、固定していない時刻にはポーズを設定できません。別の時刻を表示してください。</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation>直前の動きはそこまでの直線になりました。「モーション ▸ 経路を残す」では、さらに先へ動かします。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -6857,6 +6913,17 @@
     </message>
 </context>
 <context>
+    <name>wend::SoundTrack</name>
+    <message>
+        <source>The sound is not shown: that needs the program ffmpeg (Debian: sudo apt install ffmpeg).</source>
+        <translation>音声を表示するにはプログラム ffmpeg が必要です (Debian: sudo apt install ffmpeg)。</translation>
+    </message>
+    <message>
+        <source>The sound %1 cannot be read: is the file there?</source>
+        <translation>音声 %1 を読み込めません。ファイルはありますか？</translation>
+    </message>
+</context>
+<context>
     <name>wend::SpringOffer</name>
     <message>
         <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
@@ -7184,6 +7251,120 @@
     </message>
 </context>
 <context>
+    <name>wend::TimeRuler</name>
+    <message>
+        <source>Ruler</source>
+        <translation>ルーラー</translation>
+    </message>
+    <message>
+        <source>Drag to show another time; with Shift, mark the part that a loop repeats. A right-click counts frames, sets the frame rate, and adds markers</source>
+        <translation>ドラッグで別の時刻を表示します。Shift を押すと、ループで繰り返す部分を指定します。右クリックでフレーム表示、フレームレート、マーカーを設定します</translation>
+    </message>
+    <message>
+        <source>Move marker</source>
+        <translation>マーカーを移動</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>サイクルを変更</translation>
+    </message>
+    <message>
+        <source>Add marker</source>
+        <translation>マーカーを追加</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>Rename Marker</source>
+        <translation>マーカーの名前を変更</translation>
+    </message>
+    <message>
+        <source>Name of the marker:</source>
+        <translation>マーカーの名前:</translation>
+    </message>
+    <message>
+        <source>Rename marker</source>
+        <translation>マーカーの名前を変更</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Rate</source>
+        <translation>フレームレート(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;from Here</source>
+        <translation>ここからサイクル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;to Here</source>
+        <translation>ここまでサイクル(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;No Cycle</source>
+        <translation>サイクルなし(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Remove cycle</source>
+        <translation>サイクルを取り除く</translation>
+    </message>
+    <message>
+        <source>&amp;Count Frames</source>
+        <translation>フレームで数える(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation>マーカーを追加(&amp;M)</translation>
+    </message>
+    <message>
+        <source>R&amp;ename Marker…</source>
+        <translation>マーカーの名前を変更(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Marker</source>
+        <translation>マーカーを取り除く(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Remove marker</source>
+        <translation>マーカーを取り除く</translation>
+    </message>
+    <message>
+        <source>Play the &amp;Sound</source>
+        <translation>音声を再生(&amp;S)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Cycle: %1 to %2</source>
+        <translation>サイクル：%1～%2</translation>
+    </message>
+    <message>
+        <source>frames at %1 fps</source>
+        <translation>フレーム、%1 fps</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeScale</name>
+    <message>
+        <source>frame %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+</context>
+<context>
     <name>wend::TimeStrip</name>
     <message>
         <source>Time</source>
@@ -7296,10 +7477,6 @@
         <translation>トラック</translation>
     </message>
     <message>
-        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
-        <translation>ピンごとに 1 行、動きごとに 1 本のバー。上下でピンを、左右で時刻を選び、Alt を押すと選んだバーが動きます</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>時刻を変更</translation>
     </message>
@@ -7316,20 +7493,12 @@
         <translation>動きを削除</translation>
     </message>
     <message>
-        <source>%1: %2 to %3 s, %4</source>
-        <translation>%1：%2～%3 秒、%4</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>まだ何も動いていません。ピンをドラッグするか、Ctrl を押しながら記録すると、動きがピンごとにここに並びます。</translation>
     </message>
     <message>
         <source>Change when it holds</source>
         <translation>固定する期間を変更</translation>
-    </message>
-    <message>
-        <source>Holds from %1 to %2 s</source>
-        <translation>%1 秒から %2 秒まで固定</translation>
     </message>
     <message>
         <source>&amp;Remove Motions</source>
@@ -7340,16 +7509,136 @@
         <translation>モーションを削除</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
-        <translation>バーまたはその端を別の時刻へドラッグ。Shift、Ctrl、または囲む枠で複数を選択。右クリックで始まり方と終わり方を設定。線の端はピンが固定する期間を示します</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>イージング</translation>
     </message>
     <message>
         <source>Change easing</source>
         <translation>イージングを変更</translation>
+    </message>
+    <message>
+        <source>&amp;Paste at the Time Shown</source>
+        <translation>表示時刻に貼り付け(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paste M&amp;irrored</source>
+        <translation>ミラーして貼り付け(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Straighten</source>
+        <translation>直線にする(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>直線にする</translation>
+    </message>
+    <message>
+        <source>Simplify to &amp;Keys</source>
+        <translation>キーに簡略化(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Few</source>
+        <translation>少なく(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Some</source>
+        <translation>中くらい(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Many</source>
+        <translation>多く(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>簡略化</translation>
+    </message>
+    <message>
+        <source>Key at %1</source>
+        <translation>キー：%1</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2</source>
+        <translation>%1から%2まで固定</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3, %4</source>
+        <translation>%1：%2～%3、%4</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>キーを貼り付け</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>キーをミラー</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>リニア(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Slow &amp;before It</source>
+        <translation>手前でゆっくり(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Slow &amp;after It</source>
+        <translation>直後はゆっくり(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Slow on B&amp;oth Sides</source>
+        <translation>前後でゆっくり(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Hold to the Next</source>
+        <translation>次のキーまで保つ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保つ</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>ミラー(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>コピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Keys</source>
+        <translation>キーを削除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Key</source>
+        <translation>キーを削除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar or keys</source>
+        <translation>ピンごとに 1 行、動きごとに 1 本のバー。上下でピンを、左右で時刻を選び、Alt を押すと選んだバーやキーが動きます</translation>
+    </message>
+    <message>
+        <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
+        <translation>キー (ひし形) またはバーを別の時刻へドラッグ。Shift、Ctrl、または囲む枠で複数を選択。右クリックでイージング、保持、コピー、ミラー。線の端はピンが固定する期間を示します</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>変更はありません。ピンの始まりは静止状態で、回転の経過は変わりません。</translation>
     </message>
 </context>
 <context>

@@ -966,6 +966,14 @@
         <source>Choose what to keep</source>
         <translation>选择要保持的内容</translation>
     </message>
+    <message>
+        <source>Walker</source>
+        <translation>行走者</translation>
+    </message>
+    <message>
+        <source>A walk that loops</source>
+        <translation>循环行走</translation>
+    </message>
 </context>
 <context>
     <name>FillTool</name>
@@ -2094,6 +2102,38 @@
         <source>tail</source>
         <translation>尾巴</translation>
     </message>
+    <message>
+        <source>chest</source>
+        <translation>胸部</translation>
+    </message>
+    <message>
+        <source>far hand</source>
+        <translation>远侧手</translation>
+    </message>
+    <message>
+        <source>far heel</source>
+        <translation>远侧脚跟</translation>
+    </message>
+    <message>
+        <source>far toe</source>
+        <translation>远侧脚尖</translation>
+    </message>
+    <message>
+        <source>near hand</source>
+        <translation>近侧手</translation>
+    </message>
+    <message>
+        <source>near heel</source>
+        <translation>近侧脚跟</translation>
+    </message>
+    <message>
+        <source>near toe</source>
+        <translation>近侧脚尖</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>影子</translation>
+    </message>
 </context>
 <context>
     <name>SizeTool</name>
@@ -2880,6 +2920,14 @@
     <message>
         <source>Ctrl+J</source>
         <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Way</source>
+        <translation>保留路径(&amp;W)</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>在影片结尾再次拖动同样的图钉会再延长一秒；关闭时则更正上一次移动，使其变为直线</translation>
     </message>
 </context>
 <context>
@@ -6437,6 +6485,14 @@
         <source>Posed at %1 s: what comes before and after stays.</source>
         <translation>%1 秒处的姿势：前后保持不变。</translation>
     </message>
+    <message>
+        <source>No pose was set where a pin begins, rotates or does not hold: show another time.</source>
+        <translation>在图钉开始、旋转或不固定之处没有设定姿势：请显示别的时间。</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation>上一次移动现在直达那里。“运动 ▸ 保留路径”则会继续带动图钉。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -6857,6 +6913,17 @@
     </message>
 </context>
 <context>
+    <name>wend::SoundTrack</name>
+    <message>
+        <source>The sound is not shown: that needs the program ffmpeg (Debian: sudo apt install ffmpeg).</source>
+        <translation>无法显示声音：需要程序 ffmpeg（Debian：sudo apt install ffmpeg）。</translation>
+    </message>
+    <message>
+        <source>The sound %1 cannot be read: is the file there?</source>
+        <translation>无法读取声音 %1：文件存在吗？</translation>
+    </message>
+</context>
+<context>
     <name>wend::SpringOffer</name>
     <message>
         <source>What comes back leaves the shape a little different, so that a loop jumps. If the shape springs back fully, it is as it was.</source>
@@ -7184,6 +7251,120 @@
     </message>
 </context>
 <context>
+    <name>wend::TimeRuler</name>
+    <message>
+        <source>Ruler</source>
+        <translation>标尺</translation>
+    </message>
+    <message>
+        <source>Drag to show another time; with Shift, mark the part that a loop repeats. A right-click counts frames, sets the frame rate, and adds markers</source>
+        <translation>拖动可显示别的时间；按住 Shift 可标出循环的部分。右键可按帧计数、设定帧率、添加标记</translation>
+    </message>
+    <message>
+        <source>Move marker</source>
+        <translation>移动标记</translation>
+    </message>
+    <message>
+        <source>Change cycle</source>
+        <translation>更改循环段</translation>
+    </message>
+    <message>
+        <source>Add marker</source>
+        <translation>添加标记</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Rename Marker</source>
+        <translation>重命名标记</translation>
+    </message>
+    <message>
+        <source>Name of the marker:</source>
+        <translation>标记名称：</translation>
+    </message>
+    <message>
+        <source>Rename marker</source>
+        <translation>重命名标记</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Rate</source>
+        <translation>帧率(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;from Here</source>
+        <translation>循环段由此开始(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Cycle &amp;to Here</source>
+        <translation>循环段到此为止(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;No Cycle</source>
+        <translation>无循环段(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Remove cycle</source>
+        <translation>移除循环段</translation>
+    </message>
+    <message>
+        <source>&amp;Count Frames</source>
+        <translation>按帧计数(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Marker</source>
+        <translation>添加标记(&amp;M)</translation>
+    </message>
+    <message>
+        <source>R&amp;ename Marker…</source>
+        <translation>重命名标记(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Marker</source>
+        <translation>移除标记(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Remove marker</source>
+        <translation>移除标记</translation>
+    </message>
+    <message>
+        <source>Play the &amp;Sound</source>
+        <translation>播放声音(&amp;S)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Cycle: %1 to %2</source>
+        <translation>循环段：%1 到 %2</translation>
+    </message>
+    <message>
+        <source>frames at %1 fps</source>
+        <translation>帧，%1 fps</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeScale</name>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+</context>
+<context>
     <name>wend::TimeStrip</name>
     <message>
         <source>Time</source>
@@ -7296,10 +7477,6 @@
         <translation>轨道</translation>
     </message>
     <message>
-        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
-        <translation>每个图钉一行，每个运动一条；上下键选择图钉，左右键更改时间，按住 Alt 移动所选的条</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>移动时间</translation>
     </message>
@@ -7316,20 +7493,12 @@
         <translation>移除运动</translation>
     </message>
     <message>
-        <source>%1: %2 to %3 s, %4</source>
-        <translation>%1：%2 到 %3 秒，%4</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>还没有任何运动。拖动图钉，或按住 Ctrl 录制：所做的动作会按图钉列在这里。</translation>
     </message>
     <message>
         <source>Change when it holds</source>
         <translation>更改固定的时段</translation>
-    </message>
-    <message>
-        <source>Holds from %1 to %2 s</source>
-        <translation>从 %1 秒到 %2 秒固定</translation>
     </message>
     <message>
         <source>&amp;Remove Motions</source>
@@ -7340,16 +7509,136 @@
         <translation>删除动作</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right-click sets how they begin and end. The ends of the line show when the pin holds</source>
-        <translation>将条或其两端拖到别的时间；Shift、Ctrl 或框选可选多个。右键设定其开始和结束方式。线的两端表示图钉何时固定</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>缓动</translation>
     </message>
     <message>
         <source>Change easing</source>
         <translation>更改缓动</translation>
+    </message>
+    <message>
+        <source>&amp;Paste at the Time Shown</source>
+        <translation>粘贴到所示时间(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paste M&amp;irrored</source>
+        <translation>镜像粘贴(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Straighten</source>
+        <translation>变为直线(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>变为直线</translation>
+    </message>
+    <message>
+        <source>Simplify to &amp;Keys</source>
+        <translation>简化为关键姿势(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Few</source>
+        <translation>少(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Some</source>
+        <translation>中(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Many</source>
+        <translation>多(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>简化</translation>
+    </message>
+    <message>
+        <source>Key at %1</source>
+        <translation>关键姿势：%1</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2</source>
+        <translation>从 %1 到 %2 固定</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3, %4</source>
+        <translation>%1：%2 到 %3，%4</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>移动关键姿势</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>移动关键姿势</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>移除关键姿势</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>移除关键姿势</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>粘贴关键姿势</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>镜像关键姿势</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>线性(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Slow &amp;before It</source>
+        <translation>之前缓慢(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Slow &amp;after It</source>
+        <translation>之后缓慢(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Slow on B&amp;oth Sides</source>
+        <translation>前后都缓慢(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Hold to the Next</source>
+        <translation>保持到下一个(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>镜像(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Keys</source>
+        <translation>移除关键姿势(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Key</source>
+        <translation>移除关键姿势(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar or keys</source>
+        <translation>每个图钉一行，每个运动一条；上下键选择图钉，左右键更改时间，按住 Alt 移动所选的条或关键姿势</translation>
+    </message>
+    <message>
+        <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
+        <translation>将关键姿势（菱形）或条拖到别的时间；Shift、Ctrl 或框选可选多个。右键可缓动、保持、复制、镜像。线的两端表示图钉何时固定</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>没有变化：图钉开始处处于静止，旋转保持原样。</translation>
     </message>
 </context>
 <context>

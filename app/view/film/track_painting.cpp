@@ -1,29 +1,14 @@
 // This file draws the tracks.
-#include <QLocale>
 #include <QPainter>
 #include <QScrollBar>
 #include <algorithm>
-#include <cmath>
 
 #include "app/panels/look/marks.h"
 #include "app/panels/look/theme.h"
+#include "app/view/film/time_scale.h"
 #include "app/view/film/track_view.h"
 
 namespace wend {
-
-namespace {
-
-constexpr double kMinTick = 64;  // pixels between numbers of the ruler
-
-/// Returns 1, 2 or 5 times a power of ten, no less than `least`.
-double roundStep(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double factor : {1, 2, 5})
-        if (factor * power >= least) return factor * power;
-    return 10 * power;
-}
-
-}  // namespace
 
 void TrackView::paintEvent(QPaintEvent*) {
     QPainter painter(viewport());
@@ -38,31 +23,13 @@ void TrackView::paintEvent(QPaintEvent*) {
         return;
     }
     painter.save();
-    painter.setClipRect(QRectF(0, kRuler, viewport()->width(), viewport()->height() - kRuler));
+    painter.setClipRect(QRectF(0, top(), viewport()->width(), viewport()->height() - top()));
     for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) paintRow(painter, row);
     if (m_band) paintBand(painter);
     painter.restore();
-    paintRuler(painter);
-}
-
-void TrackView::paintRuler(QPainter& painter) const {
-    const Theme theme = Theme::of(palette());
-    painter.setPen(theme.secondText);
-    const double step = roundStep(kMinTick * end() / m_way.width());
-    for (int i = 0; i * step <= end() * (1 + 1e-9); ++i) {
-        const double x = xOf(i * step);
-        painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, kRuler - 1));
-        painter.drawText(QRectF(x - 30, 0, 60, kRuler - 5), Qt::AlignCenter,
-                         QLocale().toString(i * step, 'g', 4));
-    }
-    painter.setPen(theme.line);
-    painter.drawLine(QPointF(0, kRuler - 0.5), QPointF(viewport()->width(), kRuler - 0.5));
     const double now = xOf(m_session.playback().time());
     painter.setPen(QPen(theme.accentText, 1.5));
-    painter.drawLine(QPointF(now, kRuler - 2), QPointF(now, viewport()->height()));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme.accentText);
-    painter.drawPolygon(QPolygonF({{now - 5, kRuler - 9}, {now + 5, kRuler - 9}, {now, kRuler - 1}}));
+    painter.drawLine(QPointF(now, top()), QPointF(now, viewport()->height()));
 }
 
 void TrackView::paintRow(QPainter& painter, int row) const {
@@ -77,22 +44,24 @@ void TrackView::paintRow(QPainter& painter, int row) const {
     painter.setBrush(own.colour);
     painter.drawEllipse(QPointF(16, rect.center().y()), 4, 4);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(rect.adjusted(28, 0, m_way.x() - 8 - rect.width(), 0), Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(own.name, Qt::ElideRight, m_way.x() - 36));
+    painter.drawText(rect.adjusted(28, 0, m_scale->way().x() - 8 - rect.width(), 0),
+                     Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(own.name, Qt::ElideRight, m_scale->way().x() - 36));
     paintHold(painter, own.hold);
     for (const Bar& bar : own.bars) paintBar(painter, bar, own.colour);
-    for (const Bar& bar : own.bars)
-        for (const double time : {timeOf(bar).start, timeOf(bar).end})
-            paintKey(painter, {xOf(time), rect.center().y()});
+    const QColor ink = palette().color(QPalette::WindowText);
+    for (const double time : keysIn(row))
+        paintKey(painter, {row, time}, isChosen(KeyId{row, time}) ? theme.accentText : ink);
 }
 
-/// Paints a key pose, which is an end of a motion.
-void TrackView::paintKey(QPainter& painter, const QPointF& at) const {
-    constexpr double kHalf = 4.5;
+/// Paints a key pose; a chosen one is larger.
+void TrackView::paintKey(QPainter& painter, const KeyId& key, const QColor& colour) const {
+    const double half = isChosen(key) ? 6.5 : 4.5;
+    const QPointF at = keySpot(key);
     painter.setPen(QPen(palette().color(QPalette::Window), 1));
-    painter.setBrush(palette().color(QPalette::WindowText));
+    painter.setBrush(colour);
     painter.drawPolygon(QPolygonF(
-        {at + QPointF(-kHalf, 0), at + QPointF(0, -kHalf), at + QPointF(kHalf, 0), at + QPointF(0, kHalf)}));
+        {at + QPointF(-half, 0), at + QPointF(0, -half), at + QPointF(half, 0), at + QPointF(0, half)}));
 }
 
 /// Paints a line with stops at its ends, by which it is dragged.

@@ -6,6 +6,9 @@
 
 #include "app/document/design.h"
 #include "app/panels/look/marks.h"
+#include "app/view/film/sound_track.h"
+#include "app/view/film/time_ruler.h"
+#include "app/view/film/time_scale.h"
 
 namespace wend {
 
@@ -24,7 +27,11 @@ QString kindOf(const Motion<Dim>& motion) {
 }  // namespace
 
 TrackView::TrackView(ShapeSession& session, QWidget* parent)
-    : QAbstractScrollArea(parent), m_session(session) {
+    : QAbstractScrollArea(parent),
+      m_session(session),
+      m_scale(new TimeScale(session, this)),
+      m_sound(new SoundTrack(session, this)),
+      m_ruler(new TimeRuler(session, *m_scale, *m_sound, viewport())) {
     setObjectName(QStringLiteral("trackView"));
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -33,21 +40,24 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
     setAccessibleName(tr("Tracks"));
     setAccessibleDescription(
         tr("A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right "
-           "another time, with Alt they move the chosen bar"));
-    setStatusTip(
-        tr("Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A "
-           "right-click sets how they begin and end. The ends of the line show when the pin holds"));
+           "another time, with Alt they move the chosen bar or keys"));
+    setStatusTip(tr(
+        "Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. "
+        "A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds"));
     const auto repaint = [this] { viewport()->update(); };
     connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
     connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);
     connect(&m_session.selection(), &Selection::changed, this, &TrackView::showSelection);
     connect(&m_session.playback(), &Playback::timeChanged, this, repaint);
     connect(&m_session.playback(), &Playback::endChanged, this, [this, repaint] { arrange(), repaint(); });
+    connect(m_scale, &TimeScale::changed, this, repaint);
+    connect(m_ruler, &TimeRuler::rowsChanged, this, [this, repaint] { arrange(), repaint(); });
     takeProject();
 }
 
 void TrackView::takeProject() {
     m_grabbed.reset();
+    m_grabbedKeys.reset();
     m_band.reset();
     m_rows.clear();
     if (!m_session.document().isEmpty())
@@ -73,13 +83,18 @@ void TrackView::takeProject() {
         return id.handle >= static_cast<int>(rows.size()) ||
                id.motion >= static_cast<int>(rows[id.handle].bars.size());
     });
+    std::erase_if(m_keys, [this](const KeyId& key) {
+        return key.handle >= static_cast<int>(m_rows.size()) || !isAmong(keysIn(key.handle), key.time);
+    });
     arrange();
     viewport()->update();
 }
 
 void TrackView::arrange() {
+    m_ruler->setGeometry(0, 0, viewport()->width(), m_ruler->rows());
+    m_ruler->setVisible(end() > 0);
     const int whole = end() > 0 ? static_cast<int>(kRowHeight * static_cast<double>(m_rows.size())) : 0;
-    const int room = static_cast<int>(viewport()->height() - kRuler);
+    const int room = static_cast<int>(viewport()->height() - top());
     verticalScrollBar()->setRange(0, std::max(whole - room, 0));
     verticalScrollBar()->setPageStep(room);
     verticalScrollBar()->setSingleStep(static_cast<int>(kRowHeight));
@@ -94,7 +109,7 @@ void TrackView::showFirstMotion() {
 }
 
 void TrackView::bringIntoView(int row) {
-    const double below = rowRect(row).bottom() - viewport()->height(), above = kRuler - rowRect(row).top();
+    const double below = rowRect(row).bottom() - viewport()->height(), above = top() - rowRect(row).top();
     const double way = below > 0 ? below : std::min(-above, 0.0);
     verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
 }
@@ -106,8 +121,12 @@ void TrackView::showSelection() {
 }
 
 void TrackView::setWay(const QRect& way) {
-    m_way = way;
-    viewport()->update();
+    m_scale->setWay(way);
+}
+
+/// The height of the ruler.
+double TrackView::top() const {
+    return m_ruler->rows();
 }
 
 double TrackView::end() const {
@@ -115,15 +134,15 @@ double TrackView::end() const {
 }
 
 double TrackView::xOf(double time) const {
-    return m_way.x() + (end() > 0 ? time / end() * m_way.width() : 0);
+    return m_scale->xOf(time);
 }
 
 double TrackView::timeAt(double x) const {
-    return (x - m_way.x()) / m_way.width() * end();
+    return m_scale->timeAt(x);
 }
 
 QRectF TrackView::rowRect(int row) const {
-    return {0, kRuler + row * kRowHeight - verticalScrollBar()->value(), double(viewport()->width()),
+    return {0, top() + row * kRowHeight - verticalScrollBar()->value(), double(viewport()->width()),
             kRowHeight};
 }
 
@@ -131,9 +150,11 @@ QRectF TrackView::rowRect(int row) const {
 MotionTime TrackView::timeOf(const Bar& bar) const {
     MotionTime time = bar.time;
     if (m_grabbed && bar.motion == kHold && m_grabbed->bar == bar) time = m_grabbed->time;
-    if (m_grabbed && isAmong(m_grabbed->motions, bar))
+    if (m_grabbed && isAmong<MotionId>(m_grabbed->motions, bar))
         time = {carried(time.start, m_grabbed->span, m_grabbed->time),
                 carried(time.end, m_grabbed->span, m_grabbed->time)};
+    if (m_grabbedKeys && bar.motion != kHold)
+        time = {shownTime(bar.handle, time.start), shownTime(bar.handle, time.end)};
     return {std::max(time.start, 0.0), bar.motion == kHold ? std::min(time.end, end()) : time.end};
 }
 
@@ -177,8 +198,8 @@ std::optional<std::pair<TrackView::Bar, TrackView::Part>> TrackView::barAt(const
 }
 
 int TrackView::rowAt(const QPointF& at) const {
-    if (at.y() < kRuler) return -1;
-    const int row = static_cast<int>((at.y() - kRuler + verticalScrollBar()->value()) / kRowHeight);
+    if (at.y() < top()) return -1;
+    const int row = static_cast<int>((at.y() - top() + verticalScrollBar()->value()) / kRowHeight);
     return row < static_cast<int>(m_rows.size()) ? row : -1;
 }
 

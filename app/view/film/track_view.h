@@ -5,13 +5,19 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/edits/timing_edits.h"
+#include "app/document/edits/key_edits.h"
 #include "app/session/shape_session.h"
+
+class QMenu;
 
 namespace wend {
 
-/// A row per pin with a bar per motion over time. Bars and their ends can be dragged, also several at once,
-/// and so can the ends of a pin's hold; the ruler scrubs; a menu on a bar sets its easing.
+class SoundTrack;
+class TimeRuler;
+class TimeScale;
+
+/// A row per pin with a bar per motion over time, and a diamond per key pose, below a ruler. Keys, bars and
+/// the ends of a pin's hold can be dragged, also several at once. Menus on them ease, hold, mirror, simplify.
 class TrackView : public QAbstractScrollArea {
     Q_OBJECT
 
@@ -24,7 +30,11 @@ class TrackView : public QAbstractScrollArea {
     /// Returns the rectangle of a motion's bar, or of a hold, in viewport coordinates; empty if there is
     /// none.
     QRectF barOf(int handle, int motion) const;
-    QSize sizeHint() const override { return {400, int(kRuler + kRowsAtFirst * kRowHeight)}; }
+    /// Returns where a key pose is drawn.
+    QPointF keySpot(const KeyId& key) const;
+    TimeScale& scale() const { return *m_scale; }
+    TimeRuler& ruler() const { return *m_ruler; }
+    QSize sizeHint() const override { return {400, int(22 + kRowsAtFirst * kRowHeight)}; }
     QSize minimumSizeHint() const override { return {200, 80}; }
 
   protected:
@@ -40,8 +50,8 @@ class TrackView : public QAbstractScrollArea {
     bool event(QEvent* event) override;
 
   private:
-    static constexpr double kRuler = 22, kRowHeight = 24, kBarHeight = 16;  // pixels
-    static constexpr double kGrip = 5;  // pixels of a bar's end, to both sides
+    static constexpr double kRowHeight = 24, kBarHeight = 16;  // pixels
+    static constexpr double kGrip = 5;                         // pixels of a bar's end, to both sides
     static constexpr int kRowsAtFirst = 5;
     enum class Part { Body, Start, End };
     struct Bar : MotionId {
@@ -63,10 +73,18 @@ class TrackView : public QAbstractScrollArea {
         MotionTime span, time;          // of them: before and during the drag
         bool alone;                     // a click chooses it alone
     };
-    /// A frame is drawn around bars.
+    /// The chosen keys are dragged by one of them.
+    struct GrabbedKeys {
+        KeyId key;
+        double at;  // the time that was pressed
+        double shift = 0;
+        bool alone = false;  // a click chooses it alone
+    };
+    /// A frame is drawn around keys or bars.
     struct Band {
         QPointF from, to;
         std::vector<MotionId> others;  // that were chosen before
+        std::vector<KeyId> otherKeys;
     };
 
     void takeProject();
@@ -77,6 +95,7 @@ class TrackView : public QAbstractScrollArea {
     double end() const;
     double xOf(double time) const;
     double timeAt(double x) const;
+    double top() const;
     QRectF rowRect(int row) const;
     MotionTime timeOf(const Bar& bar) const;
     QRectF barRect(const Bar& bar) const;
@@ -86,9 +105,10 @@ class TrackView : public QAbstractScrollArea {
     MotionTime dragged(const Grabbed& grabbed, double time) const;
     MotionTime draggedHold(const Grabbed& grabbed, double time) const;
     void drop(const Grabbed& grabbed);
-    double snapped(double time, const std::vector<MotionId>& own = {}) const;
-    void scrub(double x);
+    double snapped(double time, const std::vector<KeyId>& moving = {}) const;
+    std::vector<KeyId> endsOf(const std::vector<MotionId>& motions) const;
     bool isChosen(const MotionId& bar) const { return isAmong(m_chosen, bar); }
+    bool isChosen(const KeyId& key) const { return isAmong(m_keys, key); }
     void choose(std::vector<MotionId> bars);
     std::vector<MotionId> changeable() const;
     void grab(const Bar& bar, Part part, double at, bool alone);
@@ -96,23 +116,46 @@ class TrackView : public QAbstractScrollArea {
     void move(const std::vector<MotionId>& motions, const MotionTime& span, const QString& what,
               const QString& key = {});
     void change(const QString& what, AnyDesign after);
-    void showMenu(const Bar& bar, const QPoint& global);
+    void addPasting(QMenu& menu);
+    void fillMenu(QMenu& menu, const Bar& bar);
+    void fillMenu(QMenu& menu, const KeyId& key);
+    void addEasings(QMenu& menu, const KeyId& key);
     void removeChosen();
-    void paintRuler(QPainter& painter) const;
+    void removeKeys();
+    void changeKeys(const QString& what, AnyDesign after);
+
+    std::vector<double> keysIn(int row) const;
+    std::optional<KeyId> keyAt(const QPointF& at) const;
+    double shownTime(int handle, double time) const;
+    void chooseKeys(std::vector<KeyId> keys);
+    std::vector<KeyId> changeableKeys() const;
+    bool pressKey(const QPointF& at, bool joins);
+    void dragKeys(double time);
+    void dropKeys(const GrabbedKeys& grabbed);
+    void moveKeys(double by, const QString& mergeKey = {});
+    void copyChosen();
+    void paste(bool mirrored);
+    void mirrorKeys();
+    bool takesKey(const QKeyEvent& event) const;
+    bool keyCommand(const QKeyEvent& event);
     void paintRow(QPainter& painter, int row) const;
     void paintBand(QPainter& painter) const;
     void paintHold(QPainter& painter, const Bar& hold) const;
     void paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const;
-    void paintKey(QPainter& painter, const QPointF& at) const;
+    void paintKey(QPainter& painter, const KeyId& key, const QColor& colour) const;
     bool nudge(const QKeyEvent& event);
 
     ShapeSession& m_session;
-    QRect m_way{132, 0, 252, 0};
+    TimeScale* m_scale;
+    SoundTrack* m_sound;
+    TimeRuler* m_ruler;
     std::vector<Row> m_rows;
-    std::vector<MotionId> m_chosen;  // by clicks and frames
+    std::vector<MotionId> m_chosen;  // by clicks and frames; bars or keys
+    std::vector<KeyId> m_keys;
+    std::vector<CopiedKey> m_copied;
     std::optional<Grabbed> m_grabbed;
+    std::optional<GrabbedKeys> m_grabbedKeys;
     std::optional<Band> m_band;
-    bool m_scrubbing = false;
     int m_generation = -1;  // of the document that was scrolled to its first motion
 };
 

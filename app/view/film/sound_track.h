@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QProcess>
+#include <QString>
+#include <vector>
+
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// The sound of the film: its loudness, decoded by the program ffmpeg through a pipe, and the sound itself,
+/// which the program ffplay makes while the film plays. Without these programs the film is silent.
+class SoundTrack : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr double kPeriod = 0.01;  // seconds
+
+    explicit SoundTrack(ShapeSession& session, QObject* parent = nullptr);
+    ~SoundTrack() override;
+
+    /// Returns the greatest amplitude, from 0 to 1, of each period; what is decoded so far.
+    const std::vector<float>& peaks() const { return m_peaks; }
+    bool hasFile() const { return !m_file.isEmpty(); }
+    bool isHeard() const { return m_heard; }
+    void setHeard(bool heard);
+
+  signals:
+    void changed();
+
+  private:
+    void takeProject();
+    void decode();
+    void read();
+    void endDecoding();
+    void play();
+    void follow(double time);
+    void stop();
+
+    ShapeSession& m_session;
+    QProcess m_decoder, m_player;
+    QString m_file;  // its path
+    std::vector<float> m_peaks;
+    QByteArray m_rest;      // samples of a period that is not complete
+    QElapsedTimer m_since;  // the player was started
+    double m_from = 0;
+    bool m_heard;
+};
+
+}  // namespace wend
