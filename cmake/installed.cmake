@@ -51,7 +51,7 @@ install(FILES ${words}/_wend DESTINATION share/zsh/vendor-completions COMPONENT 
 install(FILES ${words}/wend.fish DESTINATION share/fish/vendor_completions.d COMPONENT program)
 
 install(DIRECTORY ${resources}/samples/ DESTINATION share/wend/samples COMPONENT program
-    FILES_MATCHING PATTERN art EXCLUDE PATTERN "*.wend" PATTERN "*.png" PATTERN "*.obj" PATTERN "*.mtl")
+    FILES_MATCHING PATTERN art EXCLUDE PATTERN "*.wend" PATTERN "*.png" PATTERN "*.ora" PATTERN "*.obj" PATTERN "*.mtl")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/wend/manual COMPONENT program
     FILES_MATCHING PATTERN "*.md" PATTERN "pictures/*.png" PATTERN "pictures/*.svg")
 install(FILES ${resources}/icons/wend.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT program)

@@ -132,6 +132,15 @@ parts() {
     optipng -quiet -o2 "$here/parts.png"
 }
 
+# The walk that loops: eight of its poses side by side.
+walk() {
+    "$wend" run "$samples/walker.wend" --frames "$work/walk_#.png" --count 9 --width 480 --quiet
+    convert "$work"/walk_[0-7].png -background "$paper" -crop 340x480+60+0 +repage +append +repage -flatten "$work/all.png"
+    finish "$work/all.png" 1800 walk.png
+    convert "$here/walk.png" +dither -colors 96 "$here/walk.png"
+    optipng -quiet -o2 "$here/walk.png"
+}
+
 # The grid at a wing's root, at rest and moved.
 wing() {
     python3 wing.py "$work"
@@ -150,4 +159,5 @@ material
 mesh
 bent
 parts
+walk
 wing

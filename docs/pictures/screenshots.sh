@@ -93,6 +93,7 @@ project["time"]["end"] = 3
 json.dump(project, open(sys.argv[3], "w"))
 END
 WAIT=12 KEYS="ctrl+4 shift+n" DRAG="600 858 600 858" shot film.png "$scratch/film.wend"
+WAIT=12 KEYS="ctrl+4" DRAG="520 690 520 690" shot keys.png "$root/resources/samples/walker.wend"
 WAIT=10 KEYS="ctrl+4 p" CLICKS="580,620 610,500" DRAG="700 450 780 470" shot pen.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+5 c" DRAG="310 380 880 800" shot export.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"

@@ -35,6 +35,8 @@ Sample sampleOf(const QString& path) {
          {QT_TRANSLATE_NOOP("FileCard", "Octopus"), QT_TRANSLATE_NOOP("FileCard", "Many pins at once")}},
         {"strip",
          {QT_TRANSLATE_NOOP("FileCard", "Strip"), QT_TRANSLATE_NOOP("FileCard", "Choose what to keep")}},
+        {"walker",
+         {QT_TRANSLATE_NOOP("FileCard", "Walker"), QT_TRANSLATE_NOOP("FileCard", "A walk that loops")}},
         {"eagle",
          {QT_TRANSLATE_NOOP("FileCard", "Eagle"), QT_TRANSLATE_NOOP("FileCard", "Flight, with a skin")}},
         {"bar", {QT_TRANSLATE_NOOP("FileCard", "Bar"), QT_TRANSLATE_NOOP("FileCard", "A stiff middle")}},

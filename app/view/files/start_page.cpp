@@ -20,8 +20,8 @@ namespace wend {
 
 namespace {
 
-constexpr int kPageWidth = 940;
-constexpr int kMostSamples = 6;
+constexpr int kPageWidth = 1064;
+constexpr int kMostSamples = 7;
 constexpr int kMostCards = 6;
 
 /// The large dashed target.

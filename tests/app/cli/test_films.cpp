@@ -10,8 +10,10 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <numbers>
+#include <sstream>
 
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
@@ -153,6 +155,7 @@ class TestFilms : public QObject {
     void filmLastsAsLongAsTheMotion();
     void loopHasNoFrameTwice();
     void cycleIsWhatLoops();
+    void walkerWalksOn();
     void soundIsThatOfTheTime_data();
     void soundIsThatOfTheTime();
     void soundOfAShortFileEnds();
@@ -367,6 +370,60 @@ void TestFilms::cycleIsWhatLoops() {
     }
     succeed({"run", "cycle.wend", "--film", "all.png"});
     QCOMPARE(probe(file("all.png")).frames, 21);
+}
+
+/// The sample's walk: 24 frames of which the first follows the last as any other follows the one before it;
+/// at the end every vertex is where it began; hands swing against the feet of their side, and the sides half
+/// a walk apart.
+void TestFilms::walkerWalksOn() {
+    const QString walker = QStringLiteral(WEND_SOURCE_DIR "/resources/samples/walker.wend");
+    succeed({"run", walker, "--frames", "walk_##.obj", "--count", "25", "--quiet"});
+    const auto pointsOf = [this](int k) {
+        std::vector<QPointF> points;
+        std::istringstream lines(
+            readTextFile(file(QStringLiteral("walk_%1.obj").arg(k, 2, 10, QChar('0'))).toStdString()));
+        for (std::string line; std::getline(lines, line);)
+            if (double x = 0, y = 0; std::sscanf(line.c_str(), "v %lf %lf", &x, &y) == 2)
+                points.emplace_back(x, y);
+        return points;
+    };
+    const auto farthest = [](const std::vector<QPointF>& a, const std::vector<QPointF>& b) {
+        double most = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            most = std::max(most, std::hypot(a[i].x() - b[i].x(), a[i].y() - b[i].y()));
+        return most;
+    };
+    const auto first = pointsOf(0);
+    QVERIFY(first.size() > 1000);
+    double least = 1e9, most = 0;
+    auto before = first;
+    for (int k = 1; k < 24; ++k) {
+        const auto now = pointsOf(k);
+        least = std::min(least, farthest(now, before));
+        most = std::max(most, farthest(now, before));
+        before = now;
+    }
+    const double joint = farthest(first, before), back = farthest(first, pointsOf(24));
+    qInfo("steps of frames from %.1f to %.1f pixels, at the joint %.1f; back within %.1e", least, most, joint,
+          back);
+    QVERIFY(joint > 0.5 * least && joint < most && back < 1e-5);
+    const QJsonArray handles =
+        QJsonDocument::fromJson(QByteArray::fromStdString(readTextFile(walker.toStdString())))["handles"]
+            .toArray();
+    const auto wayOf = [&](const QString& name, double until) {
+        double x = 0;
+        for (const auto handle : handles)
+            for (const auto motion : handle.toObject()["motion"].toArray())
+                if (handle.toObject()["name"] == name &&
+                    motion.toObject()["time"].toArray()[1].toDouble() <= until + 1e-9)
+                    x += motion.toObject()["by"].toArray()[0].toDouble();
+        return x;
+    };
+    QVERIFY(wayOf("near heel", 0.5) < -200 && wayOf("far heel", 0.5) > 200);
+    QVERIFY(wayOf("near hand", 0.5) > 200 && wayOf("far hand", 0.5) < -200);
+    for (const char* name :
+         {"chest", "head", "near hand", "far hand", "near heel", "near toe", "far heel", "far toe"})
+        QVERIFY(std::abs(wayOf(QString::fromLatin1(name), 1)) < 1e-9);
 }
 
 void TestFilms::soundIsThatOfTheTime_data() {
