@@ -69,7 +69,8 @@ MeshFile readMeshFile(const std::string& path, MeshNeeds needs) {
             return formats::readSource(format, {path, bytesOf(path)}, needs);
     const auto& format = formats::formatOf(path);
     std::vector<MeshSource> sources;
-    for (const auto& part : pathsOf(format, path)) sources.push_back({part, bytesOf(part)});
+    for (const auto& part : pathsOf(format, path))
+        sources.push_back({part, format.writesPointsAlone ? readInput(part) : bytesOf(part)});
     for (const auto& part : besides(format, path))
         sources.push_back({part, fs::exists(part) ? readInput(part) : std::string()});
     return formats::readSources(format, sources, needs);
@@ -126,7 +127,7 @@ std::vector<std::string> readableMeshExtensions() {
 std::string meshExtensionList(bool tetrahedra) {
     std::string list;
     for (const auto& format : formats::meshFormats())
-        if (format.holdsTetrahedra == tetrahedra)
+        if (format.holdsTetrahedra == tetrahedra && !format.writesPointsAlone)
             list += (list.empty() ? "" : ", ") + std::string(format.extensions.front().substr(1));
     return list;
 }

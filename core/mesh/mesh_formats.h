@@ -15,6 +15,7 @@ struct MeshFormatFacts {
     bool withBoundary;                         // the generated boundary of a volume is written by default
     bool holdsFields;                          // values of vertices and cells
     bool knowsBinary;                          // and not text alone
+    bool writesPointsAlone = false;            // of a mesh that was read from it; the rest of its files stays
 };
 /// Returns the properties of all formats.
 std::vector<MeshFormatFacts> meshFormatFacts();

@@ -1,6 +1,7 @@
 #include "app/session/run/shape_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 
 #include "app/session/run/output_set.h"
@@ -226,6 +227,10 @@ void requireHeldBy(const std::string& path, const Shape<Dim>& shape) {
 }
 
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension) {
+    if (extension == ".foam" && std::filesystem::path(path).filename() != "points")
+        throw InputError(path,
+                         "only the points of an OpenFOAM case are written: name the file \"points\", for the "
+                         "folder constant/polyMesh of a copy of the case");
     std::vector<std::string> known = meshFileExtensions();
     if (dimension == 3) known.push_back(".glb");
     if (std::ranges::find(known, extension) != known.end()) return;

@@ -30,6 +30,7 @@ Formats meshFormats(bool solid, bool film) {
     Formats formats, others;
     for (const MeshFormatFacts& format : meshFormatFacts()) {
         if (format.together > 1 && (film || !solid)) continue;  // several files each
+        if (format.writesPointsAlone) continue;                 // of its own cases only, by wend run
         const auto& first = format.extensions.front();
         (format.holdsTetrahedra == solid ? formats : others)
             << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/formats/boundary_values.h"
 #include "core/mesh/formats/lost_parts.h"
 #include "core/mesh/formats/mesh_bag.h"
@@ -135,6 +136,9 @@ bool holdsAbaqus(CellKind kind) {
     return holdsGmsh(kind) && kind != CellKind::Vertex && kind != CellKind::Quad9 &&
            kind != CellKind::Pyramid13 && kind != CellKind::Wedge18 && kind != CellKind::Hexahedron27;
 }
+bool holdsFoam(CellKind kind) {
+    return holdsFaces(kind) || (kind >= kFirstOfSpace && linearKind(kind) == kind);
+}
 bool holdsNastran(CellKind kind) {
     return holdsGmsh(kind) && kind != CellKind::Vertex && kind != CellKind::Line3 &&
            kind != CellKind::Quad9 && kind != CellKind::Wedge18 && kind != CellKind::Hexahedron27;
@@ -221,6 +225,12 @@ const std::vector<MeshFormat>& meshFormats() {
          printNastran,
          holdsNastran,
          Numbers},
+        {{"OpenFOAM", {".foam"}, 1, true, true, false, false, true},
+         "an ",
+         readFoam,
+         printFoam,
+         holdsFoam,
+         All},
         {{"AVS UCD", {".avs", ".ucd"}, 1, true, false, true, false},
          "an ",
          readUcd,
@@ -238,7 +248,7 @@ const std::vector<MeshFormat>& meshFormats() {
 }
 
 const MeshFormat& formatOf(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
+    const std::string extension = lowerExtension(path);
     std::string known;
     for (const auto& format : meshFormats())
         for (const auto candidate : format.extensions) {

@@ -103,6 +103,7 @@ MeshFile readVtp(std::span<const MeshSource> files);
 MeshFile readUcd(std::span<const MeshSource> files);
 MeshFile readAbaqus(std::span<const MeshSource> files);
 MeshFile readNastran(std::span<const MeshSource> files);
+MeshFile readFoam(std::span<const MeshSource> files);
 
 /// Printers: return the bytes of one file, or of one per extension in the format's order. Numbers read back
 /// as the same doubles, or as floats in the encodings that say so. Throw InputError for cells that the format
@@ -120,5 +121,6 @@ std::vector<std::string> printVtp(const MeshFile& mesh, const MeshWriteOptions& 
 std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printNastran(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printFoam(const MeshFile& mesh, const MeshWriteOptions& options);
 
 }  // namespace wend::formats
