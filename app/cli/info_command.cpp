@@ -171,6 +171,7 @@ void addFacts(const SurfaceFacts& facts, Json& json) {
     json["area"] = facts.area;
     if (facts.sides > 0) json["sides"] = facts.sides;
     if (facts.genus) json["genus"] = *facts.genus;
+    if (facts.deepest > 1) json["shellsDeep"] = facts.deepest;
     json["boundaryLoops"] = facts.boundaryLoops;
     json["edges"] = {{"count", facts.edges},
                      {"shortest", facts.shortestEdge},

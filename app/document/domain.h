@@ -6,6 +6,7 @@
 #include "app/document/part.h"
 #include "core/mesh/region.h"
 #include "core/meshing/outline.h"
+#include "core/meshing/shell_spaces.h"
 #include "core/meshing/surface_fixes.h"
 #include "core/motion/handle.h"
 #include "warp/alpha_outline_options.h"
@@ -49,6 +50,7 @@ struct Domain {
     double quality = 1.414;                  // Surface
     double maxVolume = 0;                    // Surface; > 0: wins over vertices
     bool refineSurface = false;              // Surface: its triangles may be split
+    Shells shells = Shells::Automatic;       // Surface
     std::vector<SurfaceFix> fixes;           // Surface: single faults that are fixed before anything else
     bool repair = false;                     // Surface: the simple repairs are made first
     int largestHole = 30;                    // edges of a hole that the repair closes

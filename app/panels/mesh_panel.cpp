@@ -12,6 +12,7 @@
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/session/shape/shape.h"
 #include "warp/image.h"
 
 namespace wend {
@@ -92,6 +93,7 @@ void MeshPanel::arrange() {
              m_settings.field("domain.vertices").focusProxy()->statusTip());
     add(m_density);
     m_volumeRows = {row("domain.maxVolume")};
+    m_shells = row("domain.shells");
     QWidget* quality = row("domain.quality");
     QWidget* refine = row("domain.refineSurface");
     QWidget* sizes = add(panelRowIn(tr("Finer and coarser"), m_sizes, this));
@@ -164,10 +166,21 @@ void MeshPanel::showRows() {
     show(m_solidRows, surface);
     show(m_volumeRows, volume);
     m_detail->setVisible(solid);
+    showShells();
+}
+
+/// Shows the choice where there is one.
+void MeshPanel::showShells() {
+    const Document& document = m_session.document();
+    const bool surface = document.dimension() == 3 && document.domain().kind == DomainKind::Surface;
+    const auto frame = m_session.frame<3>();
+    m_shells->setVisible(surface && (document.domain().shells != Shells::Automatic ||
+                                     (frame && frame->built && frame->built->hasSpaces)));
 }
 
 void MeshPanel::showCounts() {
     const FramePtr& frame = m_session.frame();
+    showShells();
     if (!frame) {
         m_counts->clear();
         return;

@@ -35,6 +35,7 @@ class MeshPanel : public QWidget {
     void setAim(bool volume);
     void showProject();
     void showRows();
+    void showShells();
     void showCounts();
 
     ShapeSession& m_session;
@@ -43,6 +44,7 @@ class MeshPanel : public QWidget {
     QComboBox* m_aim;
     QToolButton* m_sizes;
     DetailRow* m_detail;
+    QWidget* m_shells = nullptr;  // what is inside of shells in others
     // of pictures; of all that is meshed; of surfaces; of surfaces by their aim
     std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows, m_volumeRows;
     QLabel* m_counts;

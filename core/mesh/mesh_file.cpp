@@ -263,13 +263,17 @@ std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path) {
 
 std::shared_ptr<const MeshFile> madeMeshFile(const SimplicialMesh<3>& mesh,
                                              const std::vector<std::array<int, 3>>& boundary,
-                                             const std::vector<int>& labels,
-                                             const std::vector<std::string>& labelNames) {
+                                             const NamedLabels& labels, const NamedLabels& spaces) {
     auto file = std::make_shared<MeshFile>(toMeshFile<3>(mesh));
     file->made = true;
     file->triangles = boundary;
-    file->labels = labels;
-    file->labelNames = labelNames;
+    file->labels = labels.labels;
+    file->labelNames = labels.names;
+    if (spaces.labels.empty()) return file;
+    MeshField ref{"ref", true, 1, {spaces.labels.begin(), spaces.labels.end()}};
+    ref.type = formats::Scalar::Int32;
+    file->fields.push_back(std::move(ref));
+    file->spaceNames = spaces.names;
     return file;
 }
 

@@ -48,6 +48,7 @@ struct MeshFile {
     /// True if the cells were generated, not read: the triangles are the boundary of a volume's tetrahedra,
     /// and files have no vertex without a cell.
     bool made = false;
+    std::vector<std::string> spaceNames;  // of the values 1, 2, … of the field "ref" of generated cells
 };
 
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes

@@ -36,11 +36,15 @@ std::vector<std::string> readableMeshExtensions();
 
 /// Returns the result of readMeshFile, shared.
 std::shared_ptr<const MeshFile> sharedMeshFile(const std::string& path);
-/// Returns a file of generated cells, with their boundary.
+/// Numbers per cell or triangle, and the names of the numbers 1, 2, …; either may be empty.
+struct NamedLabels {
+    std::vector<int> labels;
+    std::vector<std::string> names;
+};
+/// Returns a file of generated cells, with their boundary; `spaces` become the field "ref" and groups.
 std::shared_ptr<const MeshFile> madeMeshFile(const SimplicialMesh<3>& mesh,
                                              const std::vector<std::array<int, 3>>& boundary,
-                                             const std::vector<int>& labels,
-                                             const std::vector<std::string>& labelNames);
+                                             const NamedLabels& labels, const NamedLabels& spaces = {});
 
 /// Return the members of a file.
 const Eigen::Matrix3Xd& pointsOf(const MeshFile& file);

@@ -56,7 +56,7 @@ Points<Dim> centroids(const SimplicialMesh<Dim>& mesh) {
 }  // namespace
 
 template <int Dim>
-std::vector<int> sortSpatially(SimplicialMesh<Dim>& mesh, int first) {
+std::vector<int> sortSpatially(SimplicialMesh<Dim>& mesh, int first, std::vector<int>* cellOrder) {
     const auto vertices = curveOrder<Dim>(mesh.points, first), cells = curveOrder<Dim>(centroids(mesh), 0);
     const SimplicialMesh<Dim> old = mesh;
     std::vector<int> number(vertices.size());
@@ -68,10 +68,11 @@ std::vector<int> sortSpatially(SimplicialMesh<Dim>& mesh, int first) {
         mesh.cells[i] = old.cells[cells[i]];
         for (int& v : mesh.cells[i]) v = number[v];
     }
+    if (cellOrder) cellOrder->assign(cells.begin(), cells.end());
     return number;
 }
 
-template std::vector<int> sortSpatially<2>(SimplicialMesh<2>&, int);
-template std::vector<int> sortSpatially<3>(SimplicialMesh<3>&, int);
+template std::vector<int> sortSpatially<2>(SimplicialMesh<2>&, int, std::vector<int>*);
+template std::vector<int> sortSpatially<3>(SimplicialMesh<3>&, int, std::vector<int>*);
 
 }  // namespace wend

@@ -21,10 +21,12 @@ struct Surface {
 /// Lists everything that prevents a surface from bounding a volume, so that it can be counted, shown and
 /// saved.
 struct SurfaceProblems {
-    std::vector<int> notFinite;                        // vertices with NaN or infinite coordinates
-    std::vector<int> badIndex;                         // triangles that name a missing vertex
-    std::vector<int> degenerate;                       // triangles without area, or that name a vertex twice
-    std::vector<int> duplicate;                        // triangles that repeat an earlier one
+    std::vector<int> notFinite;   // vertices with NaN or infinite coordinates
+    std::vector<int> badIndex;    // triangles that name a missing vertex
+    std::vector<int> degenerate;  // triangles without area, or that name a vertex twice
+    std::vector<int> duplicate;   // triangles that repeat an earlier one
+    std::vector<int> shared;  // triangles that face an earlier one at the same place: no fault, but a wall
+                              // between bodies
     std::vector<std::array<int, 2>> openEdges;         // edges (vertices) of one triangle only
     std::vector<std::array<int, 2>> nonManifoldEdges;  // edges of more than two triangles
     std::vector<std::array<int, 2>>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "core/mesh/error.h"
 #include "core/meshing/surface_edges.h"
@@ -107,7 +108,8 @@ void findCrossings(const Surface& surface, const std::vector<Ids>& canonical, co
 void sortOutTriangles(const Surface& surface, const std::vector<int>& canonicalId,
                       std::vector<Ids>& canonical, std::vector<bool>& usable, SurfaceProblems& problems) {
     const Crossing geometry(surface.points);
-    std::map<Ids, int> known;
+    std::map<Ids, int> known;  // the first triangle at a place
+    std::map<Ids, bool> alreadyFaced;
     for (int t = 0; t < surface.triangleCount(); ++t) {
         const Ids& triangle = surface.triangles[t];
         if (!indicesGood(surface, triangle)) {
@@ -122,10 +124,13 @@ void sortOutTriangles(const Surface& surface, const std::vector<int>& canonicalI
         if (!finite) continue;
         if (ids[0] == ids[1] || ids[1] == ids[2] || ids[0] == ids[2] || geometry.flat(ids))
             problems.degenerate.push_back(t);
-        else if (!known.try_emplace(sortedIds(ids), t).second)
-            problems.duplicate.push_back(t);
-        else
+        else if (const auto [first, isNew] = known.try_emplace(sortedIds(ids), t); isNew)
             usable[t] = true;
+        else if (const Ids& one = canonical[first->second];
+                 !runsAlong(ids, one[0], one[1]) && !std::exchange(alreadyFaced[first->first], true))
+            problems.shared.push_back(t);
+        else
+            problems.duplicate.push_back(t);
     }
 }
 

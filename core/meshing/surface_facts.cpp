@@ -110,7 +110,8 @@ bool encloses(const Surface& surface, const Part& part, const Vec<3>& p) {
     return std::lround(std::abs(angle) / (4 * std::numbers::pi)) % 2 == 1;
 }
 
-double enclosedVolume(const Surface& surface, const std::vector<Part>& parts) {
+/// Returns the volume between the parts, and counts how many lie one in the other.
+double enclosedVolume(const Surface& surface, const std::vector<Part>& parts, int& deepest) {
     double volume = 0;
     for (const Part& part : parts) {
         const auto& first = surface.triangles[part.triangles[0]];
@@ -119,6 +120,7 @@ double enclosedVolume(const Surface& surface, const std::vector<Part>& parts) {
         const auto around = std::ranges::count_if(
             parts, [&](const Part& other) { return &other != &part && encloses(surface, other, p); });
         volume += (around % 2 == 0 ? 1 : -1) * std::abs(signedVolume(surface, part));
+        deepest = std::max(deepest, static_cast<int>(around) + 1);
     }
     return volume;
 }
@@ -194,7 +196,7 @@ SurfaceFacts factsOf(const Surface& surface) {
     facts.parts = static_cast<int>(parts.size());
     Corners corners(clean, edges);
     facts.boundaryLoops = loopsOf(clean, edges, corners);
-    if (isClosed(clean, edges)) facts.volume = enclosedVolume(clean, parts);
+    if (isClosed(clean, edges)) facts.volume = enclosedVolume(clean, parts, facts.deepest);
     const bool isManifold =
         std::ranges::all_of(edges, [](const SurfaceEdge& edge) { return edge.triangles.size() <= 2; });
     if (!isManifold) return facts;

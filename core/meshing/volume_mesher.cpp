@@ -5,13 +5,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
-#include <numeric>
 
 #include "core/mesh/error.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/used_vertices.h"
-#include "core/meshing/solid_angle.h"
 #include "core/meshing/spatial_order.h"
 #include "core/meshing/surface_check.h"
 #include "core/meshing/surface_edges.h"
@@ -21,40 +18,6 @@ namespace wend {
 namespace {
 
 constexpr double kAimTolerance = 0.1;  // inner than the 15 % promised
-
-/// Shells: triangles connected over vertices, one number per triangle.
-std::vector<int> shellsOf(const Surface& surface) {
-    std::vector<int> parent(static_cast<std::size_t>(surface.vertexCount()));
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (const auto& t : surface.triangles)
-        for (int k = 1; k < 3; ++k) parent[root(t[k])] = root(t[0]);
-    std::map<int, int> names;
-    std::vector<int> shells;
-    shells.reserve(surface.triangles.size());
-    for (const auto& t : surface.triangles)
-        shells.push_back(names.try_emplace(root(t[0]), static_cast<int>(names.size())).first->second);
-    return shells;
-}
-
-/// Is p inside an odd number of shells? Their orientation does not matter.
-bool inside(const Surface& surface, const std::vector<int>& shells, const Vec<3>& p) {
-    std::vector<double> winding(*std::max_element(shells.begin(), shells.end()) + 1, 0.0);
-    for (int t = 0; t < surface.triangleCount(); ++t) {
-        const auto& ids = surface.triangles[t];
-        winding[shells[t]] +=
-            solidAngle(p, surface.points.col(ids[0]), surface.points.col(ids[1]), surface.points.col(ids[2]));
-    }
-    const auto around = [](double angle) {
-        return std::lround(std::abs(angle) / (4 * std::numbers::pi)) % 2;
-    };
-    long enclosing = 0;
-    for (double angle : winding) enclosing += around(angle);
-    return enclosing % 2 == 1;
-}
 
 /// The triangles with the first of all vertices at one place: a soup of triangles is connected, too.
 std::vector<std::array<int, 3>> joinedTriangles(const Surface& surface) {
@@ -99,11 +62,9 @@ class VolumeMesher {
         : m_surface(surface),
           m_options(options),
           m_oriented(oriented(surface)),
-          m_shells(shellsOf(m_oriented)),
-          m_labels(surface.labels.empty() ? std::vector<int>{0} : surface.labels) {
-        std::ranges::sort(m_labels);
-        m_labels.erase(std::unique(m_labels.begin(), m_labels.end()), m_labels.end());
-        for (const auto& triangle : joinedTriangles(surface))
+          m_triangles(joinedTriangles(surface)) {
+        findFacets();
+        for (const auto& triangle : m_triangles)
             m_sent.insert(m_sent.end(), triangle.begin(), triangle.end());
         std::ranges::sort(m_sent);
         m_sent.erase(std::unique(m_sent.begin(), m_sent.end()), m_sent.end());
@@ -118,7 +79,12 @@ class VolumeMesher {
         return read(reply);
     }
 
+    /// Returns about the volume that the surface encloses; that of its box if bodies share walls.
     double volume() const {
+        if (m_sharesWalls) {
+            const Points<3> sent = m_surface.points(Eigen::all, m_sent);
+            return (sent.rowwise().maxCoeff() - sent.rowwise().minCoeff()).prod();
+        }
         double sum = 0;
         for (const auto& t : m_oriented.triangles) {
             const Vec<3> a = m_oriented.points.col(t[0]), b = m_oriented.points.col(t[1]),
@@ -138,28 +104,57 @@ class VolumeMesher {
         if (!m_options.sizes.empty() && maxVolume > 0) addSizes(maxVolume, request);
         for (const int v : m_sent)
             for (int k = 0; k < 3; ++k) request.points.push_back(m_surface.points(k, v));
-        const auto triangles = joinedTriangles(m_surface);
-        for (int t = 0; t < m_surface.triangleCount(); ++t) {
-            for (const int v : triangles[t])
+        for (std::size_t f = 0; f < m_facets.size(); ++f) {
+            for (const int v : m_triangles[static_cast<std::size_t>(m_facets[f].triangle)])
                 request.triangles.push_back(
                     static_cast<int>(std::ranges::lower_bound(m_sent, v) - m_sent.begin()));
-            request.labels.push_back(markerOf(t));
+            request.labels.push_back(m_markers[f]);
         }
         return request;
     }
 
-    /// 0 is TetGen's own "no marker". Where the surface may be split, triangles of a plane and label are one
-    /// facet, so that not every one of their edges has to survive.
-    int markerOf(int triangle) const {
-        if (m_options.keepSurface) return triangle + 1;
-        return static_cast<int>(std::ranges::lower_bound(m_labels, labelOf(triangle)) - m_labels.begin()) + 1;
+    /// A triangle of the surface, or two that face each other at one place.
+    struct SurfaceFacet {
+        int triangle, shell;
+        std::vector<int> labels;
+    };
+
+    void findFacets() {
+        const std::vector<int> shells = shellsOf(m_triangles, m_surface.vertexCount());
+        std::map<std::array<int, 3>, std::size_t> known;
+        for (int t = 0; t < m_surface.triangleCount(); ++t) {
+            std::array<int, 3> key = m_triangles[static_cast<std::size_t>(t)];
+            std::ranges::sort(key);
+            const auto [place, isNew] = known.try_emplace(key, m_facets.size());
+            if (isNew) m_facets.push_back({t, shells[static_cast<std::size_t>(t)], {}});
+            m_facets[place->second].labels.push_back(m_surface.labels.empty() ? 0 : m_surface.labels[t]);
+        }
+        Surface distinct{m_surface.points, {}, {}};
+        for (const SurfaceFacet& facet : m_facets)
+            distinct.triangles.push_back(m_triangles[static_cast<std::size_t>(facet.triangle)]);
+        m_sharesWalls = std::ranges::any_of(
+            edgesOf(distinct), [](const SurfaceEdge& edge) { return edge.triangles.size() > 2; });
+        markFacets();
     }
-    int labelOf(int triangle) const { return m_surface.labels.empty() ? 0 : m_surface.labels[triangle]; }
-    int labelOfMarker(int marker) const {
-        return m_options.keepSurface ? labelOf(marker - 1) : m_labels[static_cast<std::size_t>(marker - 1)];
+    /// 0 is TetGen's own "no marker". Where the surface may be split, facets of one shell and label have one
+    /// marker, so that TetGen joins those of a plane and not every one of their edges has to survive.
+    void markFacets() {
+        std::map<std::pair<int, std::vector<int>>, int> markers;
+        for (std::size_t f = 0; f < m_facets.size(); ++f) {
+            const SurfaceFacet& facet = m_facets[f];
+            int marker = static_cast<int>(f) + 1;
+            if (!m_options.keepSurface)
+                marker =
+                    markers.try_emplace({facet.shell, facet.labels}, static_cast<int>(markers.size()) + 1)
+                        .first->second;
+            m_markers.push_back(marker);
+            if (static_cast<std::size_t>(marker) > m_marked.size()) m_marked.push_back(static_cast<int>(f));
+        }
     }
-    int markerCount() const {
-        return m_options.keepSurface ? m_surface.triangleCount() : static_cast<int>(m_labels.size());
+    /// Returns a facet that has the marker; null for TetGen's own.
+    const SurfaceFacet* facetOf(int marker) const {
+        if (marker <= 0 || marker > static_cast<int>(m_marked.size())) return nullptr;
+        return &m_facets[static_cast<std::size_t>(m_marked[static_cast<std::size_t>(marker) - 1])];
     }
     void addSizes(double maxVolume, TetgenRequest& request) const {
         const SizeGrid& sizes = m_options.sizes;
@@ -187,32 +182,81 @@ class VolumeMesher {
         return result;
     }
 
-    /// Keeps the regions inside, with one test per region, and drops vertices of other cells.
-    VolumeMesh read(const TetgenReply& raw) const {
-        const TetgenReply reply = renumbered(raw);
-        const Eigen::Map<const Points<3>> points(reply.points.data(), 3,
-                                                 static_cast<Eigen::Index>(reply.points.size() / 3));
-        std::map<int, bool> keep;
-        VolumeMesh result;
-        for (std::size_t c = 0; c < reply.regions.size(); ++c) {
+    /// Returns the surface's facets in the reply, by their vertices.
+    std::map<std::array<int, 3>, const SurfaceFacet*> facetsIn(const TetgenReply& reply) const {
+        std::map<std::array<int, 3>, const SurfaceFacet*> facets;
+        for (std::size_t f = 0; f < reply.labels.size(); ++f)
+            if (const SurfaceFacet* facet = facetOf(reply.labels[f])) {
+                std::array<int, 3> key{reply.boundary[3 * f], reply.boundary[3 * f + 1],
+                                       reply.boundary[3 * f + 2]};
+                std::ranges::sort(key);
+                facets[key] = facet;
+            }
+        return facets;
+    }
+
+    /// Returns the walls between the spaces of cells.
+    std::vector<SpaceWall> wallsOf(const TetgenReply& reply, const std::vector<int>& spaceOf) const {
+        const auto facets = facetsIn(reply);
+        std::vector<std::pair<std::array<int, 3>, int>> faces;  // each with the space on one side
+        for (std::size_t c = 0; c < spaceOf.size(); ++c)
+            for (std::size_t k = 0; k < 4; ++k) {
+                std::array<int, 3> face;
+                for (std::size_t i = 0, at = 0; i < 4; ++i)
+                    if (i != k) face[at++] = reply.cells[4 * c + i];
+                std::ranges::sort(face);
+                faces.emplace_back(face, spaceOf[c]);
+            }
+        std::ranges::sort(faces);
+        std::vector<SpaceWall> walls;
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            const bool isInner = i + 1 < faces.size() && faces[i + 1].first == faces[i].first;
+            const std::array<int, 2> spaces{faces[i].second, isInner ? faces[i + 1].second : -1};
+            const auto facet = spaces[0] == spaces[1] ? facets.end() : facets.find(faces[i].first);
+            if (facet != facets.end())
+                walls.push_back({spaces, facet->second->shell, facet->second->labels, faces[i].first});
+            if (isInner) ++i;
+        }
+        return walls;
+    }
+
+    /// Finds the spaces of the cells, and keeps the cells of those that are filled.
+    void keepFilled(const TetgenReply& reply, VolumeMesh& result) const {
+        std::map<int, int> numbers;
+        std::vector<int> spaceOf;
+        for (const int region : reply.regions)
+            spaceOf.push_back(numbers.try_emplace(region, static_cast<int>(numbers.size())).first->second);
+        result.spaces = shellSpaces(static_cast<int>(numbers.size()), wallsOf(reply, spaceOf),
+                                    m_options.shells, m_options.labelNames);
+        const bool labelled = result.spaces.spaces.size() > 1 &&
+                              (m_options.shells == Shells::Regions || result.spaces.shareWalls());
+        for (std::size_t c = 0; c < spaceOf.size(); ++c) {
+            const ShellSpace& space = result.spaces.spaces[static_cast<std::size_t>(spaceOf[c])];
+            if (!space.kept) continue;
             Cell<3> cell;
             std::copy_n(reply.cells.begin() + static_cast<std::ptrdiff_t>(4 * c), 4, cell.begin());
-            const auto known = keep.find(reply.regions[c]);
-            if (known == keep.end()) {
-                const Vec<3> centre =
-                    (points.col(cell[0]) + points.col(cell[1]) + points.col(cell[2]) + points.col(cell[3])) /
-                    4;
-                keep[reply.regions[c]] = inside(m_oriented, m_shells, centre);
-            }
-            if (keep[reply.regions[c]]) result.mesh.cells.push_back(cell);
+            result.mesh.cells.push_back(cell);
+            if (labelled) result.cellLabels.push_back(space.label);
         }
+    }
+
+    /// Keeps the spaces inside, and drops vertices of other cells.
+    VolumeMesh read(const TetgenReply& raw) const {
+        const TetgenReply reply = renumbered(raw);
+        VolumeMesh result;
+        keepFilled(reply, result);
         if (result.mesh.cells.empty()) throw InputError("the surface encloses no volume");
-        result.mesh.points = points;
+        result.mesh.points = Eigen::Map<const Points<3>>(reply.points.data(), 3,
+                                                         static_cast<Eigen::Index>(reply.points.size() / 3));
         std::vector<int> newId = dropUnused(result.mesh);
         orientPositive(result.mesh);
         const auto ofSurface = newId.begin() + m_surface.vertexCount();
         const auto first = std::count_if(newId.begin(), ofSurface, [](int id) { return id >= 0; });
-        const auto number = sortSpatially(result.mesh, static_cast<int>(first));
+        std::vector<int> cellOrder;
+        const auto number = sortSpatially(result.mesh, static_cast<int>(first), &cellOrder);
+        const std::vector<int> unsorted = result.cellLabels;
+        for (std::size_t c = 0; c < unsorted.size(); ++c)
+            result.cellLabels[c] = unsorted[static_cast<std::size_t>(cellOrder[c])];
         for (int& id : newId)
             if (id >= 0) id = number[id];
         readBoundary(reply, newId, result);
@@ -247,21 +291,25 @@ class VolumeMesher {
     /// Reads the boundary triangles, with the labels of the input triangles that contain them.
     void readBoundary(const TetgenReply& reply, const std::vector<int>& newId, VolumeMesh& result) const {
         for (std::size_t f = 0; f < reply.labels.size(); ++f) {
-            if (reply.labels[f] <= 0 || reply.labels[f] > markerCount()) continue;
+            const SurfaceFacet* input = facetOf(reply.labels[f]);
+            if (!input) continue;
             std::array<int, 3> facet;
             for (int k = 0; k < 3; ++k) facet[k] = newId[reply.boundary[3 * f + k]];
             if (*std::min_element(facet.begin(), facet.end()) < 0) continue;
             result.boundary.push_back(facet);
-            result.boundaryLabels.push_back(labelOfMarker(reply.labels[f]));
+            result.boundaryLabels.push_back(input->labels.front());
         }
     }
 
     const Surface& m_surface;
     const VolumeMeshOptions& m_options;
     Surface m_oriented;
-    std::vector<int> m_shells;
-    std::vector<int> m_sent;    // vertices of the surface that its triangles need, increasing
-    std::vector<int> m_labels;  // those that there are, each once, increasing
+    std::vector<std::array<int, 3>> m_triangles;  // of the surface, with joined vertices
+    std::vector<SurfaceFacet> m_facets;
+    std::vector<int> m_markers;  // of the facets, from 1 on
+    std::vector<int> m_marked;   // a facet of each marker
+    bool m_sharesWalls = false;
+    std::vector<int> m_sent;  // vertices of the surface that its triangles need, increasing
 };
 
 /// The number of inner vertices is proportional to 1/maxVolume: a secant search in the logarithm, bracketed

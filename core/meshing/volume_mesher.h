@@ -7,6 +7,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/meshing/mesher_process.h"
+#include "core/meshing/shell_spaces.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -31,8 +32,10 @@ struct VolumeMeshOptions {
     int vertices = 0;  // that cells have; > 0: aim, met within 15 % if the kept surface allows it; maxVolume
                        // then does not count
     bool keepSurface = true;  // the input's vertices and triangles stay as they are (-Y)
-    SizeGrid sizes;           // volumes are proportional to the factor's cube
-    double timeLimit = 120;   // seconds of computing, for each 50 000 triangles of the surface that it begins
+    Shells shells = Shells::Automatic;
+    std::vector<std::string> labelNames;  // of the surface's labels 1, 2, …, by which spaces are named
+    SizeGrid sizes;                       // volumes are proportional to the factor's cube
+    double timeLimit = 120;  // seconds of computing, for each 50 000 triangles of the surface that it begins
     std::stop_token stop;
 };
 
@@ -41,7 +44,9 @@ struct VolumeMesh {
     SimplicialMesh<3> mesh;                    // with keepSurface, vertices 0 … n−1 are the surface's
     std::vector<std::array<int, 3>> boundary;  // the boundary triangles
     std::vector<int> boundaryLabels;           // label of the input triangle that contains each one
-    bool aimMet = true;  // false: the surface alone has too many (or -Y allows too few) vertices
+    ShellSpaces spaces;
+    std::vector<int> cellLabels;  // the label of the space of each cell; empty if there is but one space
+    bool aimMet = true;           // false: the surface alone has too many (or -Y allows too few) vertices
 
     /// Returns how many vertices cells have; of several at one place only one counts.
     int usedCount() const;
@@ -59,10 +64,9 @@ class SurfaceError : public InputError {
     SurfaceProblems problems;
 };
 
-/// Meshes the volume between the shells of a closed surface (inside of an odd number of shells: a shell in a
-/// shell is a hole) with TetGen in the process wend-tetgen, so that it cannot crash, block or exit Wend.
-/// Throws SurfaceError with the surface's problems (checkSurface); InputError with these and TetGen's
-/// failure, or if time ran out; Cancelled.
+/// Meshes the volume between the shells of a closed surface (see Shells) with TetGen in the process
+/// wend-tetgen, so that it cannot crash, block or exit Wend. Throws SurfaceError with the surface's problems
+/// (checkSurface); InputError with these and TetGen's failure, or if time ran out; Cancelled.
 VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options);
 
 }  // namespace wend

@@ -113,6 +113,18 @@ constexpr std::array kOptions{
                                    "the tetrahedra inside. If off, the surface is kept exactly as it is."),
                .undo = Options::tr("Refine surface")}},
     Option{
+        "domain.shells", "--shells", Choice, "", kAny, "", "auto|holes|regions", "run mesh",
+        "what is inside of shells of a surface that lie one in the other: holes leaves every second space "
+        "hollow, regions fills all and labels the cells of each; auto is as holes and says so. Bodies that "
+        "share walls are all filled and labelled",
+        Field{AT(domain.shells), &kSurface, Makes::Mesh},
+        Row{.label = Options::tr("Inner she&lls"),
+            .help = Options::tr("What is inside of shells that lie one in the other: holes, or regions of "
+                                "their own, whose cells are labelled. Bodies that share walls are all "
+                                "filled and labelled."),
+            .undo = Options::tr("Change inner shells"),
+            .words = {{Options::tr("Holes, and say so"), Options::tr("Holes"), Options::tr("Regions")}}}},
+    Option{
         "domain.repair", "--repair", Flag, "", kAny, "", "", "mesh",
         "repair the surface first: merge vertices at one place, drop triangles without area and duplicates, "
         "orient, fill small holes",

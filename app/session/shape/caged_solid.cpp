@@ -34,7 +34,7 @@ std::shared_ptr<const MeshFile> fileOf(const SimplicialMesh<3>& mesh) {
     std::vector<std::array<int, 3>> boundary;
     for (const auto& facet : facetsOf(mesh))
         if (!facet.interior()) boundary.push_back(facet.vertices);
-    return madeMeshFile(mesh, boundary, std::vector<int>(boundary.size(), 1), {kGroup});
+    return madeMeshFile(mesh, boundary, {std::vector<int>(boundary.size(), 1), {kGroup}});
 }
 
 void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>& solid) {

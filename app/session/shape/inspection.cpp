@@ -201,6 +201,8 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     addPairs("pairs of triangles that intersect", found.intersecting, true);
     add("triangles without area", found.degenerate);
     add("duplicate triangles", found.duplicate);
+    if (!found.shared.empty())
+        inspection.problems.push_back({"triangles that bodies share as a wall", found.shared, false});
     addPairs("edges where the orientation changes", found.misoriented, false);
     addHanging(hangingParts(file.points, file.triangles), inspection);
     if (found.coincidentVertices > 0)

@@ -74,6 +74,7 @@ struct Shape {
     std::optional<MeshVerdict> verdict;  // on cells that were made
     std::optional<CageFacts> cage;       // if a cage carries the surface
     bool refineHelps = false;            // splitting the surface's triangles would help
+    bool hasSpaces = false;              // shells lie one in the other, or bodies share walls
 
     /// Returns whether an embedded surface is shown instead of the mesh's vertices.
     bool hidesVertices() const { return embedding && embedding->isFree(); }

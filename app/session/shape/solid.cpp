@@ -44,6 +44,7 @@ VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, c
     options.maxVolume = domain.maxVolume;
     options.vertices = domain.maxVolume > 0 ? 0 : domain.vertices;
     options.keepSurface = !domain.refineSurface;
+    options.shells = domain.shells;
     options.sizes = sizesOf(domain, folder, surface);
     options.stop = stop;
     return options;
@@ -150,6 +151,16 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
                                    volume.usedCount() < domain.vertices);
 }
 
+/// Tells what several spaces are taken for, unless the project says it.
+void tellOfSpaces(const Domain& domain, const ShellSpaces& spaces, Advice advice, Shape<3>& solid) {
+    const std::string text = spaces.summary();
+    if (text.empty() || domain.shells != Shells::Automatic) return;
+    solid.notices.push_back(text + (advice == Advice::Keys
+                                        ? "; `shells`: \"regions\" fills all and labels their cells, "
+                                          "\"holes\" leaves every second one hollow"
+                                        : ""));
+}
+
 void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
     const int spare = volume.mesh.vertexCount() - volume.usedCount();
     if (spare == 1)
@@ -173,10 +184,13 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
         verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && repairing.done.empty());
     tellOfMesh(domain, surface, volume, advice, solid);
     tellOfSpares(volume, solid);
+    tellOfSpaces(domain, volume.spaces, advice, solid);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
     solid.source =
         madeMeshFile(volume.mesh, volume.boundary,
-                     skin->labels.empty() ? std::vector<int>() : volume.boundaryLabels, skin->labelNames);
+                     {skin->labels.empty() ? std::vector<int>() : volume.boundaryLabels, skin->labelNames},
+                     {volume.cellLabels, volume.spaces.names});
+    solid.hasSpaces = volume.spaces.deepest() > 1 || volume.spaces.shareWalls();
     solid.skin = skin;
     return solid;
 }
@@ -186,7 +200,8 @@ Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::s
                      const std::stop_token& stop, Advice advice) {
     const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
     // Painted sizes belong to the vertices as the file has them.
-    const VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);
+    VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);
+    options.labelNames = skin->labelNames;
     if (domain.fit == Fit::Cage) return cagedSolid(domain, skin, "", stop, advice);
     if (domain.fit == Fit::Exact) return exactSolid(domain, skin, options, advice);
     if (const std::string why = tooManyVertices(domain, design, *skin); !why.empty())

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/document/domain.h"
+#include "app/document/edits/setting_edits.h"
 #include "app/document/said.h"
 #include "app/session/shape/mesh_rest.h"
 #include "app/session/shape/shape.h"
@@ -52,6 +54,15 @@ void ShapeNotices::tell() {
     }
     if (frame->built->cage && !frame->built->cage->why.empty())
         remedies << InfoBanner::Remedy{tr("See Why"), [this] { emit reasonWanted(); }};
+    if (frame->built->hasSpaces && m_session.document().domain().shells == Shells::Automatic) {
+        const auto choose = [this](Shells shells) {
+            return [this, shells] {
+                changeSetting(m_session.document(), "domain.shells", static_cast<double>(shells));
+            };
+        };
+        remedies << InfoBanner::Remedy{tr("Fill All, with Labels"), choose(Shells::Regions)}
+                 << InfoBanner::Remedy{tr("Leave Holes"), choose(Shells::Holes)};
+    }
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” allows the surface's triangles to be split.");
     if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);

@@ -116,6 +116,9 @@ MeshFile bagOf(MeshFile mesh, bool trianglesFirst) {
     if (!made || !mesh.groups.empty()) return mesh;
     if (const MeshField* tags = cellField(mesh, {"physical", "ref", "attribute"}))
         addTagGroups(mesh, tags->ofCells, isVolume(mesh) ? 3 : 2);
+    for (MeshGroup& group : mesh.groups)
+        if (group.dimension == 3 && group.tag > 0 && group.tag <= std::ssize(mesh.spaceNames))
+            group.name = mesh.spaceNames[static_cast<std::size_t>(group.tag) - 1];
     if (isVolume(mesh)) addLabelGroups(mesh);
     return mesh;
 }
