@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,10 +12,15 @@
 
 namespace wend {
 
+/// Stiffness along a direction: one axis, or in every cell the normal of the nearest place of a wall.
 template <int Dim>
 struct Stiffness {
     Vec<Dim> axis;
-    double ratio = 1;  // s ≥ 1: B₀ = I + (s − 1) a aᵀ
+    double ratio = 1;       // s ≥ 1: B₀ = I + (s − 1) a aᵀ
+    std::string wall = {};  // the group of the mesh's file that is the wall; empty: the axis counts
+    double within =
+        std::numeric_limits<double>::infinity();        // the distance from the wall up to which it holds
+    std::shared_ptr<const GuideMesh<Dim>> facets = {};  // of the wall
 };
 
 /// Pictures of a 2D region's φ, stiffness and direction: see material_picture.h. An empty name keeps the
@@ -50,7 +57,8 @@ struct MaterialSpec {
     std::vector<MaterialRegion<Dim>> regions;  // later ones win
     std::vector<double> cellPhi;               // material.cells, if given
     std::vector<Mat<Dim>> cellB;
-    std::string cellsFile;  // where material.cells names a file
+    std::string cellsFile;         // where material.cells names a file
+    std::string cellsPhi, cellsB;  // fields of that file; empty: "phi" and "B", as far as they are there
 };
 
 template <int Dim>

@@ -106,24 +106,44 @@ std::vector<FacetVertices<Dim>> facetsBetween(const MeshFile& file, const std::v
     return facets;
 }
 
-}  // namespace
+/// Returns the file of a mesh in a plane, in the coordinates of that plane.
+std::optional<MeshFile> inItsPlane(const MeshFile& file) {
+    const auto plane = planeOf(file.points, file.triangles);
+    if (!plane || plane->isXy()) return std::nullopt;
+    MeshFile flat = file;
+    flat.points = plane->toPlane(file.points);
+    flat.points.row(2).setZero();
+    return flat;
+}
 
+/// Returns the facets of a group of a file in space, or in the plane of x and y.
 template <int Dim>
-Vec<Dim> groupNormal(const MeshFile& file, const std::string& name) {
+std::vector<FacetVertices<Dim>> facetsOfGroup(const MeshFile& file, const std::string& name,
+                                              const std::map<FacetVertices<Dim>, Vec<Dim>>& boundary) {
     const GroupParts group = groupParts(file, name, std::nullopt);
-    if constexpr (Dim == 2)
-        if (const auto plane = planeOf(file.points, file.triangles); plane && !plane->isXy()) {
-            MeshFile flat = file;
-            flat.points = plane->toPlane(file.points);
-            flat.points.row(2).setZero();
-            return groupNormal<2>(flat, name);
-        }
-    const auto boundary = outwardNormals<Dim>(file);
-    const auto facets = group.cells.empty() ? facetsBetween<Dim>(file, group.vertices, boundary)
-                                            : facetsIn<Dim>(file, group.cells);
+    auto facets = group.cells.empty() ? facetsBetween<Dim>(file, group.vertices, boundary)
+                                      : facetsIn<Dim>(file, group.cells);
     if (facets.empty())
         throw InputError("the group '" + name + "' has no " + (Dim == 2 ? "lines" : "surface") +
                          " whose normal could be taken");
+    return facets;
+}
+
+}  // namespace
+
+template <int Dim>
+GroupFacets<Dim> groupFacets(const MeshFile& file, const std::string& name) {
+    if constexpr (Dim == 2)
+        if (const auto flat = inItsPlane(file)) return groupFacets<2>(*flat, name);
+    return {file.points.topRows<Dim>(), facetsOfGroup<Dim>(file, name, outwardNormals<Dim>(file))};
+}
+
+template <int Dim>
+Vec<Dim> groupNormal(const MeshFile& file, const std::string& name) {
+    if constexpr (Dim == 2)
+        if (const auto flat = inItsPlane(file)) return groupNormal<2>(*flat, name);
+    const auto boundary = outwardNormals<Dim>(file);
+    const auto facets = facetsOfGroup<Dim>(file, name, boundary);
     Vec<Dim> sum = Vec<Dim>::Zero();
     double total = 0;
     for (const auto& facet : facets) {
@@ -139,6 +159,8 @@ Vec<Dim> groupNormal(const MeshFile& file, const std::string& name) {
     return sum.normalized();
 }
 
+template GroupFacets<2> groupFacets<2>(const MeshFile&, const std::string&);
+template GroupFacets<3> groupFacets<3>(const MeshFile&, const std::string&);
 template Vec<2> groupNormal<2>(const MeshFile&, const std::string&);
 template Vec<3> groupNormal<3>(const MeshFile&, const std::string&);
 

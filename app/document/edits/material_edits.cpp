@@ -46,7 +46,7 @@ std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design) {
         }
         if (!region.stiffness) continue;
         if (!it->axis) it->axis = region.stiffness->axis;
-        if (*it->axis != region.stiffness->axis) it->oneAxis = false;
+        if (*it->axis != region.stiffness->axis || !region.stiffness->wall.empty()) it->oneAxis = false;
     }
     return groups;
 }
@@ -91,7 +91,10 @@ Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
         const auto before = region.stiffness;
         region.phi = paint.phi;
         region.stiffness = paint.stiffness;
-        if (keepAxes && before && region.stiffness) region.stiffness->axis = before->axis;
+        if (!(keepAxes && before && region.stiffness)) continue;
+        const double ratio = region.stiffness->ratio;
+        region.stiffness = before;
+        region.stiffness->ratio = ratio;
     }
     return next;
 }
@@ -197,6 +200,8 @@ AnyDesign withCellsFile(const AnyDesign& design, const std::string& file) {
     std::visit(
         [&](auto& own) {
             own.material.cellsFile = file;
+            own.material.cellsPhi.clear();
+            own.material.cellsB.clear();
             own.material.cellPhi.clear();
             own.material.cellB.clear();
         },

@@ -115,8 +115,17 @@ template <int Dim>
 Stiffness<Dim> readStiffness(const JsonValue& value) {
     JsonObject object(value);
     Stiffness<Dim> stiffness;
-    stiffness.axis = readDirection<Dim>(object.require("axis"));
+    const JsonValue axis = object.require("axis");
+    if (auto wall = readWall(axis))
+        stiffness.axis = Vec<Dim>::UnitX(), stiffness.wall = *wall;
+    else
+        stiffness.axis = readDirection<Dim>(axis);
     stiffness.ratio = object.require("ratio").number("material.regions[].stiffness.ratio");
+    if (auto within = object.find("within")) {
+        stiffness.within = readPositive(*within);
+        if (stiffness.wall.empty())
+            within->fail("is the distance from a wall: it needs `axis` \"normal of GROUP\"");
+    }
     object.finish();
     return stiffness;
 }
@@ -492,6 +501,26 @@ void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
     object.finish();
 }
 
+namespace {
+
+/// Reads a file's name, one with the names of its fields, or the values themselves.
+template <int Dim>
+void readCellsKey(const JsonValue& value, MaterialSpec<Dim>& spec) {
+    if (value.json().is_string()) {
+        spec.cellsFile = value.text();
+        return;
+    }
+    JsonObject object(value);
+    const auto file = object.find("file");
+    if (!file) return readCellValues<Dim>(object, spec);
+    spec.cellsFile = file->text();
+    if (auto phi = object.find("phi")) spec.cellsPhi = phi->text();
+    if (auto B = object.find("B")) spec.cellsB = B->text();
+    object.finish();
+}
+
+}  // namespace
+
 template <int Dim>
 void readMaterial(const JsonValue& value, Project& project) {
     MaterialSpec<Dim>& spec = designOf<Dim>(project).material;
@@ -501,14 +530,7 @@ void readMaterial(const JsonValue& value, Project& project) {
     if (auto regions = object.find("regions"))
         for (const JsonValue& element : regions->elements())
             spec.regions.push_back(readMaterialRegion<Dim>(element));
-    if (auto cells = object.find("cells")) {
-        if (cells->json().is_string()) {
-            spec.cellsFile = cells->text();
-        } else {
-            JsonObject inside(*cells);
-            readCellValues<Dim>(inside, spec);
-        }
-    }
+    if (auto cells = object.find("cells")) readCellsKey<Dim>(*cells, spec);
     object.finish();
 }
 

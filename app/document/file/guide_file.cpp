@@ -44,10 +44,10 @@ std::vector<Segment> borderOf(const std::vector<std::array<int, 3>>& triangles) 
 }  // namespace
 
 template <int Dim>
-GuideMesh<Dim> readGuide(const std::string& path) try {
+GuideMesh<Dim> readGuide(const std::string& path, const PlaneFrame& plane) try {
     const MeshFile file = readMeshFile(path, MeshNeeds::Points);
     GuideMesh<Dim> guide;
-    guide.points = file.points.topRows<Dim>();
+    guide.points = plane.toPlane(file.points).topRows<Dim>();
     if constexpr (Dim == 2) {
         guide.segments = linesOf(file.cells);
         if (guide.segments.empty()) guide.segments = borderOf(file.triangles);
@@ -63,7 +63,7 @@ GuideMesh<Dim> readGuide(const std::string& path) try {
     throw error.named(path);
 }
 
-template GuideMesh<2> readGuide<2>(const std::string&);
-template GuideMesh<3> readGuide<3>(const std::string&);
+template GuideMesh<2> readGuide<2>(const std::string&, const PlaneFrame&);
+template GuideMesh<3> readGuide<3>(const std::string&, const PlaneFrame&);
 
 }  // namespace wend

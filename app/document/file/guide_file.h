@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/mesh/plane_frame.h"
 #include "core/motion/handle.h"
 
 namespace wend {
@@ -10,9 +11,9 @@ namespace wend {
 inline const std::string kRestSurface = "rest";
 
 /// Reads a surface to slide on from a mesh file: its triangles, or the boundary of its volume, or its lines
-/// where it has no triangles. In the plane: its lines, or the border of its triangles. Throws
-/// InputError(path, place and reason).
+/// where it has no triangles. In the plane: its lines, or the border of its triangles, in the coordinates of
+/// that plane. Throws InputError(path, place and reason).
 template <int Dim>
-GuideMesh<Dim> readGuide(const std::string& path);
+GuideMesh<Dim> readGuide(const std::string& path, const PlaneFrame& plane = {});
 
 }  // namespace wend

@@ -45,8 +45,22 @@ const MeshField& fieldOf(const MeshFile& file, const std::string& array, int dim
     return *found;
 }
 
+/// Returns the vector of a field, in the plane of a flat mesh. `where` begins the message about one that
+/// leaves it.
 template <int Dim>
-Displacements<Dim> fromMesh(const std::string& path, const std::string& array, int vertices) {
+Vec<Dim> vectorIn(const PlaneFrame& plane, const double* value, int components, const std::string& where) {
+    if (components == Dim) return Eigen::Map<const Vec<Dim>>(value);
+    constexpr double kAcross = 1e-9;  // of its length: what rounding leaves of it in a plane that is turned
+    const Vec<3> inSpace = Eigen::Map<const Vec<3>>(value);
+    const Vec<3> own = plane.isXy() ? inSpace : Vec<3>(plane.axes.transpose() * inSpace);
+    if (std::abs(own.z()) > (plane.isXy() ? 0 : kAcross * own.norm()))
+        throw InputError(where + " out of the plane");
+    return own.head<Dim>();
+}
+
+template <int Dim>
+Displacements<Dim> fromMesh(const std::string& path, const std::string& array, int vertices,
+                            const PlaneFrame& plane) {
     const auto file = sharedMeshFile(path);
     const auto count = static_cast<int>(pointsOf(*file).cols());
     if (vertices > 0 && count != vertices)
@@ -60,29 +74,29 @@ Displacements<Dim> fromMesh(const std::string& path, const std::string& array, i
         // NaN is how files say that there is no value.
         if (!std::all_of(value, value + field.components, [](double x) { return std::isfinite(x); }))
             continue;
-        if (Dim == 2 && field.components == 3 && value[2] != 0)
-            throw InputError("field " + field.name + ": displaces vertex " + std::to_string(v) +
-                             " out of the plane");
-        values.emplace_back(v, Eigen::Map<const Vec<Dim>>(value));
+        const std::string where = "field " + field.name + ": displaces vertex " + std::to_string(v);
+        values.emplace_back(v, vectorIn<Dim>(plane, value, field.components, where));
     }
     return values;
 }
 
 template <int Dim>
-Displacements<Dim> fromTable(const std::string& path, const std::string& array, int vertices) {
+Displacements<Dim> fromTable(const std::string& path, const std::string& array, int vertices,
+                             const PlaneFrame& plane) {
     const NumberTable table = readNumberTable(path);
     const auto id = table.column({"id", "vertex", "vertex id", "vertexid", "point id", "pointid", "node"});
     std::string name = array;
     for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     std::vector<std::size_t> columns;
-    for (int k = 0; k < Dim; ++k) {
+    const int components = plane.isXy() ? Dim : 3;
+    for (int k = 0; k < components; ++k) {
         const auto column = table.column(
             {std::string("d") + "xyz"[k], name + ":" + std::to_string(k), name + "_" + "xyz"[k]});
         if (column) columns.push_back(*column);
     }
-    if (!id || columns.size() != Dim)
+    if (!id || static_cast<int>(columns.size()) != components)
         throw InputError(std::string("needs a header with the columns id, dx, dy") +
-                         (Dim == 3 ? ", dz" : ""));
+                         (components == 3 ? ", dz" : ""));
     Displacements<Dim> values;
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const double number = table.rows[r][*id];
@@ -92,9 +106,12 @@ Displacements<Dim> fromTable(const std::string& path, const std::string& array, 
         if (vertices > 0 && number >= vertices)
             table.failAt(r, "there is no vertex " + std::to_string(static_cast<long>(number)) +
                                 ", the mesh has vertices 0 to " + std::to_string(vertices - 1));
-        Vec<Dim> displacement;
-        for (int k = 0; k < Dim; ++k) displacement[k] = table.rows[r][columns[static_cast<std::size_t>(k)]];
-        values.emplace_back(static_cast<int>(number), displacement);
+        std::array<double, 3> displacement{};
+        for (std::size_t k = 0; k < columns.size(); ++k) displacement[k] = table.rows[r][columns[k]];
+        const std::string where =
+            "row " + std::to_string(r + 1) + ": displaces vertex " + std::to_string(static_cast<int>(number));
+        values.emplace_back(static_cast<int>(number),
+                            vectorIn<Dim>(plane, displacement.data(), components, where));
     }
     std::ranges::stable_sort(values, {}, &Displacements<Dim>::value_type::first);
     const auto twice = std::ranges::adjacent_find(values, {}, &Displacements<Dim>::value_type::first);
@@ -171,17 +188,41 @@ RotationVector<Dim> rotationIn(const NumberTable& table, std::size_t r, const Po
 // --- Of a project ---
 
 template <int Dim>
-void readSurface(Handle<Dim>& handle, std::size_t number, const std::string& folder) try {
+void readSurface(Handle<Dim>& handle, std::size_t number, const std::string& folder,
+                 const PlaneFrame& plane) try {
     if (handle.slide && !handle.slide->file.empty())
         handle.slide->mesh =
-            std::make_shared<const GuideMesh<Dim>>(readGuide<Dim>(pathIn(folder, handle.slide->file)));
+            std::make_shared<const GuideMesh<Dim>>(readGuide<Dim>(pathIn(folder, handle.slide->file), plane));
 } catch (const InputError& error) {
     throw InputError("handles[" + std::to_string(number) + "].hold.slide: " + error.what());
+}
+
+/// Returns the plane of a flat mesh, whose coordinates handles have; that of x and y for all else.
+PlaneFrame planeOfMesh(const Domain& domain, const std::string& folder) {
+    if (domain.kind != DomainKind::Mesh) return {};
+    try {
+        const auto file = sharedMeshFile(pathIn(folder, domain.path));
+        return planeOf(pointsOf(*file), trianglesOf(*file)).value_or(PlaneFrame());
+    } catch (const InputError&) {
+        return {};  // whoever needs the mesh reports it
+    }
+}
+
+template <int Dim>
+bool namesFiles(const std::vector<Handle<Dim>>& handles) {
+    return std::ranges::any_of(handles, [](const Handle<Dim>& handle) {
+        return (handle.slide && !handle.slide->file.empty()) ||
+               std::ranges::any_of(handle.motions, [](const auto& motion) {
+                   return std::holds_alternative<FieldMotion<Dim>>(motion.kind);
+               });
+    });
 }
 
 template <int Dim>
 void readFiles(Project& project, const std::string& folder) {
     const Domain& domain = domainOf(project);
+    PlaneFrame plane;
+    if (Dim == 2 && namesFiles<Dim>(designOf<Dim>(project).handles)) plane = planeOfMesh(domain, folder);
     int vertices = 0;
     const auto vertexCount = [&] {
         if (vertices == 0 && domain.kind == DomainKind::Mesh)
@@ -189,13 +230,13 @@ void readFiles(Project& project, const std::string& folder) {
         return vertices;
     };
     auto& handles = designOf<Dim>(project).handles;
-    for (std::size_t h = 0; h < handles.size(); ++h) readSurface(handles[h], h, folder);
+    for (std::size_t h = 0; h < handles.size(); ++h) readSurface(handles[h], h, folder, plane);
     for (std::size_t h = 0; h < handles.size(); ++h)
         for (std::size_t m = 0; m < handles[h].motions.size(); ++m) try {
                 Motion<Dim>& motion = handles[h].motions[m];
                 if (auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind); field && !field->file.empty())
-                    field->values = std::make_shared<const Displacements<Dim>>(
-                        readDisplacements<Dim>(pathIn(folder, field->file), field->array, vertexCount()));
+                    field->values = std::make_shared<const Displacements<Dim>>(readDisplacements<Dim>(
+                        pathIn(folder, field->file), field->array, vertexCount(), plane));
                 auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind);
                 if (!poses || poses->file.empty()) continue;
                 PoseMotion<Dim> read = readPoseTable<Dim>(pathIn(folder, poses->file));
@@ -212,8 +253,10 @@ void readFiles(Project& project, const std::string& folder) {
 }  // namespace
 
 template <int Dim>
-Displacements<Dim> readDisplacements(const std::string& path, const std::string& array, int vertices) try {
-    return isTable(path) ? fromTable<Dim>(path, array, vertices) : fromMesh<Dim>(path, array, vertices);
+Displacements<Dim> readDisplacements(const std::string& path, const std::string& array, int vertices,
+                                     const PlaneFrame& plane) try {
+    return isTable(path) ? fromTable<Dim>(path, array, vertices, plane)
+                         : fromMesh<Dim>(path, array, vertices, plane);
 } catch (const InputError& error) {
     throw error.named(path);
 }
@@ -246,8 +289,10 @@ void readHandleFiles(Project& project, const std::string& folder) {
     dimensionOf(project) == 2 ? readFiles<2>(project, folder) : readFiles<3>(project, folder);
 }
 
-template Displacements<2> readDisplacements<2>(const std::string&, const std::string&, int);
-template Displacements<3> readDisplacements<3>(const std::string&, const std::string&, int);
+template Displacements<2> readDisplacements<2>(const std::string&, const std::string&, int,
+                                               const PlaneFrame&);
+template Displacements<3> readDisplacements<3>(const std::string&, const std::string&, int,
+                                               const PlaneFrame&);
 template PoseMotion<2> readPoseTable<2>(const std::string&);
 template PoseMotion<3> readPoseTable<3>(const std::string&);
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "app/document/project_fwd.h"
+#include "core/mesh/plane_frame.h"
 #include "core/motion/handle.h"
 
 namespace wend {
@@ -14,9 +15,10 @@ void readHandleFiles(Project& project, const std::string& folder);
 
 /// Reads displacements of vertices: a point field of a mesh file, by name where there are several, or a table
 /// (.csv, .txt, .tsv) with the columns id, dx, dy[, dz]. `vertices`: as many the mesh has to have; 0: any.
-/// Throws InputError(path, place and reason).
+/// Vectors of space become those in the `plane` of a flat mesh. Throws InputError(path, place and reason).
 template <int Dim>
-Displacements<Dim> readDisplacements(const std::string& path, const std::string& array, int vertices = 0);
+Displacements<Dim> readDisplacements(const std::string& path, const std::string& array, int vertices = 0,
+                                     const PlaneFrame& plane = {});
 
 /// Reads a table of poses: time, position, and a rotation vector (7 columns), a quaternion (8 columns: x, y,
 /// z, w, or as the header names them), or in the plane an angle (4 columns). Throws InputError(path, place

@@ -38,15 +38,40 @@ const MeshField* cellField(const MeshFile& file, const std::string& name,
     return nullptr;
 }
 
+/// The same; one that the project names has to be there.
+const MeshField* wantedField(const MeshFile& file, const std::string& name, const char* usual,
+                             const std::vector<int>& components) {
+    const MeshField* field = cellField(file, name.empty() ? usual : name, components);
+    if (field || name.empty()) return field;
+    std::string known;
+    for (const MeshField& one : fieldsOf(file))
+        if (one.perCell) known += (known.empty() ? "" : ", ") + one.name;
+    throw InputError("has no values " + name + " per cell" + (known.empty() ? "" : "; it has " + known));
+}
+
+/// Returns a matrix of the plane within the 6 or 9 numbers that programs write of it in space.
+std::vector<double> inPlane(const std::vector<double>& numbers) {
+    if (numbers.size() == 9) return {numbers[0], numbers[1], numbers[3], numbers[4]};
+    if (numbers.size() == 6) return {numbers[0], numbers[1], numbers[3]};
+    return numbers;
+}
+
 template <int Dim>
 void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
-    const MeshField* phi = cellField(file, "phi", {1});
-    const MeshField* B = cellField(file, "B", {Dim * Dim, static_cast<int>(kSymmetricNumbers<Dim>)});
+    std::vector<int> components{Dim * Dim, static_cast<int>(kSymmetricNumbers<Dim>)};
+    if (Dim == 2) components.insert(components.end(), {9, 6});
+    const bool named = !spec.cellsPhi.empty() || !spec.cellsB.empty();
+    const MeshField* phi =
+        named && spec.cellsPhi.empty() ? nullptr : wantedField(file, spec.cellsPhi, "phi", {1});
+    const MeshField* B =
+        named && spec.cellsB.empty() ? nullptr : wantedField(file, spec.cellsB, "B", components);
     spec.cellPhi = phi ? phi->values : std::vector<double>();
     spec.cellB.clear();
     for (auto at = B ? B->values.begin() : std::vector<double>::const_iterator(); B && at < B->values.end();
-         at += B->components)
-        spec.cellB.push_back(matrixFrom<Dim>({at, at + B->components}));
+         at += B->components) {
+        const std::vector<double> numbers(at, at + B->components);
+        spec.cellB.push_back(matrixFrom<Dim>(Dim == 2 ? inPlane(numbers) : numbers));
+    }
     if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
 }
 
@@ -60,6 +85,8 @@ bool isMeshFile(const std::string& path) {
 template <int Dim>
 void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
     if (isMeshFile(path)) return readCellFields<Dim>(*sharedMeshFile(path), spec);
+    if (!spec.cellsPhi.empty() || !spec.cellsB.empty())
+        throw InputError("is no mesh file, of which fields could be taken by name");
     const auto json = parseJson(readTextFile(path), path);
     Extras extras;
     std::vector<std::string> warnings;

@@ -96,6 +96,22 @@ class PlaceFinder {
         return groupNormal<Dim>(*m_file, group);
     }
 
+    /// Returns the facets of a group.
+    template <int Dim>
+    std::shared_ptr<const GuideMesh<Dim>> wallOf(const std::string& group) {
+        if (m_domain.kind == DomainKind::Image)
+            throw InputError("normals of groups are for meshes and surfaces: a picture has no groups");
+        if (!m_file && !readMesh()) return nullptr;
+        const GroupFacets<Dim> found = groupFacets<Dim>(*m_file, group);
+        auto wall = std::make_shared<GuideMesh<Dim>>();
+        wall->points = found.points;
+        if constexpr (Dim == 2)
+            wall->segments = found.facets;
+        else
+            wall->triangles = found.facets;
+        return wall;
+    }
+
   private:
     bool readMesh() {
         try {
@@ -153,8 +169,21 @@ void findDirections(Handle<Dim>& handle, const std::string& where, PlaceFinder& 
 }
 
 template <int Dim>
+void findWalls(std::vector<MaterialRegion<Dim>>& regions, PlaceFinder& finder) {
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        if (!regions[r].stiffness || regions[r].stiffness->wall.empty()) continue;
+        try {
+            regions[r].stiffness->facets = finder.wallOf<Dim>(regions[r].stiffness->wall);
+        } catch (const InputError& error) {
+            throw InputError("material.regions[" + std::to_string(r) + "].stiffness.axis: " + error.reason());
+        }
+    }
+}
+
+template <int Dim>
 void findPlaces(Project& project, const std::string& folder) {
     PlaceFinder finder(project.domain, folder);
+    findWalls<Dim>(designOf<Dim>(project).material.regions, finder);
     auto& handles = designOf<Dim>(project).handles;
     for (std::size_t h = 0; h < handles.size(); ++h) {
         const std::string where = "handles[" + std::to_string(h) + "]";
@@ -175,16 +204,27 @@ void findPlaces(Project& project, const std::string& folder) {
 
 }  // namespace
 
+std::optional<std::string> readWall(const JsonValue& value) {
+    if (!value.json().is_string()) return std::nullopt;
+    const std::string name = value.text();
+    if (!name.starts_with(kNormalOf) || name.size() == kNormalOf.size())
+        value.fail("must be a direction, such as [0, 1], or \"normal of GROUP\"");
+    return name.substr(kNormalOf.size());
+}
+
+std::string wallText(const std::string& group) {
+    return std::string(kNormalOf) + group;
+}
+
 template <int Dim>
 Vec<Dim> readNamedDirection(const JsonValue& value) {
-    if (value.json().is_string()) {
-        const std::string name = value.text();
-        if (!name.starts_with(kNormalOf) || name.size() == kNormalOf.size())
-            value.fail("must be a direction, such as " + std::string(Dim == 2 ? "[0, 1]" : "[0, 0, 1]") +
-                       ", or \"normal of GROUP\"");
-        value.keepName({{"name", name}});
+    if (const auto group = readWall(value)) {
+        value.keepName({{"name", wallText(*group)}});
         return Vec<Dim>::Zero();
     }
+    if (!value.json().is_array())
+        value.fail("must be a direction, such as " + std::string(Dim == 2 ? "[0, 1]" : "[0, 0, 1]") +
+                   ", or \"normal of GROUP\"");
     const Vec<Dim> direction = value.point<Dim>();
     if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
     return direction;
@@ -203,6 +243,17 @@ void putNamedDirection(Json& json, const Extras& extras, const std::string& poin
             json[place] = named["name"];
     }
 }
+
+template <int Dim>
+void placeOnGroup(Handle<Dim>& handle, const std::string& group, int dimension,
+                  const std::vector<int>& vertices) {
+    handle.at = vertices;
+    const Json named{{"name", {{"group", group}, {"dimension", dimension}}}, {"as", asJson<Dim>(handle.at)}};
+    handle.extras.emplace_back(kPlace, named.dump());
+}
+
+template void placeOnGroup<2>(Handle<2>&, const std::string&, int, const std::vector<int>&);
+template void placeOnGroup<3>(Handle<3>&, const std::string&, int, const std::vector<int>&);
 
 Extras withoutNames(Extras extras) {
     std::erase_if(extras, [](const auto& extra) {

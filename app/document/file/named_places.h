@@ -21,15 +21,25 @@ namespace wend {
 template <int Dim>
 Vec<Dim> readNamedDirection(const JsonValue& value);
 
+/// Returns the group that a direction "normal of GROUP" names; nothing if it is no text.
+std::optional<std::string> readWall(const JsonValue& value);
+/// Returns "normal of GROUP".
+std::string wallText(const std::string& group);
+
 /// Takes the name from the object "at", if it is one; the vertices follow with findNamedPlaces.
 bool readNamedPlace(JsonObject& at, Extras& extras);
 
-/// Finds the vertices of all handles whose place is named, and directions that are. A mesh that cannot be
+/// Finds the vertices of all handles whose place is named, directions that are, and walls of the material. A
+/// mesh that cannot be
 /// read is left to who needs it. Throws InputError "handles[2].at: …".
 void findNamedPlaces(Project& project, const std::string& folder);
 
 /// Writes the name of a direction to its place in `json` if it still means that value.
 void putNamedDirection(nlohmann::ordered_json& json, const Extras& extras, const std::string& pointer);
+/// Places a handle on a group by its name, which means these vertices. `dimension`: of the group's cells.
+template <int Dim>
+void placeOnGroup(Handle<Dim>& handle, const std::string& group, int dimension,
+                  const std::vector<int>& vertices);
 /// Returns the extras without names.
 Extras withoutNames(Extras extras);
 

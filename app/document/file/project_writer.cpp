@@ -134,6 +134,14 @@ Json picturesJson(const MaterialPictures& pictures) {
     return json;
 }
 
+template <int Dim>
+Json stiffnessJson(const Stiffness<Dim>& stiffness) {
+    Json json{{"axis", point(stiffness.axis)}, {"ratio", numberJson(stiffness.ratio)}};
+    if (!stiffness.wall.empty()) json["axis"] = wallText(stiffness.wall);
+    if (std::isfinite(stiffness.within)) json["within"] = numberJson(stiffness.within);
+    return json;
+}
+
 /// Readers without erasers apply the material that holds everywhere.
 template <int Dim>
 Json materialRegionJson(MaterialRegion<Dim> region, double everywhere) {
@@ -146,9 +154,7 @@ Json materialRegionJson(MaterialRegion<Dim> region, double everywhere) {
     json["shape"] = regionJson<Dim>(region.shape);
     if (region.feather != 0) json["feather"] = numberJson(region.feather);
     if (region.phi) json["phi"] = phiJson(*region.phi, Dim);
-    if (region.stiffness)
-        json["stiffness"] = {{"axis", point(region.stiffness->axis)},
-                             {"ratio", numberJson(region.stiffness->ratio)}};
+    if (region.stiffness) json["stiffness"] = stiffnessJson<Dim>(*region.stiffness);
     if (region.pictures.any()) json["pictures"] = picturesJson(region.pictures);
     if (region.hidden) json["hidden"] = true;
     if (region.erases()) json["leaves"] = numberJson(region.leaves);
@@ -166,6 +172,15 @@ Json cellsJson(const MaterialSpec<Dim>& spec) {
     return json;
 }
 
+/// Names the file and its fields.
+template <int Dim>
+Json cellFieldsJson(const MaterialSpec<Dim>& spec) {
+    Json json{{"file", spec.cellsFile}};
+    if (!spec.cellsPhi.empty()) json["phi"] = spec.cellsPhi;
+    if (!spec.cellsB.empty()) json["B"] = spec.cellsB;
+    return json;
+}
+
 template <int Dim>
 Json materialJson(const Project& project) {
     const MaterialSpec<Dim>& spec = std::get<Design<Dim>>(project.design).material;
@@ -173,8 +188,10 @@ Json materialJson(const Project& project) {
     json["smoothing"] = groupJson("material.smoothing", project);
     for (const auto& region : spec.regions)
         json["regions"].push_back(materialRegionJson<Dim>(region, spec.phi));
-    if (!spec.cellsFile.empty())
+    if (!spec.cellsFile.empty() && spec.cellsPhi.empty() && spec.cellsB.empty())
         json["cells"] = spec.cellsFile;
+    else if (!spec.cellsFile.empty())
+        json["cells"] = cellFieldsJson<Dim>(spec);
     else if (!spec.cellPhi.empty() || !spec.cellB.empty())
         json["cells"] = cellsJson(spec);
     return json;

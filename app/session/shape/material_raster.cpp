@@ -8,6 +8,8 @@
 #include "app/session/shape/material_picture.h"
 #include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
+#include "core/mesh/triangle_tree.h"
+#include "core/motion/guide_surface.h"
 
 namespace wend {
 namespace {
@@ -80,6 +82,38 @@ class Centres {
     std::vector<Box<Dim>> m_boxes;
 };
 
+/// The normals of a wall, and distances from it.
+template <int Dim>
+class WallNormals {
+  public:
+    explicit WallNormals(const GuideMesh<Dim>& wall)
+        : m_surface(wall), m_points(Points<3>::Zero(3, wall.points.cols())) {
+        m_points.template topRows<Dim>() = wall.points;
+        m_facets = wall.triangles;
+        for (const auto& [a, b] : wall.segments) m_facets.push_back({a, b, b});
+        m_tree = TriangleTree(m_points, m_facets);
+    }
+    Vec<Dim> normal(const Vec<Dim>& p) const {
+        return m_surface.contact(Dim == 2 ? Track::Line : Track::Face, p).normals.col(0);
+    }
+    double distance(const Vec<Dim>& p) const {
+        Vec<3> at = Vec<3>::Zero();
+        at.head<Dim>() = p;
+        const TriangleTree::Nearest nearest = m_tree.nearest(at);
+        for (int k = 0; k < 3; ++k)
+            at -= nearest.weights[k] *
+                  m_points.col(
+                      m_facets[static_cast<std::size_t>(nearest.triangle)][static_cast<std::size_t>(k)]);
+        return at.norm();
+    }
+
+  private:
+    const GuideSurface<Dim> m_surface;
+    Points<3> m_points;
+    std::vector<std::array<int, 3>> m_facets;  // a segment is a triangle of no area
+    TriangleTree m_tree;
+};
+
 /// Lays layers upon a material, each a run of regions of one name.
 template <int Dim>
 class MaterialLayers {
@@ -116,11 +150,22 @@ class MaterialLayers {
             m_centres.forCellsIn(
                 region, [&](int c, double m) { m_material.phi[c] += m * (*region.phi - m_material.phi[c]); });
         if (!region.stiffness) return;
-        const Mat<Dim> B = anisotropyOf<Dim>(*region.stiffness);
         if (m_material.anisotropy.empty())
             m_material.anisotropy.assign(m_rest.cells.size(), Mat<Dim>::Identity());
+        if (region.stiffness->facets) return layAlongWall(region, *region.stiffness);
+        const Mat<Dim> B = anisotropyOf<Dim>(*region.stiffness);
         m_centres.forCellsIn(region, [&](int c, double m) {
             m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * B;
+        });
+    }
+    /// The axis of every cell is the wall's normal at the place nearest to its centroid.
+    void layAlongWall(const MaterialRegion<Dim>& region, Stiffness<Dim> stiffness) {
+        const WallNormals<Dim> wall(*stiffness.facets);
+        m_centres.forCellsIn(region, [&](int c, double m) {
+            const Vec<Dim> centre = centroid(m_rest, c);
+            if (wall.distance(centre) > stiffness.within) return;
+            stiffness.axis = wall.normal(centre);
+            m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * anisotropyOf<Dim>(stiffness);
         });
     }
     /// Reduces the layer's cover to what is left, and the material's difference from the layer below

@@ -40,7 +40,9 @@ std::vector<std::pair<std::string, Vec<2>>> startPoints(const ShapeInputs& input
 
 template <int Dim>
 bool sameStiffness(const std::optional<Stiffness<Dim>>& a, const std::optional<Stiffness<Dim>>& b) {
-    return a.has_value() == b.has_value() && (!a || (a->axis == b->axis && a->ratio == b->ratio));
+    return a.has_value() == b.has_value() &&
+           (!a || (a->axis == b->axis && a->ratio == b->ratio && a->wall == b->wall &&
+                   a->within == b->within && a->facets == b->facets));
 }
 
 template <int Dim>
@@ -51,7 +53,8 @@ bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b)
                p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden &&
                p.leaves == q.leaves && (!erases || p.name == q.name);
     };
-    return a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
+    return a.cellsFile == b.cellsFile && a.cellsPhi == b.cellsPhi && a.cellsB == b.cellsB &&
+           a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
            std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
 }
 
