@@ -7,6 +7,7 @@
 #include "app/cli/terminal.h"
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/edits/scaled_project.h"
 #include "app/document/file/json_text.h"
 #include "app/document/file/named_files.h"
 #include "app/document/file/project_reader.h"
@@ -73,6 +74,8 @@ Input inputFrom(const std::string& path, Terminal& terminal) {
     if (lowerExtension(path) == ".wend") {
         LoadedProject loaded = readProject(path);
         for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
+        if (const std::string text = fitToPicture(*loaded.project, folderOf(path)); !text.empty())
+            terminal.warn(path + ": " + text);
         return {std::move(loaded.project), folderOf(path)};
     }
     if (isMeshName(path)) return {domainOnly(DomainKind::Surface, path), ""};

@@ -7,8 +7,11 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/run_preparation.h"
 #include "app/cli/terminal.h"
+#include "app/document/edits/scaled_project.h"
+#include "app/document/file/named_files.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/project.h"
+#include "app/session/applied_motion.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 
@@ -26,9 +29,16 @@ ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chr
     const auto shown =
         arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
     Terminal terminal(shown, arguments.has("--quiet"));
-    const LoadedProject loaded = readProject(path);
-    Project& project = *loaded.project;
+    LoadedProject loaded = readProject(path);
     std::vector<std::string> notices = loaded.warnings;
+    if (const std::string text = fitToPicture(*loaded.project, folderOf(path)); !text.empty())
+        notices.push_back(text);
+    if (arguments.has("--motion-of")) {
+        auto other = withMotionOf(arguments.text("--motion-of"), *loaded.project, folderOf(path));
+        loaded.project = std::move(other.project);
+        std::ranges::move(other.notices, std::back_inserter(notices));
+    }
+    Project& project = *loaded.project;
     std::ranges::copy(takeLine(arguments, path, options, project), std::back_inserter(notices));
     const auto notice = [&](const std::string& text) {
         if (!options.strict) terminal.warn(path + ": " + text);

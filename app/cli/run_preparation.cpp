@@ -51,9 +51,10 @@ RunOutputs outputsFrom(const Arguments& arguments) {
 }
 
 /// Standard input is read once.
-void requireOneStandardInput(const std::string& project, const RunOutputs& outputs) {
+void requireOneStandardInput(const std::string& project, const std::string& motion,
+                             const RunOutputs& outputs) {
     const auto points = std::ranges::count(outputs.points, "-", &PointsOutput::in);
-    if (points + (project == "-" ? 1 : 0) > 1)
+    if (points + (project == "-" ? 1 : 0) + (motion == "-" ? 1 : 0) > 1)
         throw UsageError("only one input can come from standard input (-)");
 }
 
@@ -156,7 +157,9 @@ std::vector<std::string> takeLine(const Arguments& arguments, const std::string&
         inputs.push_back({OwnFile::States, options.from});
     for (const PointsOutput& one : options.outputs.points)
         for (const std::string& file : writtenAlong(one.in)) inputs.push_back({OwnFile::Points, file});
-    requireOneStandardInput(path, options.outputs);
+    const std::string motion = arguments.text("--motion-of");
+    if (!motion.empty()) inputs.push_back({OwnFile::Project, motion});
+    requireOneStandardInput(path, motion, options.outputs);
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
     std::vector<std::string> notices;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct Domain {
     DomainKind kind = DomainKind::Image;
     std::string path;                // of the image, mesh or surface, relative to the project file
     std::string texture;             // Mesh: an optional image
+    std::array<int, 2> size{0, 0};   // Image: of the picture that coordinates refer to; 0: as the file has it
+    int readings = 0;                // of the picture: increases when the file was rewritten; not stored
     std::vector<PicturePart> parts;  // Image: from front to back, in the place of `path`
     OutlineKind outline = OutlineKind::Frame;
     AlphaOutlineOptions alpha;

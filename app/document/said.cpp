@@ -46,6 +46,25 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "point %1 lies outside the shape"),
     QT_TRANSLATE_NOOP("Core", "vertex %1 belongs to no cell"),
     QT_TRANSLATE_NOOP("Core", "the shape needs about %1 of memory; %2 are free; fewer vertices need less"),
+    // The motion of another project.
+    QT_TRANSLATE_NOOP("Core", "pins of the other project without a namesake here, placed in proportion: %1"),
+    QT_TRANSLATE_NOOP("Core", "pins of the other project that find no place here and are left out: %1"),
+    QT_TRANSLATE_NOOP("Core", "pins without a motion in the other project, which hold still: %1"),
+    QT_TRANSLATE_NOOP("Core", "moves a solid: its motion does not fit a picture"),
+    QT_TRANSLATE_NOOP("Core", "moves a picture: its motion does not fit a solid"),
+    // Spaces of surfaces.
+    QT_TRANSLATE_NOOP("Core", "shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "shells lie one in the other, up to %1 deep, and bodies touch along shared walls; spaces "
+        "filled: %2, hollow: %3"),
+    QT_TRANSLATE_NOOP("Core", "bodies touch along shared walls; spaces filled: %1, hollow: %2"),
+    QT_TRANSLATE_NOOP(
+        "Core", "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where "
+        "they are"),
     // Pictures and outlines.
     QT_TRANSLATE_NOOP("Core", "the picture has no alpha channel to take an outline from"),
     QT_TRANSLATE_NOOP("Core", "the picture has no pixels"),

@@ -9,6 +9,7 @@
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/edits/free_name.h"
+#include "app/document/edits/scaled_project.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/said.h"
@@ -40,6 +41,8 @@ OpenedFile openProject(const QString& path, const QMap<QString, QString>& found 
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = *loaded.project;
     const QString folder = QFileInfo(path).absolutePath();
+    if (const std::string text = fitToPicture(project, folder.toStdString()); !text.empty())
+        loaded.warnings.push_back(said(text).toStdString());
     for (std::string* own : filesOf(project)) {
         const QString name = QString::fromStdString(absolute(folder, *own));
         *own = found.value(name, name).toStdString();

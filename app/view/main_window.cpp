@@ -37,7 +37,9 @@
 #include "app/view/export/exporter.h"
 #include "app/view/export/material_actions.h"
 #include "app/view/files/file_workflow.h"
+#include "app/view/files/motion_chooser.h"
 #include "app/view/files/opening_note.h"
+#include "app/view/files/picture_keeper.h"
 #include "app/view/files/start_page.h"
 #include "app/view/files/thumbnail.h"
 #include "app/view/film/film_controls.h"
@@ -241,6 +243,7 @@ void MainWindow::connectFiles() {
     connect(m_material, &MaterialActions::done, m_fields, &StatusFields::showMessage);
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
+    connectChoices();
     new BorderOffer(m_session.document(), *m_banner, this);
     new SoftEdgeOffer(m_session.document(), *m_banner, this);
     new LineArtOffer(m_session.document(), *m_banner, this);
@@ -257,6 +260,21 @@ void MainWindow::connectFiles() {
     connect(&m_session, &ShapeSession::problem, this,
             [this](const QString& text) { m_banner->tell(Topic::Shape, text, problemRemedies(m_session)); });
     connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::showMessage);
+}
+
+/// Connects what the document takes over from other files.
+void MainWindow::connectChoices() {
+    auto* motion = new MotionChooser(m_session.document(), *this);
+    connect(m_actions->applyMotion, &QAction::triggered, motion, &MotionChooser::ask);
+    auto* pictures = new PictureKeeper(m_session.document(), *this);
+    connect(m_actions->replacePicture, &QAction::triggered, pictures, &PictureKeeper::askReplace);
+    connect(pictures, &PictureKeeper::said, m_banner, &InfoBanner::tell);
+    connect(motion, &MotionChooser::failed, this,
+            [this](const QString& text) { m_banner->tell(Topic::Opening, text); });
+    connect(motion, &MotionChooser::applied, this, [this](const QString& remarks) {
+        m_banner->clear(Topic::Opening);
+        m_banner->tell(Topic::Remark, remarks);
+    });
 }
 
 void MainWindow::connectEdit() {

@@ -83,6 +83,7 @@ class MainWindow : public QMainWindow {
     void makeToolBars();
     void makeCentre();
     void connectFiles();
+    void connectChoices();
     void connectEdit();
     void connectView();
     void connectViewport(Viewport& view);

@@ -5,6 +5,7 @@
 #include "app/document/edits/commands.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/project.h"
+#include "warp/image.h"
 
 namespace wend {
 
@@ -54,6 +55,8 @@ void Document::open(OpenedFile file) {
     endStep();
     m_project = std::move(file.project);
     m_picture = std::move(file.picture);
+    m_pictures.clear();
+    if (m_project) keepPicture(m_project->domain.path, m_project->domain.readings, m_picture);
     m_path = file.path;
     m_source = file.source;
     m_camera = m_cameraInFile = m_project ? m_project->view.camera : std::nullopt;
@@ -62,6 +65,10 @@ void Document::open(OpenedFile file) {
     emit opened();
     emit projectChanged();
     emit titleChanged();
+}
+
+void Document::keepPicture(const std::string& file, int reading, std::shared_ptr<const Image> picture) {
+    m_pictures[{file, reading}] = std::move(picture);
 }
 
 void Document::close() {
@@ -73,6 +80,8 @@ void Document::save(const QString& path) {
     emit viewWanted();
     Project project = *m_project;
     project.view.camera = m_camera;
+    if (m_picture && project.domain.kind == DomainKind::Image && project.domain.parts.empty())
+        project.domain.size = {m_picture->width, m_picture->height};
     writeProject(absolute.toStdString(), project);
     m_cameraInFile = m_camera;
     m_path = absolute;
@@ -137,6 +146,8 @@ bool Document::merges(const QString& mergeKey) const {
 void Document::setProject(const std::shared_ptr<const Project>& project) {
     if (m_project == project) return;
     m_project = project;
+    const auto known = m_pictures.find({project->domain.path, project->domain.readings});
+    if (known != m_pictures.end()) m_picture = known->second;
     emit projectChanged();
 }
 

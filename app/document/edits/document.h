@@ -3,8 +3,11 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/document/project_fwd.h"
@@ -46,6 +49,9 @@ class Document : public QObject {
     /// The up axis; has a default while the document is empty.
     UpAxis up() const;
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
+    /// Keeps a picture for projects that name this file and this reading of it, so that undo finds it. Call
+    /// this before the project changes to it.
+    void keepPicture(const std::string& file, int reading, std::shared_ptr<const Image> picture);
     /// Counts the files that were opened: values of different generations have nothing in common.
     int generation() const { return m_generation; }
     /// Returns the path of the project file; empty if there is none yet.
@@ -104,6 +110,7 @@ class Document : public QObject {
 
     std::shared_ptr<const Project> m_project;
     std::shared_ptr<const Image> m_picture;
+    std::map<std::pair<std::string, int>, std::shared_ptr<const Image>> m_pictures;  // by file and reading
     QString m_path, m_source;
     std::optional<SavedCamera> m_camera, m_cameraInFile;
     int m_generation = 0;

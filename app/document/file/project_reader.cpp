@@ -62,6 +62,12 @@ void readImageDomain(JsonObject& object, Project& project) {
         readParts(*parts, domain);
     else
         domain.path = readFileName(object.require("image"));
+    if (auto size = object.find("size")) {
+        const std::vector<JsonValue> sides = size->elements();
+        if (sides.size() != 2) size->fail("must be the picture's [width, height] in pixels");
+        domain.size = {sides[0].integer(), sides[1].integer()};
+        if (std::ranges::min(domain.size) < 1) size->fail("must be positive");
+    }
     if (auto outline = object.find("outline")) readOutline(*outline, project);
     if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
     if (auto sizes = object.find("sizes"))

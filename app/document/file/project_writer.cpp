@@ -111,6 +111,7 @@ Json domainJson(const Project& project) {
         json[kinds[static_cast<int>(domain.kind)]] = domain.path;
     else
         json["parts"] = partsJson(domain);
+    if (domain.kind == DomainKind::Image && domain.size[0] > 0) json["size"] = domain.size;
     if (domain.kind == DomainKind::Image) json["outline"] = outlineJson(project);
     if (domain.kind != DomainKind::Mesh && domain.edge <= 0 && domain.maxVolume <= 0)
         json["vertices"] = domain.vertices;

@@ -329,6 +329,9 @@ constexpr std::array kOptions{
            "frames are made without computing the deformation again"},
     Option{"", "--from", File, "", kAny, "", "", "run",
            "go on from the states in this file instead of from the start"},
+    Option{"", "--motion-of", File, "", kAny, "", "", "run",
+           "move the shape as this other project moves its own: pins go by their names, lengths by the sizes "
+           "of both shapes"},
     Option{"", "--fields", Choice, "all", kAny, "", "all|none", "run",
            Options::tr("whether distortion, φ, directions and velocity are written with meshes, in formats "
                        "that carry values"),

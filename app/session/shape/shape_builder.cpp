@@ -24,8 +24,8 @@ const Design<Dim>& designOf(const ShapeInputs& inputs) {
 
 bool sameOutline(const Project& a, const Project& b) {
     const Domain &p = domainOf(a), &q = domainOf(b);
-    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Outline) &&
-           p.polygons.loops == q.polygons.loops && p.parts == q.parts;
+    return p.kind == q.kind && p.path == q.path && p.readings == q.readings &&
+           sameSettings(a, b, Makes::Outline) && p.polygons.loops == q.polygons.loops && p.parts == q.parts;
 }
 
 /// The points that become vertices of the mesh, and their parts: those of handles that are there from the
@@ -119,7 +119,8 @@ Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token st
     const Domain& domain = domainOf(*inputs.project);
     Shape<2> shape;
     if (!domain.parts.empty()) {
-        if (m_made.empty()) m_parted = {};
+        if (m_made.empty() || domainOf(*m_made.front().inputs.project).readings != domain.readings)
+            m_parted = {};
         shape = loadPartedShape(domain, designOf<2>(inputs), inputs.folder, m_parted, stop);
         if (!shape.rest) return shape;
     } else if (domain.kind == DomainKind::Image) {

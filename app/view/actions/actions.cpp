@@ -40,6 +40,11 @@ void Actions::makeFile() {
         add({tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")}, QKeySequence::Open, "open");
     save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
     saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
+    replacePicture =
+        add({tr("Re&place Picture…"),
+             tr("Bend another picture of the same proportions in the place of this one; pins and "
+                "motions stay, and are scaled if it is larger or smaller")},
+            {});
     exportPicture = add({tr("&Picture…"), tr("Write the bent picture at its full size")},
                         QKeySequence(tr("Ctrl+E")), "export");
     exportFilm = add({tr("&Film…"), tr("Write the motion as a film: MP4, WebM, QuickTime, GIF …")}, {});
@@ -152,6 +157,10 @@ void Actions::makeMotion() {
     speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
     setSpeed(1);
     settle = add({tr("Rela&x"), tr("Let the shape relax at the end, with the pins where they are")}, {});
+    applyMotion = add({tr("&Apply Motion…"),
+                       tr("Move this shape as another project moves its own: pins of the same name, with "
+                          "lengths in proportion to the sizes of both shapes")},
+                      {});
 }
 
 /// Adds a menu of factors, of which one is checked, initially the default.
@@ -185,7 +194,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     file->addMenu(recent.get());
     file->addMenu(samples.get());
     file->addSeparator();
-    file->addActions({save, saveAs});
+    file->addActions({save, saveAs, replacePicture});
     file->addSeparator();
     file->addMenu(exports.get());
     file->addSeparator();
@@ -215,6 +224,8 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     motion->addSeparator();
     motion->addActions({record, poseHere, keepWay, onionSkin, settle});
     motion->addMenu(curve);
+    motion->addSeparator();
+    motion->addAction(applyMotion);
     window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, manual, shortcuts, about});
     for (const QAction* one : window.menuBar()->actions()) makeLettersUnique(*one->menu());
     new MenuReasons(&window);
@@ -232,9 +243,9 @@ void Actions::fillTools(QMenu& menu) const {
 
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
-    for (QAction* action :
-         {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap, showMarks,
-          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, showProperties, record})
+    for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
+                            showMarks, showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut,
+                            showProperties, record, applyMotion})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -243,6 +254,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportView, has && isSolid, has ? tr("For a picture, export the picture itself.") : why);
     enable(exportFrames, has, why);
     enable(exportFilm, has && (hasPicture || isSolid), has ? noPicture : why);
+    enable(replacePicture, has && hasPicture && !isSolid, has ? noPicture : why);
     for (QAction* action : {exportStMap, makePart}) enable(action, has && hasPicture, has ? noPicture : why);
     const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // exports the shown view
     setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);

@@ -22,13 +22,13 @@ class Actions : public ActionMaker {
   public:
     Actions(QUndoStack& undo, Toolbox& tools, QObject* parent);
 
-    QAction *open, *save, *saveAs, *closeFile, *quit;
+    QAction *open, *save, *saveAs, *replacePicture, *closeFile, *quit;
     QAction *exportPicture, *exportMesh, *exportFilm, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove, *makePart;
     QAction *selectTool, *pinTool, *lassoTool;  // tools that others return to, or begin with
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
-    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *keepWay, *onionSkin;
+    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *keepWay, *onionSkin, *applyMotion;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;

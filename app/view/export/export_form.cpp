@@ -45,6 +45,8 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
         adapt();
     });
     makeFields();
+    for (const OptionField* field : std::as_const(m_fields))
+        m_defaults.emplace_back(field->value(), field->number());
     makeCropNote(place);
     lay(place);
     showFields();
@@ -75,6 +77,16 @@ void ExportForm::setSubject(const ExportSubject& subject) {
         m_preview->setImage(subject.solidView);
     }
     if (shape()->picture() && !m_subject.picture) preparePicture();
+}
+
+void ExportForm::reset() {
+    for (qsizetype k = 0; k < m_fields.size(); ++k) {
+        const auto& [value, number] = m_defaults[static_cast<std::size_t>(k)];
+        const QSignalBlocker quiet(m_fields[k]);
+        m_fields[k]->choices().isEmpty() ? m_fields[k]->setNumber(number) : m_fields[k]->setValue(value);
+    }
+    m_part.reset();
+    m_seconds = m_rate = 0;
 }
 
 /// Keeps the last preview unless it belongs to another document.

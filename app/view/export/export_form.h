@@ -39,6 +39,8 @@ class ExportForm : public QWidget {
     /// Clears the subject and shows the reason.
     void setNothing(const QString& why);
     ExportKind kind() const { return m_subject.kind; }
+    /// Forgets all choices but the formats: they belong to a document.
+    void reset();
 
     /// Returns the extension with its dot.
     QString extension() const;
@@ -94,6 +96,7 @@ class ExportForm : public QWidget {
     QComboBox* m_format;
     QFormLayout* m_form;
     QList<OptionField*> m_fields;
+    std::vector<std::pair<std::string, double>> m_defaults;  // of the fields, as value() and number()
     QLabel *m_facts, *m_cropText, *m_problem;
     QWidget* m_crop;
     QTimer m_previewTimer;

@@ -77,6 +77,7 @@ void ExportPanel::connectAll() {
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoon);
     connect(&m_soon, &QTimer::timeout, this, &ExportPanel::showShape);
+    connect(&m_session.document(), &Document::opened, m_form, &ExportForm::reset);
     connect(m_kinds, &QButtonGroup::idClicked, this, &ExportPanel::showShape);
     connect(m_write, &QPushButton::clicked, this, [this] { m_exporter.writeAs(*m_form); });
     connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);

@@ -23,6 +23,7 @@ class InfoBanner : public QWidget {
         Saving,
         Copy,
         Disk,
+        Picture,
         Export,
         Shape,
         Remark,

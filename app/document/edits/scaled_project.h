@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "app/document/project_fwd.h"
+
+namespace wend {
+
+/// Multiplies everything that a project of a picture gives in pixels by `factor`: pins, paths, regions,
+/// outlines and lengths.
+void scalePixels(Project& project, double factor);
+
+/// Returns the factor from a picture's size to another one of the same proportions, up to a pixel; 0 if the
+/// proportions differ.
+double factorBetween(const std::array<int, 2>& from, const std::array<int, 2>& to);
+
+/// Scales a project that was made for a picture of another size (domain.size) to the one that its file has
+/// now. Returns a notice if the sizes differ, else an empty text. A picture that cannot be read is left to
+/// who needs it.
+std::string fitToPicture(Project& project, const std::string& folder);
+
+}  // namespace wend

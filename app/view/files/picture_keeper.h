@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+#include <functional>
+
+#include "app/view/notices/info_banner.h"
+
+class QWidget;
+
+namespace wend {
+
+class Document;
+class ProjectWatch;
+struct Project;
+
+/// Follows the pictures of the document: notices when another program has changed one, and exchanges the
+/// picture for another one of the same proportions, with the motion.
+class PictureKeeper : public QObject {
+    Q_OBJECT
+
+  public:
+    PictureKeeper(Document& document, QWidget& window);
+
+    void askReplace();
+    /// Does so in the background. Pins, paths and regions are scaled if the sizes differ.
+    void replace(const QString& path);
+    /// Reads the pictures of the document again, in an undo step.
+    void reload();
+
+  signals:
+    /// Emits a message for the banner; an empty text withdraws the last one of that topic.
+    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
+
+  private:
+    void follow();
+    void tellChanged(ProjectWatch& watch, const QString& file);
+    void exchange(const Project& next, const QString& name, bool mayDiffer);
+
+    Document& m_document;
+    QWidget& m_window;
+    QStringList m_files;           // that are watched
+    QList<ProjectWatch*> m_watch;  // one for each
+    int m_ticket = 0;              // of the newest exchange
+};
+
+}  // namespace wend
