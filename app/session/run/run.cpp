@@ -33,6 +33,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/system/memory.h"
 #include "kernels/back_end_choice.h"
 #include "warp/film_format.h"

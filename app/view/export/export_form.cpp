@@ -81,9 +81,11 @@ void ExportForm::setSubject(const ExportSubject& subject) {
 
 void ExportForm::reset() {
     for (qsizetype k = 0; k < m_fields.size(); ++k) {
+        OptionField& field = *m_fields[k];
         const auto& [value, number] = m_defaults[static_cast<std::size_t>(k)];
-        const QSignalBlocker quiet(m_fields[k]);
-        m_fields[k]->choices().isEmpty() ? m_fields[k]->setNumber(number) : m_fields[k]->setValue(value);
+        const QSignalBlocker quiet(field);
+        if (!field.choices().isEmpty() && field.value() != value) field.setValue(value);
+        if (field.choices().isEmpty() && field.number() != number) field.setNumber(number);
     }
     m_part.reset();
     m_seconds = m_rate = 0;

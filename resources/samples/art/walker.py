@@ -12,7 +12,8 @@ INK, LINE = "#33263f", 9
 COAT, COAT_LIGHT, COAT_DARK = "#f4bd3a", "#ffdd74", "#cf8f22"
 CLOTH, CLOTH_FAR, BOOT, BOOT_FAR = "#4d6fb3", "#3c5690", "#c8473f", "#98343a"
 SKIN, SKIN_LIGHT, HAIR = "#f2b98f", "#ffd9b8", "#6d3d2a"
-GROUND, STEP, RISE = 1090, 300, 34  # of the soles; between both feet; of the body
+GROUND, RISE = 1090, 34  # of the soles; of the body
+SCALE = 2  # pixels of the picture per unit of this drawing
 HIP, SHOULDER, NECK = (560, 770), (562, 540), (585, 440)
 
 
@@ -119,13 +120,17 @@ def draw(target):
     head(p)
     arm(p, "near arm", 0, "url(#coat)", SKIN, (470, 650))
     p.write(target)
+    with open(target, encoding="utf-8") as file:
+        text = file.read()
+    with open(target, "w", encoding="utf-8") as file:
+        file.write(text.replace('width="1200" height="1200"', f'width="{1200 * SCALE}" height="{1200 * SCALE}"', 1))
 
 
 def motion(times, place, ease=None):
     """Straight moves between key poses. A place is given by the time; `ease` names the ease of each move."""
     moves = []
     for i, (a, b) in enumerate(zip(times, times[1:])):
-        by = [round(q - p, 2) for p, q in zip(place(a), place(b))]
+        by = [round(SCALE * (q - p), 2) for p, q in zip(place(a), place(b))]
         move = {"kind": "translate", "by": by, "time": [a, b]}
         if ease:
             move["ease"] = ease[i % len(ease)]
@@ -136,7 +141,7 @@ def motion(times, place, ease=None):
 
 
 def pin(name, part, points, moves=()):
-    handle = {"name": name, "at": {"part": part, "points": [[round(x, 1) for x in q] for q in points]}}
+    handle = {"name": name, "at": {"part": part, "points": [[round(SCALE * x, 1) for x in q] for q in points]}}
     if moves:
         handle["motion"] = moves
     return handle
@@ -171,7 +176,7 @@ def write_project(target):
     def part(name, joint=None):
         one = {"layer": {"file": "walker.ora", "name": name}}
         if joint:
-            one["joints"] = [{"to": "body", "at": list(joint[0]), "radius": joint[1]}]
+            one["joints"] = [{"to": "body", "at": [SCALE * x for x in joint[0]], "radius": SCALE * joint[1]}]
         return one
 
     parts = [part("near arm", (SHOULDER, 12)), part("head", (NECK, 30)), part("body"), part("near leg", ((HIP[0], HIP[1] + 10), 12)),
