@@ -15,6 +15,7 @@
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/panel_fields.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/panels/group_list.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
@@ -340,6 +341,8 @@ void MainWindow::connectViewport(Viewport& view) {
     connect(&view, &Viewport::hintChanged, m_curves, &CurveActions::refresh);
     connect(&view, &Viewport::menuWanted, m_menu, &ContextMenu::popUp);
     connect(&view, &Viewport::pointed, m_fields, &StatusFields::setPointer);
+    connect(&m_properties->groups(), &GroupList::marked, &view,
+            [&view](const GroupMarks& marks) { view.set(&Looks::groups, marks); });
 }
 
 void MainWindow::connectHelp() {

@@ -19,6 +19,7 @@
 #include "app/panels/film_panel.h"
 #include "app/panels/flow_panel.h"
 #include "app/panels/folding_section.h"
+#include "app/panels/group_list.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/material_panel.h"
@@ -63,6 +64,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_sizes(new SizePanel(session, m_brush)),
       m_detailRegions(new RegionList(session, RegionsOf::Detail)),
       m_depthRegions(new RegionList(session, RegionsOf::Depth)),
+      m_groups(new GroupList(session)),
       m_surface(new SurfacePanel),
       m_parts(new PartList(session)),
       m_pins(new PinList(session)),
@@ -128,6 +130,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(m_layers, tr("Layers"), "layers", {.modes = Mode::Paint});
     put(m_parts, tr("Parts"), "layers", {.modes = kShaping, .solid = false});
     put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
+    put(m_groups, tr("Groups"), "select", {.modes = Mode::Pins});
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
     put(new FlowPanel(session), tr("Flow"), "curve", {.modes = Mode::Animate});
     put(new FilmPanel(session), tr("Film"), "frames", {.modes = Mode::Animate});

@@ -21,6 +21,7 @@ class FactsPanel;
 class Exporter;
 class FoldingSection;
 class LayerPanel;
+class GroupList;
 class MaterialPanel;
 class MeasurePanel;
 class MeshPanel;
@@ -51,6 +52,7 @@ class Properties : public QWidget {
     Brush& brush() { return m_brush; }
     LayerPanel& layers() { return *m_layers; }
     RegionList& detailRegions() { return *m_detailRegions; }
+    GroupList& groups() { return *m_groups; }
     RegionList& depthRegions() { return *m_depthRegions; }
     SurfacePanel& surface() { return *m_surface; }
     PartList& parts() { return *m_parts; }
@@ -118,6 +120,7 @@ class Properties : public QWidget {
     FactsPanel* m_facts;
     SizePanel* m_sizes;
     RegionList *m_detailRegions, *m_depthRegions;
+    GroupList* m_groups;
     SurfacePanel* m_surface;
     PartList* m_parts;
     PinList* m_pins;

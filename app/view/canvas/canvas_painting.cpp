@@ -47,6 +47,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
     m_depthRegions.paint(painter, *this);
     m_onion.paintOutlines(painter, *this);
     if (!m_session.playback().isPlaying()) {
+        if (looks.groups) over.groups(*looks.groups);
         over.paths(m_viewport.hovered());
         over.pins(m_viewport.hovered(), m_viewport.named());
         if (Tool* tool = m_viewport.tool()) tool->paint(painter);

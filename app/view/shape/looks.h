@@ -3,6 +3,7 @@
 #include <QColor>
 #include <tuple>
 
+#include "app/panels/group_list.h"
 #include "app/panels/look/colour_map.h"
 #include "app/session/motion/rest_frame.h"
 #include "app/session/shape/shape.h"
@@ -32,6 +33,7 @@ struct Looks {
     bool detail = true;  // the detailed or painted surface in a solid, rather than the tetrahedra's border
     bool flat = false;   // each facet of it by itself
     MapLook colours;     // of the map
+    GroupMarks groups;   // of the mesh's file, to be marked; null: none
     QString layer;       // the layer whose border is drawn; null for none
     QColor backdrop;     // invalid: the view's own
     FramePtr standIn;    // in the place of the session's frame; null: none

@@ -174,6 +174,37 @@ void ShapePainter<Dim>::pins(int hovered, int named) {
 }
 
 template <int Dim>
+void ShapePainter<Dim>::groups(const std::vector<GroupMark>& groups) {
+    const auto frame = session().template frame<Dim>();
+    if (!frame) return;
+    for (const GroupMark& group : groups) {
+        std::vector<QPointF> places;
+        if constexpr (Dim == 3) {
+            for (const VertexMark& mark : m_surface.marksOf(group.vertices))
+                if (!mark.hidden) places.push_back(m_surface.toWidget(mark.at));
+        } else {
+            for (const int v : group.vertices)
+                if (v < frame->pose.cols()) places.push_back(m_surface.toWidget(frame->pose.col(v)));
+        }
+        QColor fill = group.colour;
+        fill.setAlpha(group.chosen ? 255 : 150);
+        m_marks.spots(places, fill, group.chosen ? 3.4 : 1.8,
+                      group.chosen ? QPen(Qt::white, 1) : QPen(Qt::NoPen));
+    }
+}
+
+/// Of very many points only some are drawn.
+template <int Dim>
+void ShapePainter<Dim>::dots(const Points<Dim>& points) {
+    constexpr Eigen::Index kMost = 20000;
+    const Eigen::Index step = std::max<Eigen::Index>(1, points.cols() / kMost);
+    std::vector<QPointF> places;
+    for (Eigen::Index k = 0; k < points.cols(); k += step)
+        places.push_back(m_surface.toWidget(points.col(k)));
+    m_marks.spots(places, kInk, 1.4, QPen(QColor(255, 255, 255, 190), 0.6));
+}
+
+template <int Dim>
 void ShapePainter<Dim>::worst(const PosedFrame<Dim>& frame, int cell, const QString& words) {
     if (cell < 0) return;
     std::optional<Vec<Dim>> place = centreOf<Dim>(frame, cell);

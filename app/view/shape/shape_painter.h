@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "app/panels/group_list.h"
 #include "app/panels/look/colour_map.h"
 #include "app/panels/look/marks.h"
 #include "app/panels/look/theme.h"
@@ -24,6 +25,10 @@ class ShapePainter {
     /// Draws the pins, and faintly the handles that do not hold at the shown time. `named`: the one with its
     /// name.
     void pins(int hovered, int named);
+    /// Draws the vertices of groups in their colours, those of a chosen one larger.
+    void groups(const std::vector<GroupMark>& groups);
+    /// Draws points that are carried along, such as a cloud.
+    void dots(const Points<Dim>& points);
     /// Draws a cross in the middle of a cell; in a solid at its visible place, or a faint ring if it is
     /// hidden. Adds a label unless it is empty.
     void worst(const PosedFrame<Dim>& frame, int cell, const QString& words = {});

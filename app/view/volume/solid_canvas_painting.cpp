@@ -58,7 +58,10 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (m_pointedOf == frame->shape) over.worst(*frame, m_pointedCell);
     m_onion.setShown(looks.onionSkin);
     m_onion.paintOutlines(painter, *this);
+    if (const auto& built = *frame->built; built.cloud && looks.detail)
+        over.dots(built.cloudEmbedding->carry(*frame->rest, frame->pose));
     if (m_session.playback().isPlaying()) return;  // pins are hidden during playback
+    if (looks.groups) over.groups(*looks.groups);
     over.paths(m_viewport.hovered());
     over.pins(m_viewport.hovered(), m_viewport.named());
 }

@@ -1,0 +1,113 @@
+#include "app/panels/group_list.h"
+
+#include <QListWidget>
+#include <QLocale>
+#include <QPixmap>
+#include <QPushButton>
+
+#include "app/document/domain.h"
+#include "app/document/file/named_files.h"
+#include "app/document/in_background.h"
+#include "app/panels/fields/panel_parts.h"
+
+namespace wend {
+namespace {
+
+/// Returns the colour of a group: steps of the golden angle keep neighbours in the list apart.
+QColor colourOf(int group) {
+    constexpr double kGolden = 0.381966;
+    const double hue = group * kGolden;
+    return QColor::fromHsvF(static_cast<float>(hue - std::floor(hue)), 0.75F, group % 2 == 0 ? 0.85F : 0.65F);
+}
+
+}  // namespace
+
+GroupList::GroupList(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_list(new QListWidget(this)),
+      m_hold(new QPushButton(tr("Hold It"), this)),
+      m_content(new QWidget(this)) {
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(m_content);
+    auto* layout = sectionColumn(m_content);
+    layout->addWidget(panelTitle(tr("Groups of the file"), m_content));
+    m_list->setObjectName(QStringLiteral("groups"));
+    m_list->setFixedHeight(112);
+    layout->addWidget(m_list);
+    layout->addWidget(m_hold);
+    describe(
+        m_list, tr("Groups of the file"),
+        tr("What the mesh's file calls by a name or number. A click marks a group on the shape; a double "
+           "click, or Enter, pins it."));
+    describe(
+        m_hold, tr("Hold the group"),
+        tr("Makes a pin of the chosen group, which the project names, so that it fits other meshes, too."));
+    m_content->hide();
+    connect(&session.document(), &Document::opened, this, &GroupList::read);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
+        m_hold->setEnabled(m_list->currentRow() >= 0);
+        tell();
+    });
+    connect(m_list, &QListWidget::itemActivated, this, &GroupList::hold);
+    connect(m_hold, &QPushButton::clicked, this, &GroupList::hold);
+}
+
+/// Reads in the background, because the file may be large.
+void GroupList::read() {
+    const int ticket = ++m_ticket;
+    take({});
+    const Document& document = m_session.document();
+    if (document.isEmpty() || document.domain().kind == DomainKind::Image) return;
+    const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
+    inBackground(
+        this, [path] { return heldGroups(path); },
+        [this, ticket](const std::vector<HeldGroup>& groups) {
+            if (ticket == m_ticket) take(groups);
+        });
+}
+
+void GroupList::take(const std::vector<HeldGroup>& groups) {
+    const QString kinds[] = {tr("vertices"), tr("lines"), tr("surfaces"), tr("volumes")};
+    m_groups = groups;
+    m_list->clear();
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        QPixmap chip(12, 12);
+        chip.fill(colourOf(static_cast<int>(g)));
+        auto* item = new QListWidgetItem(
+            chip, tr("%1 (%2 %3)", "name, number and kind of cells")
+                      .arg(QString::fromStdString(groups[g].name), QLocale().toString(groups[g].count),
+                           kinds[groups[g].dimension]));
+        m_list->addItem(item);
+    }
+    m_hold->setEnabled(false);
+    m_content->setVisible(!groups.empty());
+    tell();
+}
+
+void GroupList::tell() {
+    if (!isVisible() || m_groups.empty()) return emit marked(nullptr);
+    auto marks = std::make_shared<std::vector<GroupMark>>();
+    for (std::size_t g = 0; g < m_groups.size(); ++g)
+        marks->push_back({colourOf(static_cast<int>(g)), m_groups[g].vertices,
+                          static_cast<int>(g) == m_list->currentRow()});
+    emit marked(marks);
+}
+
+void GroupList::hold() {
+    const int row = m_list->currentRow();
+    if (row >= 0) holdGroup(m_session, m_groups[static_cast<std::size_t>(row)]);
+}
+
+void GroupList::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    tell();
+}
+
+void GroupList::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    tell();
+}
+
+}  // namespace wend

@@ -1,0 +1,49 @@
+#include "app/session/mesh_groups.h"
+
+#include "app/document/design.h"
+#include "app/document/edits/free_name.h"
+#include "app/document/file/named_places.h"
+#include "app/session/shape_session.h"
+#include "core/mesh/error.h"
+#include "core/mesh/group_vertices.h"
+#include "core/mesh/mesh_of_file.h"
+
+namespace wend {
+
+std::vector<HeldGroup> heldGroups(const std::string& path) try {
+    std::vector<HeldGroup> groups;
+    const auto file = sharedMeshFile(path);
+    for (const GroupFacts& facts : groupFacts(*file)) {
+        HeldGroup group{
+            facts.name.empty() ? std::to_string(facts.tag) : facts.name, facts.dimension, facts.count, {}};
+        try {
+            group.vertices = groupVertices(*file, group.name, group.dimension);
+        } catch (const InputError&) {
+            continue;  // a number that is also the name of another one
+        }
+        groups.push_back(std::move(group));
+    }
+    return groups;
+} catch (const std::exception&) {
+    return {};
+}
+
+void holdGroup(ShapeSession& session, const HeldGroup& group) {
+    Document& document = session.document();
+    const int count = session.handleCount();
+    const auto add = [&]<int Dim>(Design<Dim> design) {
+        std::vector<std::string> names;
+        for (const Handle<Dim>& handle : design.handles) names.push_back(handle.name);
+        Handle<Dim> handle;
+        const bool isTaken = std::ranges::count(names, group.name) > 0;
+        handle.name = isTaken ? freeName(names, group.name, 2) : group.name;
+        placeOnGroup<Dim>(handle, group.name, group.dimension, group.vertices);
+        design.handles.push_back(std::move(handle));
+        document.changeDesign(ShapeSession::tr("Hold %1").arg(QString::fromStdString(group.name)),
+                              std::move(design));
+    };
+    document.dimension() == 2 ? add(document.design<2>()) : add(document.design<3>());
+    session.selection().set({count});
+}
+
+}  // namespace wend
