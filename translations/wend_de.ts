@@ -774,6 +774,46 @@
         <source>at time %1 the shape snaps to another equilibrium near %2</source>
         <translation>zur Zeit %1 springt die Form nahe %2 in ein anderes Gleichgewicht</translation>
     </message>
+    <message>
+        <source>pins of the other project without a namesake here, placed in proportion: %1</source>
+        <translation>Pins des anderen Projekts, die hier keinen Namensvetter haben und nach Verhältnis gesetzt sind: %1</translation>
+    </message>
+    <message>
+        <source>pins of the other project that find no place here and are left out: %1</source>
+        <translation>Pins des anderen Projekts, die hier keinen Platz finden und fehlen: %1</translation>
+    </message>
+    <message>
+        <source>pins without a motion in the other project, which hold still: %1</source>
+        <translation>Pins ohne Bewegung im anderen Projekt, die stillhalten: %1</translation>
+    </message>
+    <message>
+        <source>moves a solid: its motion does not fit a picture</source>
+        <translation>bewegt einen Körper: seine Bewegung passt nicht zu einem Bild</translation>
+    </message>
+    <message>
+        <source>moves a picture: its motion does not fit a solid</source>
+        <translation>bewegt ein Bild: seine Bewegung passt nicht zu einem Körper</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3</source>
+        <translation>Schalen liegen ineinander, bis zu %1 tief; gefüllte Räume: %2, hohle: %3</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep, and bodies touch along shared walls; spaces filled: %2, hollow: %3</source>
+        <translation>Schalen liegen ineinander, bis zu %1 tief, und Körper berühren sich an gemeinsamen Wänden; gefüllte Räume: %2, hohle: %3</translation>
+    </message>
+    <message>
+        <source>bodies touch along shared walls; spaces filled: %1, hollow: %2</source>
+        <translation>Körper berühren sich an gemeinsamen Wänden; gefüllte Räume: %1, hohle: %2</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled</source>
+        <translation>%1 hat %2 × %3 Pixel, und das Projekt wurde für %4 × %5 gemacht: Pins und Wege sind angepasst</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
+        <translation>%1 hat %2 × %3 Pixel, und das Projekt wurde für %4 × %5 gemacht: Pins und Wege bleiben, wo sie sind</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1614,6 +1654,30 @@
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>Inner she&amp;lls</source>
+        <translation>&amp;Innere Schalen</translation>
+    </message>
+    <message>
+        <source>What is inside of shells that lie one in the other: holes, or regions of their own, whose cells are labelled. Bodies that share walls are all filled and labelled.</source>
+        <translation>Was innerhalb von Schalen ist, die ineinander liegen: Löcher oder eigene Bereiche, deren Zellen Marken haben. Körper mit gemeinsamen Wänden werden alle gefüllt und markiert.</translation>
+    </message>
+    <message>
+        <source>Change inner shells</source>
+        <translation>Innere Schalen ändern</translation>
+    </message>
+    <message>
+        <source>Holes, and say so</source>
+        <translation>Löcher, mit Hinweis</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Bereiche</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +2993,20 @@
     <message>
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>Ein Ziehen, das am Ende des Films auf eines derselben Pins folgt, führt sie eine Sekunde weiter; aus: Es berichtigt jene Bewegung, die gerade wird</translation>
+        <source>Re&amp;place Picture…</source>
+        <translation>Bild er&amp;setzen …</translation>
+    </message>
+    <message>
+        <source>Bend another picture of the same proportions in the place of this one; pins and motions stay, and are scaled if it is larger or smaller</source>
+        <translation>Ein anderes Bild mit denselben Proportionen an seiner Stelle verbiegen; Pins und Bewegungen bleiben und werden angepasst, wenn es größer oder kleiner ist</translation>
+    </message>
+    <message>
+        <source>&amp;Apply Motion…</source>
+        <translation>Bewegung &amp;übernehmen …</translation>
+    </message>
+    <message>
+        <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
+        <translation>Diese Form bewegen wie ein anderes Projekt die seine: gleichnamige Pins, mit Längen im Verhältnis der Größen beider Formen</translation>
     </message>
 </context>
 <context>
@@ -4433,6 +4511,50 @@
     </message>
 </context>
 <context>
+    <name>wend::GroupList</name>
+    <message>
+        <source>Hold It</source>
+        <translation>Festhalten</translation>
+    </message>
+    <message>
+        <source>Groups of the file</source>
+        <translation>Gruppen der Datei</translation>
+    </message>
+    <message>
+        <source>What the mesh&apos;s file calls by a name or number. A click marks a group on the shape; a double click, or Enter, pins it.</source>
+        <translation>Was die Datei des Netzes mit einem Namen oder einer Nummer nennt. Ein Klick zeigt eine Gruppe auf der Form; ein Doppelklick oder die Eingabetaste macht einen Pin daraus.</translation>
+    </message>
+    <message>
+        <source>Hold the group</source>
+        <translation>Die Gruppe festhalten</translation>
+    </message>
+    <message>
+        <source>Makes a pin of the chosen group, which the project names, so that it fits other meshes, too.</source>
+        <translation>Macht aus der gewählten Gruppe einen Pin. Das Projekt nennt die Gruppe beim Namen, sodass er auch zu anderen Netzen passt.</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>volumes</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %3)</source>
+        <comment>name, number and kind of cells</comment>
+        <translation>%1 (%2 %3)</translation>
+    </message>
+</context>
+<context>
     <name>wend::HandlePanel</name>
     <message>
         <source>Select a pin to see its numbers.</source>
@@ -5157,6 +5279,25 @@
     </message>
 </context>
 <context>
+    <name>wend::MotionChooser</name>
+    <message>
+        <source>Apply Motion of Another Project</source>
+        <translation>Bewegung eines anderen Projekts übernehmen</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>Projekte (*.wend)</translation>
+    </message>
+    <message>
+        <source>This motion cannot be applied. %1</source>
+        <translation>Diese Bewegung kann nicht übernommen werden. %1</translation>
+    </message>
+    <message>
+        <source>Apply motion of %1</source>
+        <translation>Bewegung von %1 übernehmen</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5596,6 +5737,57 @@
     </message>
 </context>
 <context>
+    <name>wend::PictureKeeper</name>
+    <message>
+        <source>The picture “%1” was changed by another program.</source>
+        <translation>Das Bild „%1“ wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Reload picture</source>
+        <translation>Bild neu laden</translation>
+    </message>
+    <message>
+        <source>Replace Picture</source>
+        <translation>Bild ersetzen</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Replace picture</source>
+        <translation>Bild ersetzen</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read. %1</source>
+        <translation>Das Bild kann nicht gelesen werden. %1</translation>
+    </message>
+    <message>
+        <source>It has %1 × %2 pixels, and the picture before had %3 × %4.</source>
+        <translation>Es hat %1 × %2 Pixel, und das Bild davor hatte %3 × %4.</translation>
+    </message>
+    <message>
+        <source>This picture has other proportions. %1</source>
+        <translation>Dieses Bild hat andere Proportionen. %1</translation>
+    </message>
+    <message>
+        <source>The picture has other proportions now. %1</source>
+        <translation>Das Bild hat jetzt andere Proportionen. %1</translation>
+    </message>
+    <message>
+        <source>Pins and paths are scaled with it. %1</source>
+        <translation>Pins und Wege sind mit ihm angepasst. %1</translation>
+    </message>
+</context>
+<context>
     <name>wend::PinActions</name>
     <message>
         <source>&amp;Pins</source>
@@ -6026,6 +6218,10 @@
         <source>Film</source>
         <translation>Film</translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6301,6 +6497,14 @@
         <source>See Why</source>
         <translation>Warum?</translation>
     </message>
+    <message>
+        <source>Fill All, with Labels</source>
+        <translation>Alle füllen, mit Marken</translation>
+    </message>
+    <message>
+        <source>Leave Holes</source>
+        <translation>Löcher lassen</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
@@ -6506,6 +6710,8 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
         <translation>Die letzte Bewegung geht nun gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
+        <source>Hold %1</source>
+        <translation>%1 festhalten</translation>
     </message>
 </context>
 <context>

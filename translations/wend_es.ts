@@ -774,6 +774,46 @@
         <source>at time %1 the shape snaps to another equilibrium near %2</source>
         <translation>en el tiempo %1 la forma salta a otro equilibrio cerca de %2</translation>
     </message>
+    <message>
+        <source>pins of the other project without a namesake here, placed in proportion: %1</source>
+        <translation>alfileres del otro proyecto sin tocayo aquí, colocados en proporción: %1</translation>
+    </message>
+    <message>
+        <source>pins of the other project that find no place here and are left out: %1</source>
+        <translation>alfileres del otro proyecto que no encuentran sitio aquí y se omiten: %1</translation>
+    </message>
+    <message>
+        <source>pins without a motion in the other project, which hold still: %1</source>
+        <translation>alfileres sin movimiento en el otro proyecto, que quedan quietos: %1</translation>
+    </message>
+    <message>
+        <source>moves a solid: its motion does not fit a picture</source>
+        <translation>mueve un sólido: su movimiento no sirve para una imagen</translation>
+    </message>
+    <message>
+        <source>moves a picture: its motion does not fit a solid</source>
+        <translation>mueve una imagen: su movimiento no sirve para un sólido</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3</source>
+        <translation>hay cáscaras unas dentro de otras, hasta %1 niveles; espacios llenos: %2, huecos: %3</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep, and bodies touch along shared walls; spaces filled: %2, hollow: %3</source>
+        <translation>hay cáscaras unas dentro de otras, hasta %1 niveles, y cuerpos que se tocan en paredes comunes; espacios llenos: %2, huecos: %3</translation>
+    </message>
+    <message>
+        <source>bodies touch along shared walls; spaces filled: %1, hollow: %2</source>
+        <translation>hay cuerpos que se tocan en paredes comunes; espacios llenos: %1, huecos: %2</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled</source>
+        <translation>%1 tiene %2 × %3 píxeles y el proyecto se hizo para %4 × %5: los alfileres y trayectorias se han escalado</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
+        <translation>%1 tiene %2 × %3 píxeles y el proyecto se hizo para %4 × %5: los alfileres y trayectorias se quedan donde están</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1614,6 +1654,30 @@
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Anchura</translation>
+    </message>
+    <message>
+        <source>Inner she&amp;lls</source>
+        <translation>Cáscaras in&amp;teriores</translation>
+    </message>
+    <message>
+        <source>What is inside of shells that lie one in the other: holes, or regions of their own, whose cells are labelled. Bodies that share walls are all filled and labelled.</source>
+        <translation>Qué hay dentro de cáscaras que están unas dentro de otras: huecos o regiones propias, cuyas celdas llevan etiquetas. Los cuerpos con paredes comunes se llenan y etiquetan todos.</translation>
+    </message>
+    <message>
+        <source>Change inner shells</source>
+        <translation>Cambiar cáscaras interiores</translation>
+    </message>
+    <message>
+        <source>Holes, and say so</source>
+        <translation>Huecos, con aviso</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Huecos</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regiones</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +2993,20 @@
     <message>
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>Un arrastre que sigue a otro de los mismos pines al final de la película los lleva un segundo más; desactivado: corrige ese movimiento, que se vuelve recto</translation>
+        <source>Re&amp;place Picture…</source>
+        <translation>Ree&amp;mplazar imagen…</translation>
+    </message>
+    <message>
+        <source>Bend another picture of the same proportions in the place of this one; pins and motions stay, and are scaled if it is larger or smaller</source>
+        <translation>Doblar en su lugar otra imagen de las mismas proporciones; los alfileres y movimientos se conservan y se escalan si es mayor o menor</translation>
+    </message>
+    <message>
+        <source>&amp;Apply Motion…</source>
+        <translation>&amp;Aplicar movimiento…</translation>
+    </message>
+    <message>
+        <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
+        <translation>Mover esta forma como otro proyecto mueve la suya: alfileres del mismo nombre, con longitudes en proporción a los tamaños de ambas formas</translation>
     </message>
 </context>
 <context>
@@ -4433,6 +4511,50 @@
     </message>
 </context>
 <context>
+    <name>wend::GroupList</name>
+    <message>
+        <source>Hold It</source>
+        <translation>Sujetarlo</translation>
+    </message>
+    <message>
+        <source>Groups of the file</source>
+        <translation>Grupos del archivo</translation>
+    </message>
+    <message>
+        <source>What the mesh&apos;s file calls by a name or number. A click marks a group on the shape; a double click, or Enter, pins it.</source>
+        <translation>Lo que el archivo de la malla llama por un nombre o número. Un clic marca un grupo en la forma; un doble clic o Intro lo fija con un alfiler.</translation>
+    </message>
+    <message>
+        <source>Hold the group</source>
+        <translation>Sujetar el grupo</translation>
+    </message>
+    <message>
+        <source>Makes a pin of the chosen group, which the project names, so that it fits other meshes, too.</source>
+        <translation>Hace un alfiler del grupo elegido. El proyecto guarda su nombre, de modo que sirve también para otras mallas.</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>vértices</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>líneas</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>superficies</translation>
+    </message>
+    <message>
+        <source>volumes</source>
+        <translation>volúmenes</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %3)</source>
+        <comment>name, number and kind of cells</comment>
+        <translation>%1 (%2 %3)</translation>
+    </message>
+</context>
+<context>
     <name>wend::HandlePanel</name>
     <message>
         <source>Select a pin to see its numbers.</source>
@@ -5157,6 +5279,25 @@
     </message>
 </context>
 <context>
+    <name>wend::MotionChooser</name>
+    <message>
+        <source>Apply Motion of Another Project</source>
+        <translation>Aplicar el movimiento de otro proyecto</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>Proyectos (*.wend)</translation>
+    </message>
+    <message>
+        <source>This motion cannot be applied. %1</source>
+        <translation>Este movimiento no se puede aplicar. %1</translation>
+    </message>
+    <message>
+        <source>Apply motion of %1</source>
+        <translation>Aplicar el movimiento de %1</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5596,6 +5737,57 @@
     </message>
 </context>
 <context>
+    <name>wend::PictureKeeper</name>
+    <message>
+        <source>The picture “%1” was changed by another program.</source>
+        <translation>Otro programa ha modificado la imagen «%1».</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Reload picture</source>
+        <translation>Recargar imagen</translation>
+    </message>
+    <message>
+        <source>Replace Picture</source>
+        <translation>Reemplazar imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>Replace picture</source>
+        <translation>Reemplazar imagen</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read. %1</source>
+        <translation>No se puede leer la imagen. %1</translation>
+    </message>
+    <message>
+        <source>It has %1 × %2 pixels, and the picture before had %3 × %4.</source>
+        <translation>Tiene %1 × %2 píxeles y la imagen anterior tenía %3 × %4.</translation>
+    </message>
+    <message>
+        <source>This picture has other proportions. %1</source>
+        <translation>Esta imagen tiene otras proporciones. %1</translation>
+    </message>
+    <message>
+        <source>The picture has other proportions now. %1</source>
+        <translation>La imagen tiene ahora otras proporciones. %1</translation>
+    </message>
+    <message>
+        <source>Pins and paths are scaled with it. %1</source>
+        <translation>Los alfileres y trayectorias se han escalado con ella. %1</translation>
+    </message>
+</context>
+<context>
     <name>wend::PinActions</name>
     <message>
         <source>&amp;Pins</source>
@@ -6026,6 +6218,10 @@
         <source>Film</source>
         <translation>Película</translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6301,6 +6497,14 @@
         <source>See Why</source>
         <translation>Ver por qué</translation>
     </message>
+    <message>
+        <source>Fill All, with Labels</source>
+        <translation>Llenar todo, con etiquetas</translation>
+    </message>
+    <message>
+        <source>Leave Holes</source>
+        <translation>Dejar huecos</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
@@ -6506,6 +6710,8 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
         <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá.</translation>
+        <source>Hold %1</source>
+        <translation>Sujetar %1</translation>
     </message>
 </context>
 <context>

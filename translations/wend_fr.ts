@@ -774,6 +774,46 @@
         <source>at time %1 the shape snaps to another equilibrium near %2</source>
         <translation>au temps %1 la forme saute vers un autre équilibre près de %2</translation>
     </message>
+    <message>
+        <source>pins of the other project without a namesake here, placed in proportion: %1</source>
+        <translation>épingles de l’autre projet sans homonyme ici, placées en proportion : %1</translation>
+    </message>
+    <message>
+        <source>pins of the other project that find no place here and are left out: %1</source>
+        <translation>épingles de l’autre projet qui ne trouvent pas de place ici et sont omises : %1</translation>
+    </message>
+    <message>
+        <source>pins without a motion in the other project, which hold still: %1</source>
+        <translation>épingles sans mouvement dans l’autre projet, qui restent immobiles : %1</translation>
+    </message>
+    <message>
+        <source>moves a solid: its motion does not fit a picture</source>
+        <translation>bouge un solide : son mouvement ne convient pas à une image</translation>
+    </message>
+    <message>
+        <source>moves a picture: its motion does not fit a solid</source>
+        <translation>bouge une image : son mouvement ne convient pas à un solide</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3</source>
+        <translation>des coques sont emboîtées, jusqu’à %1 niveaux ; espaces pleins : %2, creux : %3</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep, and bodies touch along shared walls; spaces filled: %2, hollow: %3</source>
+        <translation>des coques sont emboîtées, jusqu’à %1 niveaux, et des corps se touchent par des parois communes ; espaces pleins : %2, creux : %3</translation>
+    </message>
+    <message>
+        <source>bodies touch along shared walls; spaces filled: %1, hollow: %2</source>
+        <translation>des corps se touchent par des parois communes ; espaces pleins : %1, creux : %2</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled</source>
+        <translation>%1 a %2 × %3 pixels, et le projet a été fait pour %4 × %5 : épingles et trajectoires sont mises à l’échelle</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
+        <translation>%1 a %2 × %3 pixels, et le projet a été fait pour %4 × %5 : épingles et trajectoires restent où elles sont</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1614,6 +1654,30 @@
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <source>Inner she&amp;lls</source>
+        <translation>Co&amp;ques intérieures</translation>
+    </message>
+    <message>
+        <source>What is inside of shells that lie one in the other: holes, or regions of their own, whose cells are labelled. Bodies that share walls are all filled and labelled.</source>
+        <translation>Ce qu’il y a dans des coques emboîtées : des trous, ou des régions propres dont les cellules portent une étiquette. Les corps à parois communes sont tous remplis et étiquetés.</translation>
+    </message>
+    <message>
+        <source>Change inner shells</source>
+        <translation>Modifier les coques intérieures</translation>
+    </message>
+    <message>
+        <source>Holes, and say so</source>
+        <translation>Trous, en le signalant</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Trous</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Régions</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +2993,20 @@
     <message>
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>Un glissement qui suit un autre des mêmes épingles à la fin du film les mène une seconde plus loin ; désactivé : il corrige ce mouvement, qui devient droit</translation>
+        <source>Re&amp;place Picture…</source>
+        <translation>Rem&amp;placer l’image…</translation>
+    </message>
+    <message>
+        <source>Bend another picture of the same proportions in the place of this one; pins and motions stay, and are scaled if it is larger or smaller</source>
+        <translation>Déformer à sa place une autre image de mêmes proportions ; épingles et mouvements restent et sont mis à l’échelle si elle est plus grande ou plus petite</translation>
+    </message>
+    <message>
+        <source>&amp;Apply Motion…</source>
+        <translation>&amp;Appliquer un mouvement…</translation>
+    </message>
+    <message>
+        <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
+        <translation>Bouger cette forme comme un autre projet bouge la sienne : épingles de même nom, longueurs en proportion des tailles des deux formes</translation>
     </message>
 </context>
 <context>
@@ -4433,6 +4511,50 @@
     </message>
 </context>
 <context>
+    <name>wend::GroupList</name>
+    <message>
+        <source>Hold It</source>
+        <translation>Le tenir</translation>
+    </message>
+    <message>
+        <source>Groups of the file</source>
+        <translation>Groupes du fichier</translation>
+    </message>
+    <message>
+        <source>What the mesh&apos;s file calls by a name or number. A click marks a group on the shape; a double click, or Enter, pins it.</source>
+        <translation>Ce que le fichier du maillage désigne par un nom ou un numéro. Un clic marque un groupe sur la forme ; un double clic, ou Entrée, l’épingle.</translation>
+    </message>
+    <message>
+        <source>Hold the group</source>
+        <translation>Tenir le groupe</translation>
+    </message>
+    <message>
+        <source>Makes a pin of the chosen group, which the project names, so that it fits other meshes, too.</source>
+        <translation>Fait une épingle du groupe choisi. Le projet retient son nom, si bien qu’elle convient aussi à d’autres maillages.</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>sommets</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>lignes</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>surfaces</translation>
+    </message>
+    <message>
+        <source>volumes</source>
+        <translation>volumes</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %3)</source>
+        <comment>name, number and kind of cells</comment>
+        <translation>%1 (%2 %3)</translation>
+    </message>
+</context>
+<context>
     <name>wend::HandlePanel</name>
     <message>
         <source>Select a pin to see its numbers.</source>
@@ -5157,6 +5279,25 @@
     </message>
 </context>
 <context>
+    <name>wend::MotionChooser</name>
+    <message>
+        <source>Apply Motion of Another Project</source>
+        <translation>Appliquer le mouvement d’un autre projet</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>Projets (*.wend)</translation>
+    </message>
+    <message>
+        <source>This motion cannot be applied. %1</source>
+        <translation>Ce mouvement ne peut pas être appliqué. %1</translation>
+    </message>
+    <message>
+        <source>Apply motion of %1</source>
+        <translation>Appliquer le mouvement de %1</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5596,6 +5737,57 @@
     </message>
 </context>
 <context>
+    <name>wend::PictureKeeper</name>
+    <message>
+        <source>The picture “%1” was changed by another program.</source>
+        <translation>L’image « %1 » a été modifiée par un autre programme.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>Reload picture</source>
+        <translation>Recharger l’image</translation>
+    </message>
+    <message>
+        <source>Replace Picture</source>
+        <translation>Remplacer l’image</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Images (%1)</translation>
+    </message>
+    <message>
+        <source>Replace picture</source>
+        <translation>Remplacer l’image</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read. %1</source>
+        <translation>L’image ne peut pas être lue. %1</translation>
+    </message>
+    <message>
+        <source>It has %1 × %2 pixels, and the picture before had %3 × %4.</source>
+        <translation>Elle a %1 × %2 pixels, et l’image d’avant en avait %3 × %4.</translation>
+    </message>
+    <message>
+        <source>This picture has other proportions. %1</source>
+        <translation>Cette image a d’autres proportions. %1</translation>
+    </message>
+    <message>
+        <source>The picture has other proportions now. %1</source>
+        <translation>L’image a maintenant d’autres proportions. %1</translation>
+    </message>
+    <message>
+        <source>Pins and paths are scaled with it. %1</source>
+        <translation>Épingles et trajectoires sont mises à l’échelle avec elle. %1</translation>
+    </message>
+</context>
+<context>
     <name>wend::PinActions</name>
     <message>
         <source>&amp;Pins</source>
@@ -6026,6 +6218,10 @@
         <source>Film</source>
         <translation>Film</translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6301,6 +6497,14 @@
         <source>See Why</source>
         <translation>Voir pourquoi</translation>
     </message>
+    <message>
+        <source>Fill All, with Labels</source>
+        <translation>Tout remplir, avec étiquettes</translation>
+    </message>
+    <message>
+        <source>Leave Holes</source>
+        <translation>Laisser des trous</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
@@ -6506,6 +6710,8 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
         <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
+        <source>Hold %1</source>
+        <translation>Tenir %1</translation>
     </message>
 </context>
 <context>

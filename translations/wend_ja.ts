@@ -774,6 +774,46 @@
         <source>at time %1 the shape snaps to another equilibrium near %2</source>
         <translation>時刻 %1 に形が %2 付近で別の釣り合いへ飛び移ります</translation>
     </message>
+    <message>
+        <source>pins of the other project without a namesake here, placed in proportion: %1</source>
+        <translation>同名のピンがないため比率に従って置いた、他のプロジェクトのピン: %1</translation>
+    </message>
+    <message>
+        <source>pins of the other project that find no place here and are left out: %1</source>
+        <translation>置く場所がないため省いた、他のプロジェクトのピン: %1</translation>
+    </message>
+    <message>
+        <source>pins without a motion in the other project, which hold still: %1</source>
+        <translation>他のプロジェクトに動きがなく、静止するピン: %1</translation>
+    </message>
+    <message>
+        <source>moves a solid: its motion does not fit a picture</source>
+        <translation>ソリッドを動かすもので、その動きは画像には合いません</translation>
+    </message>
+    <message>
+        <source>moves a picture: its motion does not fit a solid</source>
+        <translation>画像を動かすもので、その動きはソリッドには合いません</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3</source>
+        <translation>殻が最大 %1 重に入れ子になっています。満たした空間: %2、空洞: %3</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep, and bodies touch along shared walls; spaces filled: %2, hollow: %3</source>
+        <translation>殻が最大 %1 重に入れ子になり、物体どうしが壁を共有して接しています。満たした空間: %2、空洞: %3</translation>
+    </message>
+    <message>
+        <source>bodies touch along shared walls; spaces filled: %1, hollow: %2</source>
+        <translation>物体どうしが壁を共有して接しています。満たした空間: %1、空洞: %2</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled</source>
+        <translation>%1 は %2 × %3 ピクセルで、プロジェクトは %4 × %5 用に作られています。ピンと軌道を拡大縮小しました</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
+        <translation>%1 は %2 × %3 ピクセルで、プロジェクトは %4 × %5 用に作られています。ピンと軌道はそのままです</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1614,6 +1654,30 @@
     <message>
         <source>&amp;Width</source>
         <translation>幅(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Inner she&amp;lls</source>
+        <translation>内側の殻(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is inside of shells that lie one in the other: holes, or regions of their own, whose cells are labelled. Bodies that share walls are all filled and labelled.</source>
+        <translation>入れ子になった殻の内側を、穴にするか、セルにラベルの付いた個別の領域にするか。壁を共有する物体はすべて満たされ、ラベルが付きます。</translation>
+    </message>
+    <message>
+        <source>Change inner shells</source>
+        <translation>内側の殻を変更</translation>
+    </message>
+    <message>
+        <source>Holes, and say so</source>
+        <translation>穴(知らせる)</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>穴</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>領域</translation>
     </message>
 </context>
 <context>
@@ -2928,6 +2992,20 @@
     <message>
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>フィルムの終わりで同じピンを続けてドラッグすると、1 秒先へ動かします。オフのときは直前の動きを直線に直します</translation>
+        <source>Re&amp;place Picture…</source>
+        <translation>画像を置き換え(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Bend another picture of the same proportions in the place of this one; pins and motions stay, and are scaled if it is larger or smaller</source>
+        <translation>縦横比が同じ別の画像に置き換えて曲げます。ピンと動きは残り、大きさが違えば拡大縮小されます</translation>
+    </message>
+    <message>
+        <source>&amp;Apply Motion…</source>
+        <translation>動きを適用(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
+        <translation>他のプロジェクトと同じようにこの形を動かします。同名のピンを使い、長さは両方の形の大きさの比に合わせます</translation>
     </message>
 </context>
 <context>
@@ -4426,6 +4504,50 @@
     </message>
 </context>
 <context>
+    <name>wend::GroupList</name>
+    <message>
+        <source>Hold It</source>
+        <translation>固定する</translation>
+    </message>
+    <message>
+        <source>Groups of the file</source>
+        <translation>ファイルのグループ</translation>
+    </message>
+    <message>
+        <source>What the mesh&apos;s file calls by a name or number. A click marks a group on the shape; a double click, or Enter, pins it.</source>
+        <translation>メッシュのファイルが名前や番号で呼ぶもの。クリックで形の上に示し、ダブルクリックまたは Enter でピン留めします。</translation>
+    </message>
+    <message>
+        <source>Hold the group</source>
+        <translation>グループを固定</translation>
+    </message>
+    <message>
+        <source>Makes a pin of the chosen group, which the project names, so that it fits other meshes, too.</source>
+        <translation>選んだグループをピンにします。プロジェクトはその名前を記録するので、他のメッシュにも使えます。</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>頂点</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>volumes</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %3)</source>
+        <comment>name, number and kind of cells</comment>
+        <translation>%1(%3 %2)</translation>
+    </message>
+</context>
+<context>
     <name>wend::HandlePanel</name>
     <message>
         <source>Select a pin to see its numbers.</source>
@@ -5148,6 +5270,25 @@
     </message>
 </context>
 <context>
+    <name>wend::MotionChooser</name>
+    <message>
+        <source>Apply Motion of Another Project</source>
+        <translation>他のプロジェクトの動きを適用</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>プロジェクト (*.wend)</translation>
+    </message>
+    <message>
+        <source>This motion cannot be applied. %1</source>
+        <translation>この動きは適用できません。%1</translation>
+    </message>
+    <message>
+        <source>Apply motion of %1</source>
+        <translation>%1 の動きを適用</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5585,6 +5726,57 @@
     </message>
 </context>
 <context>
+    <name>wend::PictureKeeper</name>
+    <message>
+        <source>The picture “%1” was changed by another program.</source>
+        <translation>画像「%1」は別のプログラムで変更されました。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>再読み込み</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>そのまま</translation>
+    </message>
+    <message>
+        <source>Reload picture</source>
+        <translation>画像を再読み込み</translation>
+    </message>
+    <message>
+        <source>Replace Picture</source>
+        <translation>画像を置き換え</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Replace picture</source>
+        <translation>画像を置き換え</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read. %1</source>
+        <translation>画像を読み込めません。%1</translation>
+    </message>
+    <message>
+        <source>It has %1 × %2 pixels, and the picture before had %3 × %4.</source>
+        <translation>大きさは %1 × %2 ピクセルで、前の画像は %3 × %4 でした。</translation>
+    </message>
+    <message>
+        <source>This picture has other proportions. %1</source>
+        <translation>この画像は縦横比が違います。%1</translation>
+    </message>
+    <message>
+        <source>The picture has other proportions now. %1</source>
+        <translation>画像の縦横比が変わりました。%1</translation>
+    </message>
+    <message>
+        <source>Pins and paths are scaled with it. %1</source>
+        <translation>ピンと軌道も合わせて拡大縮小しました。%1</translation>
+    </message>
+</context>
+<context>
     <name>wend::PinActions</name>
     <message>
         <source>&amp;Pins</source>
@@ -6015,6 +6207,10 @@
         <source>Film</source>
         <translation>フィルム</translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation>グループ</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6288,6 +6484,14 @@
         <source>See Why</source>
         <translation>理由を見る</translation>
     </message>
+    <message>
+        <source>Fill All, with Labels</source>
+        <translation>すべて満たしラベルを付ける</translation>
+    </message>
+    <message>
+        <source>Leave Holes</source>
+        <translation>穴のままにする</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
@@ -6492,6 +6696,8 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
         <translation>直前の動きはそこまでの直線になりました。「モーション ▸ 経路を残す」では、さらに先へ動かします。</translation>
+        <source>Hold %1</source>
+        <translation>%1 を固定</translation>
     </message>
 </context>
 <context>

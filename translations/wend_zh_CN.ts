@@ -774,6 +774,46 @@
         <source>at time %1 the shape snaps to another equilibrium near %2</source>
         <translation>在时间 %1，形状在 %2 附近跳到另一个平衡</translation>
     </message>
+    <message>
+        <source>pins of the other project without a namesake here, placed in proportion: %1</source>
+        <translation>另一项目中在此没有同名者、已按比例放置的图钉：%1</translation>
+    </message>
+    <message>
+        <source>pins of the other project that find no place here and are left out: %1</source>
+        <translation>另一项目中在此没有位置、已略去的图钉：%1</translation>
+    </message>
+    <message>
+        <source>pins without a motion in the other project, which hold still: %1</source>
+        <translation>在另一项目中没有动作、保持不动的图钉：%1</translation>
+    </message>
+    <message>
+        <source>moves a solid: its motion does not fit a picture</source>
+        <translation>移动的是实体：其动作不适合图片</translation>
+    </message>
+    <message>
+        <source>moves a picture: its motion does not fit a solid</source>
+        <translation>移动的是图片：其动作不适合实体</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3</source>
+        <translation>壳层层嵌套，最多 %1 层；填充的空间：%2，空心的：%3</translation>
+    </message>
+    <message>
+        <source>shells lie one in the other, up to %1 deep, and bodies touch along shared walls; spaces filled: %2, hollow: %3</source>
+        <translation>壳层层嵌套，最多 %1 层，且有物体沿共用的壁相接；填充的空间：%2，空心的：%3</translation>
+    </message>
+    <message>
+        <source>bodies touch along shared walls; spaces filled: %1, hollow: %2</source>
+        <translation>有物体沿共用的壁相接；填充的空间：%1，空心的：%2</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled</source>
+        <translation>%1 为 %2 × %3 像素，而项目是为 %4 × %5 制作的：图钉和路径已缩放</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
+        <translation>%1 为 %2 × %3 像素，而项目是为 %4 × %5 制作的：图钉和路径保持原位</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1614,6 +1654,30 @@
     <message>
         <source>&amp;Width</source>
         <translation>宽度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Inner she&amp;lls</source>
+        <translation>内部的壳(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is inside of shells that lie one in the other: holes, or regions of their own, whose cells are labelled. Bodies that share walls are all filled and labelled.</source>
+        <translation>嵌套的壳内部是什么：孔洞，或各自的区域，其单元带有标签。共用壁的物体都会被填充并加上标签。</translation>
+    </message>
+    <message>
+        <source>Change inner shells</source>
+        <translation>更改内部的壳</translation>
+    </message>
+    <message>
+        <source>Holes, and say so</source>
+        <translation>孔洞，并提示</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>孔洞</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>区域</translation>
     </message>
 </context>
 <context>
@@ -2928,6 +2992,20 @@
     <message>
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>在影片结尾再次拖动同样的图钉会再延长一秒；关闭时则更正上一次移动，使其变为直线</translation>
+        <source>Re&amp;place Picture…</source>
+        <translation>替换图片(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Bend another picture of the same proportions in the place of this one; pins and motions stay, and are scaled if it is larger or smaller</source>
+        <translation>改为弯曲另一张比例相同的图片；图钉和动作保留，大小不同时会随之缩放</translation>
+    </message>
+    <message>
+        <source>&amp;Apply Motion…</source>
+        <translation>应用动作(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
+        <translation>让此形状像另一项目那样运动：按同名图钉，长度按两个形状的大小成比例</translation>
     </message>
 </context>
 <context>
@@ -4426,6 +4504,50 @@
     </message>
 </context>
 <context>
+    <name>wend::GroupList</name>
+    <message>
+        <source>Hold It</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Groups of the file</source>
+        <translation>文件中的组</translation>
+    </message>
+    <message>
+        <source>What the mesh&apos;s file calls by a name or number. A click marks a group on the shape; a double click, or Enter, pins it.</source>
+        <translation>网格文件用名称或编号称呼的部分。单击在形状上标出一组；双击或按 Enter 将其钉住。</translation>
+    </message>
+    <message>
+        <source>Hold the group</source>
+        <translation>固定该组</translation>
+    </message>
+    <message>
+        <source>Makes a pin of the chosen group, which the project names, so that it fits other meshes, too.</source>
+        <translation>将所选的组做成图钉。项目记录其名称，因此也适用于其他网格。</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>volumes</source>
+        <translation>体</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %3)</source>
+        <comment>name, number and kind of cells</comment>
+        <translation>%1（%2 %3）</translation>
+    </message>
+</context>
+<context>
     <name>wend::HandlePanel</name>
     <message>
         <source>Select a pin to see its numbers.</source>
@@ -5148,6 +5270,25 @@
     </message>
 </context>
 <context>
+    <name>wend::MotionChooser</name>
+    <message>
+        <source>Apply Motion of Another Project</source>
+        <translation>应用另一项目的动作</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>项目 (*.wend)</translation>
+    </message>
+    <message>
+        <source>This motion cannot be applied. %1</source>
+        <translation>无法应用此动作。%1</translation>
+    </message>
+    <message>
+        <source>Apply motion of %1</source>
+        <translation>应用 %1 的动作</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5585,6 +5726,57 @@
     </message>
 </context>
 <context>
+    <name>wend::PictureKeeper</name>
+    <message>
+        <source>The picture “%1” was changed by another program.</source>
+        <translation>图片“%1”已被其他程序更改。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新载入</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Reload picture</source>
+        <translation>重新载入图片</translation>
+    </message>
+    <message>
+        <source>Replace Picture</source>
+        <translation>替换图片</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>图片 (%1)</translation>
+    </message>
+    <message>
+        <source>Replace picture</source>
+        <translation>替换图片</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read. %1</source>
+        <translation>无法读取图片。%1</translation>
+    </message>
+    <message>
+        <source>It has %1 × %2 pixels, and the picture before had %3 × %4.</source>
+        <translation>它为 %1 × %2 像素，之前的图片为 %3 × %4。</translation>
+    </message>
+    <message>
+        <source>This picture has other proportions. %1</source>
+        <translation>此图片的比例不同。%1</translation>
+    </message>
+    <message>
+        <source>The picture has other proportions now. %1</source>
+        <translation>图片的比例已改变。%1</translation>
+    </message>
+    <message>
+        <source>Pins and paths are scaled with it. %1</source>
+        <translation>图钉和路径已随之缩放。%1</translation>
+    </message>
+</context>
+<context>
     <name>wend::PinActions</name>
     <message>
         <source>&amp;Pins</source>
@@ -6015,6 +6207,10 @@
         <source>Film</source>
         <translation>影片</translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation>组</translation>
+    </message>
 </context>
 <context>
     <name>wend::PropertiesRail</name>
@@ -6288,6 +6484,14 @@
         <source>See Why</source>
         <translation>查看原因</translation>
     </message>
+    <message>
+        <source>Fill All, with Labels</source>
+        <translation>全部填充并加标签</translation>
+    </message>
+    <message>
+        <source>Leave Holes</source>
+        <translation>保留孔洞</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShapeSession</name>
@@ -6492,6 +6696,8 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
         <translation>上一次移动现在直达那里。“运动 ▸ 保留路径”则会继续带动图钉。</translation>
+        <source>Hold %1</source>
+        <translation>固定 %1</translation>
     </message>
 </context>
 <context>
