@@ -2991,8 +2991,6 @@
         <translation>&amp;Weg behalten</translation>
     </message>
     <message>
-        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
-        <translation>Ein Ziehen, das am Ende des Films auf eines derselben Pins folgt, führt sie eine Sekunde weiter; aus: Es berichtigt jene Bewegung, die gerade wird</translation>
         <source>Re&amp;place Picture…</source>
         <translation>Bild er&amp;setzen …</translation>
     </message>
@@ -3007,6 +3005,10 @@
     <message>
         <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
         <translation>Diese Form bewegen wie ein anderes Projekt die seine: gleichnamige Pins, mit Längen im Verhältnis der Größen beider Formen</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>Ein Zug, der am Ende des Films auf einen anderen derselben Pins folgt, führt sie eine Sekunde weiter; aus: Er berichtigt diese Bewegung, die gerade wird</translation>
     </message>
 </context>
 <context>
@@ -6708,10 +6710,12 @@
         <translation>Wo ein Pin beginnt, dreht oder nicht hält, wurde keine Pose gesetzt: Zeigen Sie eine andere Zeit.</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation>Die letzte Bewegung geht nun gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
         <source>Hold %1</source>
         <translation>%1 festhalten</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

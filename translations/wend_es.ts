@@ -2991,8 +2991,6 @@
         <translation>Conservar el &amp;camino</translation>
     </message>
     <message>
-        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
-        <translation>Un arrastre que sigue a otro de los mismos pines al final de la película los lleva un segundo más; desactivado: corrige ese movimiento, que se vuelve recto</translation>
         <source>Re&amp;place Picture…</source>
         <translation>Ree&amp;mplazar imagen…</translation>
     </message>
@@ -3007,6 +3005,10 @@
     <message>
         <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
         <translation>Mover esta forma como otro proyecto mueve la suya: alfileres del mismo nombre, con longitudes en proporción a los tamaños de ambas formas</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>Un arrastre que sigue a otro de los mismos pines al final de la película los lleva un segundo más allá; desactivado: corrige ese movimiento, que pasa a ser recto</translation>
     </message>
 </context>
 <context>
@@ -6708,10 +6710,12 @@
         <translation>No se fijó ninguna pose donde un pin empieza, gira o no sujeta: muestre otro momento.</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá.</translation>
         <source>Hold %1</source>
         <translation>Sujetar %1</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2991,8 +2991,6 @@
         <translation>&amp;Garder le trajet</translation>
     </message>
     <message>
-        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
-        <translation>Un glissement qui suit un autre des mêmes épingles à la fin du film les mène une seconde plus loin ; désactivé : il corrige ce mouvement, qui devient droit</translation>
         <source>Re&amp;place Picture…</source>
         <translation>Rem&amp;placer l’image…</translation>
     </message>
@@ -3007,6 +3005,10 @@
     <message>
         <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
         <translation>Bouger cette forme comme un autre projet bouge la sienne : épingles de même nom, longueurs en proportion des tailles des deux formes</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>Un glissement qui suit un autre des mêmes épingles à la fin du film les mène une seconde plus loin ; désactivé : il corrige ce mouvement, qui devient droit</translation>
     </message>
 </context>
 <context>
@@ -6708,10 +6710,12 @@
         <translation>Aucune pose n’a été fixée là où une épingle commence, tourne ou ne tient pas : affichez un autre instant.</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
         <source>Hold %1</source>
         <translation>Tenir %1</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2990,8 +2990,6 @@
         <translation>経路を残す(&amp;W)</translation>
     </message>
     <message>
-        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
-        <translation>フィルムの終わりで同じピンを続けてドラッグすると、1 秒先へ動かします。オフのときは直前の動きを直線に直します</translation>
         <source>Re&amp;place Picture…</source>
         <translation>画像を置き換え(&amp;P)…</translation>
     </message>
@@ -3006,6 +3004,10 @@
     <message>
         <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
         <translation>他のプロジェクトと同じようにこの形を動かします。同名のピンを使い、長さは両方の形の大きさの比に合わせます</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>フィルムの最後で同じピンを続けてドラッグすると、さらに1秒先へ動かします。オフ: 前の動きを直し、まっすぐにします</translation>
     </message>
 </context>
 <context>
@@ -6694,10 +6696,12 @@
         <translation>ピンの始まり、回転中、固定していない時刻にはポーズを設定できません。別の時刻を表示してください。</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation>直前の動きはそこまでの直線になりました。「モーション ▸ 経路を残す」では、さらに先へ動かします。</translation>
         <source>Hold %1</source>
         <translation>%1 を固定</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

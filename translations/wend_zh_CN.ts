@@ -2990,8 +2990,6 @@
         <translation>保留路径(&amp;W)</translation>
     </message>
     <message>
-        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
-        <translation>在影片结尾再次拖动同样的图钉会再延长一秒；关闭时则更正上一次移动，使其变为直线</translation>
         <source>Re&amp;place Picture…</source>
         <translation>替换图片(&amp;P)…</translation>
     </message>
@@ -3006,6 +3004,10 @@
     <message>
         <source>Move this shape as another project moves its own: pins of the same name, with lengths in proportion to the sizes of both shapes</source>
         <translation>让此形状像另一项目那样运动：按同名图钉，长度按两个形状的大小成比例</translation>
+    </message>
+    <message>
+        <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
+        <translation>在影片末尾再次拖动相同的图钉会让它们继续移动一秒；关闭时：修正上一次移动，使其变为直线</translation>
     </message>
 </context>
 <context>
@@ -6694,10 +6696,12 @@
         <translation>在图钉开始、旋转或不固定之处没有设定姿势：请显示别的时间。</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation>上一次移动现在直达那里。“运动 ▸ 保留路径”则会继续带动图钉。</translation>
         <source>Hold %1</source>
         <translation>固定 %1</translation>
+    </message>
+    <message>
+        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
