@@ -14,7 +14,9 @@
 #include "app/document/design.h"
 #include "app/document/edits/film_edits.h"
 #include "app/document/edits/key_edits.h"
+#include "app/document/file/project_writer.h"
 #include "app/panels/film_panel.h"
+#include "app/session/opening.h"
 #include "app/session/pins/key_poses.h"
 #include "app/view/film/sound_track.h"
 #include "app/view/film/time_ruler.h"
@@ -43,6 +45,7 @@ class TestTracks : public QObject {
     void lockedKeysStay();
     void menuOfABarSimplifies();
     void dragAtTheEndIsCorrected();
+    void filmIsMadeOfPoses();
     void cycleIsMarked();
     void markersNameTimes();
     void framesAreCounted();
@@ -361,6 +364,50 @@ void TestTracks::dragAtTheEndIsCorrected() {
     session().document().change(QStringLiteral("Other"), copyOf(project()));  // in between
     dragPin({20, 0});
     QCOMPARE(endOf(project()), 7.0);
+}
+
+/// Poses at three times, one between, another time for it, copies on the other side, a cycle, a file, and
+/// back.
+void TestTracks::filmIsMadeOfPoses() {
+    const int steps = undo().count();
+    const std::string first = toJson(project());
+    const auto pose = [&](double time, const QPoint& by) {
+        show(time);
+        QWidget& canvas = m_window->window().canvas();
+        drag(canvas, m_window->window().canvas().toWidget(session().pins()[2].centre).toPoint(), by);
+    };
+    pose(1, {0, 30});
+    pose(3, {0, -40});
+    pose(3.5, {0, 10});
+    QCOMPARE(keys(2), (std::vector<double>{0, 1, 3, 3.5}));
+    const Vec<2> before = placeAt(2, 1), after = placeAt(2, 3);
+    pose(2, {30, 0});
+    QCOMPARE(keys(2), (std::vector<double>{0, 1, 2, 3, 3.5}));
+    QVERIFY((placeAt(2, 1) - before).norm() < 1e-9 && (placeAt(2, 3) - after).norm() < 1e-9);
+    const Vec<2> between = placeAt(2, 2);
+    drag(*tracks().viewport(), spot(2, 2), {int(0.4 * tracks().scale().pixelsOf(1)), 0});
+    const double moved = keys(2)[2];
+    QVERIFY(std::abs(moved - 2.4) <= 2 * pixel() && (placeAt(2, moved) - between).norm() < 1e-9);
+    tracks().setFocus();
+    click(2, moved);
+    QTest::keyClick(&tracks(), Qt::Key_C, Qt::ControlModifier);
+    show(4);
+    QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);  // it is in the middle
+    QVERIFY((placeAt(2, 4) - Vec<2>(-between.x(), between.y())).norm() < 1e-9);
+    QTest::keyClick(&tracks(), Qt::Key_O);
+    QVERIFY(settle(session()) && marks().cycle);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("film.wend"));
+    session().document().save(path);
+    const std::string last = toJson(project());
+    const auto again = wend::openFile(path).project;
+    QCOMPARE(toJson(*again).substr(toJson(*again).find("\"handles\"")),
+             last.substr(last.find("\"handles\"")));
+    QCOMPARE(undo().count(), steps + 7);
+    undo().setIndex(steps);
+    QCOMPARE(toJson(project()), first);
+    undo().setIndex(steps + 7);
+    QCOMPARE(toJson(project()), last);
 }
 
 void TestTracks::cycleIsMarked() {
