@@ -6715,7 +6715,7 @@
     </message>
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Bewegung führt jetzt gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
     </message>
 </context>
 <context>

@@ -6715,7 +6715,7 @@
     </message>
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá en su lugar.</translation>
     </message>
 </context>
 <context>

@@ -6701,7 +6701,7 @@
     </message>
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>最後の動きはまっすぐそこへ向かいます。モーション ▸ 経路を残す を使うと、ピンはその先へ動きます。</translation>
     </message>
 </context>
 <context>

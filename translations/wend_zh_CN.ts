@@ -6701,7 +6701,7 @@
     </message>
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>上一次移动现在直接到达那里。运动 ▸ 保留路径 则让图钉继续移动。</translation>
     </message>
 </context>
 <context>
