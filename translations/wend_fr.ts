@@ -6715,7 +6715,7 @@
     </message>
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
-        <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le chemin mène plutôt les épingles plus loin.</translation>
+        <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
     </message>
 </context>
 <context>
