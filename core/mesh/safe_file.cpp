@@ -14,6 +14,7 @@
 
 #include "core/mesh/checked_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/stream_output.h"
 #include "core/system/memory.h"
@@ -116,7 +117,8 @@ void PendingFile::makeTemporary(const PendingFile* neighbour) {
     } catch (const InputError& error) {
         fail(InputError(m_path, "cannot be written: " + error.reason()));
     }
-    m_temporary = m_folder->newName(fs::path(m_target).extension().string());
+    const std::string extension = fs::path(m_target).extension().string();
+    m_temporary = m_folder->newName(extension.empty() ? lowerExtension(m_target) : extension);
 }
 
 PendingFile::~PendingFile() {

@@ -66,6 +66,9 @@ std::vector<std::string> writtenAlong(const std::string& path) {
     std::vector<std::string> files{path};
     for (const std::string& other : partnersOf(path))
         files.push_back(fs::path(path).replace_extension(other).string());
+    // The stub of an OpenFOAM case stands for the files beside it, of which the points can be written.
+    if (fs::path(path).extension() == ".foam")
+        files.push_back((fs::path(path).parent_path() / "constant" / "polyMesh" / "points").string());
     return files;
 }
 

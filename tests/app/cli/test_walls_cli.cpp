@@ -26,6 +26,7 @@ class TestWallsCli : public QObject {
     void cellsByName();
     void badInput_data();
     void badInput();
+    void openFoamCase();
     void otherPlanes_data();
     void otherPlanes();
 
@@ -244,6 +245,41 @@ void TestWallsCli::badInput() {
     const CliResult result = run({"run", "bad.wend", "--mesh", "o.mesh"});
     QCOMPARE(result.code, 3);
     QVERIFY2(result.error.contains(message), qPrintable(result.error));
+}
+
+/// A case of one hexahedron: its points come out alone, and never in the place of those that are read.
+void TestWallsCli::openFoamCase() {
+    const QString mesh = path() + "/case/constant/polyMesh/", copy = path() + "/bent/constant/polyMesh/";
+    for (const QString& folder : {mesh, copy}) QVERIFY(QDir().mkpath(folder));
+    const std::string head = "FoamFile { version 2.0; format ascii; class x; object y; }\n";
+    const std::string points =
+        head + "8\n(\n(0 0 0)\n(1 0 0)\n(1 1 0)\n(0 1 0)\n(0 0 1)\n(1 0 1)\n(1 1 1)\n(0 1 1)\n)\n";
+    put(mesh, "points", points);
+    put(mesh, "faces",
+        head + "6\n(\n4(0 3 2 1)\n4(4 5 6 7)\n4(0 1 5 4)\n4(1 2 6 5)\n4(2 3 7 6)\n4(3 0 4 7)\n)\n");
+    put(mesh, "owner", head + "6\n(\n0\n0\n0\n0\n0\n0\n)\n");
+    put(mesh, "neighbour", head + "0\n(\n)\n");
+    put(mesh, "boundary",
+        head +
+            "2\n(\n floor { type wall; nFaces 1; startFace 0; }\n lid { type wall; nFaces 1; startFace 1; "
+            "}\n)\n");
+    put(path() + "/case", "case.foam", "");
+    putProject(
+        path(), "case.wend",
+        "'domain': {'mesh': 'case/case.foam'}, 'handles': [{'at': {'group': 'floor'}}, {'at': {'group': "
+        "'lid'}, 'motion': [{'kind': 'translate', 'by': [0.25, 0, 0], 'time': [0, 1]}]}]");
+    succeed({"run", "case.wend", "--mesh", "bent/constant/polyMesh/points"});
+    QFile written(copy + "points");
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QString expected = QString::fromStdString(points);
+    for (const auto& [from, to] : {std::pair{"(0 0 1)", "(0.25 0 1)"}, std::pair{"(1 0 1)", "(1.25 0 1)"},
+                                   std::pair{"(1 1 1)", "(1.25 1 1)"}, std::pair{"(0 1 1)", "(0.25 1 1)"}})
+        expected.replace(from, to);
+    QCOMPARE(QString::fromUtf8(written.readAll()), expected);
+    for (const char* taken : {"case/constant/polyMesh/points", "case/case.foam"})
+        QVERIFY(run({"run", "case.wend", "--mesh", taken}).code != 0);
+    const CliResult other = run({"convert", "case/case.foam", "out.foam"});
+    QVERIFY2(other.code != 0, qPrintable(other.error));
 }
 
 void TestWallsCli::otherPlanes_data() {
