@@ -335,10 +335,6 @@
         <translation>ein PDF-Dokument</translation>
     </message>
     <message>
-        <source>an SVG drawing</source>
-        <translation>eine SVG-Zeichnung</translation>
-    </message>
-    <message>
         <source>a film</source>
         <translation>ein Film</translation>
     </message>

@@ -335,10 +335,6 @@
         <translation>un documento PDF</translation>
     </message>
     <message>
-        <source>an SVG drawing</source>
-        <translation>un dibujo SVG</translation>
-    </message>
-    <message>
         <source>a film</source>
         <translation>una película</translation>
     </message>

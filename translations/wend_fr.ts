@@ -335,10 +335,6 @@
         <translation>un document PDF</translation>
     </message>
     <message>
-        <source>an SVG drawing</source>
-        <translation>un dessin SVG</translation>
-    </message>
-    <message>
         <source>a film</source>
         <translation>un film</translation>
     </message>

@@ -335,10 +335,6 @@
         <translation>PDF 文書</translation>
     </message>
     <message>
-        <source>an SVG drawing</source>
-        <translation>SVG 図形</translation>
-    </message>
-    <message>
         <source>a film</source>
         <translation>動画</translation>
     </message>

@@ -335,10 +335,6 @@
         <translation>PDF 文档</translation>
     </message>
     <message>
-        <source>an SVG drawing</source>
-        <translation>SVG 图形</translation>
-    </message>
-    <message>
         <source>a film</source>
         <translation>影片</translation>
     </message>

@@ -99,7 +99,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "a JPEG XL picture"),
     QT_TRANSLATE_NOOP("Core", "a GIMP picture (XCF)"),
     QT_TRANSLATE_NOOP("Core", "a PDF document"),
-    QT_TRANSLATE_NOOP("Core", "an SVG drawing"),
     QT_TRANSLATE_NOOP("Core", "a film"),
     QT_TRANSLATE_NOOP("Core", "a ZIP archive"),
     QT_TRANSLATE_NOOP("Core", "a list of points without a surface"),
