@@ -49,8 +49,14 @@ const MeshField* wantedField(const MeshFile& file, const std::string& name, cons
     throw InputError("has no values " + name + " per cell" + (known.empty() ? "" : "; it has " + known));
 }
 
-/// Returns a matrix of the plane within the 6 or 9 numbers that programs write of it in space.
+/// Returns a matrix of the plane within the 6 or 9 numbers that programs write of it in space. Throws
+/// InputError for one that leaves the plane.
 std::vector<double> inPlane(const std::vector<double>& numbers) {
+    const std::vector<std::size_t> across = numbers.size() == 9   ? std::vector<std::size_t>{2, 5, 6, 7}
+                                            : numbers.size() == 6 ? std::vector<std::size_t>{2, 4}
+                                                                  : std::vector<std::size_t>{};
+    if (std::ranges::any_of(across, [&](std::size_t k) { return numbers[k] != 0; }))
+        throw InputError("field B: has matrices that leave the plane");
     if (numbers.size() == 9) return {numbers[0], numbers[1], numbers[3], numbers[4]};
     if (numbers.size() == 6) return {numbers[0], numbers[1], numbers[3]};
     return numbers;

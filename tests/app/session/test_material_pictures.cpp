@@ -278,6 +278,10 @@ void TestMaterialPictures::cellsComeFromMeshFiles() {
         QCOMPARE(spec.cellB[5](2, 2), 6.0);
         QCOMPARE(spec.cellB[5](0, 1), 0.5);
         MaterialSpec<2> flat;
+        readCells<2>(path, flat);
+        QVERIFY(flat.cellB[5].isApprox(spec.cellB[5].topLeftCorner<2, 2>(), 0));
+        B.values[7] = 0.5;  // leaves the plane
+        writeSolid(path, bar, {phi, B});
         QVERIFY_THROWS_EXCEPTION(InputError, readCells<2>(path, flat));
         writeSolid(path, bar);
         QVERIFY_THROWS_EXCEPTION(InputError, readCells<3>(path, spec));
