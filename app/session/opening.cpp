@@ -109,9 +109,11 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     Domain& domain = domainOf(*project);
     domain.kind = DomainKind::Image;
     domain.path = path.toStdString();
+    domain.size = {picture->width, picture->height};
     domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
     if (!parts.empty()) {
         domain.path.clear();
+        domain.size = {};
         domain.parts = std::move(parts);
         domain.outline = OutlineKind::Alpha;
     }

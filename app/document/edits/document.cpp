@@ -80,8 +80,6 @@ void Document::save(const QString& path) {
     emit viewWanted();
     Project project = *m_project;
     project.view.camera = m_camera;
-    if (m_picture && project.domain.kind == DomainKind::Image && project.domain.parts.empty())
-        project.domain.size = {m_picture->width, m_picture->height};
     writeProject(absolute.toStdString(), project);
     m_cameraInFile = m_camera;
     m_path = absolute;

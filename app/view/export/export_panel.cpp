@@ -34,9 +34,13 @@ ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Action
     addKind(ExportKind::Film, tr("Film"), actions.exportFilm);
     addKind(ExportKind::Frames, tr("Sequence"), actions.exportFrames);
     // In one row they would be wider than the panel in some languages.
+    auto* kinds = new QVBoxLayout;
     auto *still = new QHBoxLayout, *moving = new QHBoxLayout;
-    still->setSpacing(0);
-    moving->setSpacing(0);
+    for (QBoxLayout* one :
+         {static_cast<QBoxLayout*>(kinds), static_cast<QBoxLayout*>(still), static_cast<QBoxLayout*>(moving)})
+        one->setSpacing(0);
+    kinds->addLayout(still);
+    kinds->addLayout(moving);
     for (QAbstractButton* button : m_kinds->buttons())
         (isMotion(static_cast<ExportKind>(m_kinds->id(button))) ? moving : still)->addWidget(button);
     m_write->setProperty("role", "primary");
@@ -45,8 +49,7 @@ ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Action
     column->setContentsMargins(16, 12, 16, 12);
     column->setSpacing(8);
     column->addWidget(panelTitle(tr("Export"), this));
-    column->addLayout(still);
-    column->addLayout(moving);
+    column->addLayout(kinds);
     column->addWidget(m_form, 1);
     column->addWidget(m_write);
     column->addWidget(m_view);

@@ -149,6 +149,8 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
             if (factor == 0) told = tr("The picture has other proportions now. %1").arg(sizes);
             if (factor != 0 && factor != 1) told = tr("Pins and paths are scaled with it. %1").arg(sizes);
             if (factor != 0) scalePixels(fitted, factor);
+            if (fitted.domain.size[0] > 0)  // old projects stay without it
+                fitted.domain.size = {reading.picture->width, reading.picture->height};
         }
         m_document.keepPicture(fitted.domain.path, fitted.domain.readings, reading.picture);
         m_document.change(name, std::move(fitted));

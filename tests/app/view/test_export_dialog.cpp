@@ -161,10 +161,10 @@ void TestExportDialog::optionsComeFromTheTable() {
 /// What `wend run` can be told about outputs, a dialog can be told.
 void TestExportDialog::everyOptionOfARunIsThere() {
     // The project's own settings, what only a command line needs, and what only solids have.
-    const QStringList others{"--phi",      "--method",  "--tolerance", "--steps",   "--at",       "--partial",
-                             "--memory",   "--settle",  "--backend",   "--threads", "--progress", "--quiet",
-                             "--velocity", "--report",  "--border",    "--shard",   "--solver",   "--strict",
-                             "--points",   "--inverse", "--width"};
+    const QStringList others{"--phi",      "--method", "--tolerance", "--steps",   "--at",       "--partial",
+                             "--memory",   "--settle", "--backend",   "--threads", "--progress", "--quiet",
+                             "--velocity", "--report", "--border",    "--shard",   "--solver",   "--strict",
+                             "--shells",   "--points", "--inverse",   "--width"};
     open(writeCutOut(*m_folder));
     bend(0, 10);
     QStringList asked;

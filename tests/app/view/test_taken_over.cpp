@@ -9,6 +9,7 @@
 #include "app/document/domain.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/document/file/project_writer.h"
+#include "app/document/file/text_file.h"
 #include "app/document/project.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/group_list.h"
@@ -38,6 +39,7 @@ class TestTakenOver : public QObject {
     void aLargerPictureTakesThePinsAlong();
     void otherProportionsAreRefused();
     void aPictureOfAnotherSizeIsFittedWhenOpened();
+    void oldProjectsStayAsTheyAre();
     void motionOfAnotherProject();
     void exportChoicesBelongToTheDocument();
     void groupsBecomePins();
@@ -158,6 +160,21 @@ void TestTakenOver::aPictureOfAnotherSizeIsFittedWhenOpened() {
     QVERIFY(open(project));
     QCOMPARE(std::get<std::vector<Vec<2>>>(document().design<2>().handles[0].at)[0], Vec<2>(120, 160));
     QVERIFY(told("480 × 320"));
+}
+
+/// Of older projects nothing is written that they did not hold.
+void TestTakenOver::oldProjectsStayAsTheyAre() {
+    const QString path = writeCutOut(*m_folder), project = m_folder->filePath("bar.wend");
+    QVERIFY(open(path));
+    addPin(document(), {60, 80}, "left");
+    Project old = *document().project();
+    old.domain.size = {};
+    writeProject(project.toStdString(), old);
+    const std::string before = readTextFile(project.toStdString());
+    document().close();
+    QVERIFY(open(project));
+    document().save(project);
+    QCOMPARE(readTextFile(project.toStdString()), before);
 }
 
 void TestTakenOver::motionOfAnotherProject() {
