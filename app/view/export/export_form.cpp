@@ -24,7 +24,7 @@ namespace wend {
 namespace {
 
 constexpr int kFilmRole = Qt::UserRole + 1;  // of a format's entry: whether it is a film
-constexpr int kLow = 168;                    // of a preview above its fields, where room is scarce
+constexpr int kLow = 140;                    // of a preview above its fields, where room is scarce
 
 }  // namespace
 
