@@ -116,7 +116,7 @@ Stiffness<Dim> readStiffness(const JsonValue& value) {
     JsonObject object(value);
     Stiffness<Dim> stiffness;
     const JsonValue axis = object.require("axis");
-    if (auto wall = readWall(axis))
+    if (auto wall = readWall(axis, Dim))
         stiffness.axis = Vec<Dim>::UnitX(), stiffness.wall = *wall;
     else
         stiffness.axis = readDirection<Dim>(axis);

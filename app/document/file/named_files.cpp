@@ -53,7 +53,7 @@ const MeshField* wantedField(const MeshFile& file, const std::string& name, cons
 /// InputError for one that leaves the plane.
 std::vector<double> inPlane(const std::vector<double>& numbers) {
     const std::vector<std::size_t> across = numbers.size() == 9   ? std::vector<std::size_t>{2, 5, 6, 7}
-                                            : numbers.size() == 6 ? std::vector<std::size_t>{2, 4}
+                                            : numbers.size() == 6 ? std::vector<std::size_t>{4, 5}
                                                                   : std::vector<std::size_t>{};
     if (std::ranges::any_of(across, [&](std::size_t k) { return numbers[k] != 0; }))
         throw InputError("field B: has matrices that leave the plane");

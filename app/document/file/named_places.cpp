@@ -204,11 +204,19 @@ void findPlaces(Project& project, const std::string& folder) {
 
 }  // namespace
 
-std::optional<std::string> readWall(const JsonValue& value) {
+namespace {
+
+[[noreturn]] void failAsDirection(const JsonValue& value, int dimension) {
+    value.fail("must be a direction, such as " + std::string(dimension == 2 ? "[0, 1]" : "[0, 0, 1]") +
+               ", or \"normal of GROUP\"");
+}
+
+}  // namespace
+
+std::optional<std::string> readWall(const JsonValue& value, int dimension) {
     if (!value.json().is_string()) return std::nullopt;
     const std::string name = value.text();
-    if (!name.starts_with(kNormalOf) || name.size() == kNormalOf.size())
-        value.fail("must be a direction, such as [0, 1], or \"normal of GROUP\"");
+    if (!name.starts_with(kNormalOf) || name.size() == kNormalOf.size()) failAsDirection(value, dimension);
     return name.substr(kNormalOf.size());
 }
 
@@ -218,13 +226,11 @@ std::string wallText(const std::string& group) {
 
 template <int Dim>
 Vec<Dim> readNamedDirection(const JsonValue& value) {
-    if (const auto group = readWall(value)) {
+    if (const auto group = readWall(value, Dim)) {
         value.keepName({{"name", wallText(*group)}});
         return Vec<Dim>::Zero();
     }
-    if (!value.json().is_array())
-        value.fail("must be a direction, such as " + std::string(Dim == 2 ? "[0, 1]" : "[0, 0, 1]") +
-                   ", or \"normal of GROUP\"");
+    if (!value.json().is_array()) failAsDirection(value, Dim);
     const Vec<Dim> direction = value.point<Dim>();
     if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
     return direction;

@@ -21,8 +21,9 @@ namespace wend {
 template <int Dim>
 Vec<Dim> readNamedDirection(const JsonValue& value);
 
-/// Returns the group that a direction "normal of GROUP" names; nothing if it is no text.
-std::optional<std::string> readWall(const JsonValue& value);
+/// Returns the group that a direction "normal of GROUP" names; nothing if it is no text. Other texts fail,
+/// with an example of that dimension.
+std::optional<std::string> readWall(const JsonValue& value, int dimension);
 /// Returns "normal of GROUP".
 std::string wallText(const std::string& group);
 
