@@ -44,7 +44,7 @@ GroupList::GroupList(ShapeSession& session, QWidget* parent)
     describe(
         m_hold, tr("Hold the group"),
         tr("Makes a pin of the chosen group, which the project names, so that it fits other meshes, too."));
-    m_content->hide();
+    hide();
     connect(&session.document(), &Document::opened, this, &GroupList::read);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         m_hold->setEnabled(m_list->currentRow() >= 0);
@@ -82,7 +82,7 @@ void GroupList::take(const std::vector<HeldGroup>& groups) {
         m_list->addItem(item);
     }
     m_hold->setEnabled(false);
-    m_content->setVisible(!groups.empty());
+    setVisible(!groups.empty());
     tell();
 }
 
