@@ -14,7 +14,7 @@ namespace wend {
 
 class Document;
 
-/// What a ruler shows of a project.
+/// The times of a project that the ruler of the tracks shows.
 struct FilmMarks {
     struct Marker {
         double at = 0;

@@ -25,14 +25,14 @@ std::vector<double> keyTimes(const AnyDesign& design, int handle);
 /// Returns the possible shift in time nearest to the wanted one: every key stays between those of its handle
 /// that do not move along, and within the time that the handle holds.
 double fittedShift(const AnyDesign& design, const std::vector<KeyId>& keys, double wanted);
-/// Moves keys in time, as far as possible. Motions on either side become longer or shorter, and so does the
-/// film where a key goes beyond its end.
+/// Moves keys in time, as far as possible. Motions on either side become longer or shorter. If a key is moved
+/// beyond the end of the film, the film becomes longer.
 std::shared_ptr<const Project> withKeysMoved(const Project& project, const std::vector<KeyId>& keys,
                                              double by);
 
-/// Removes key poses: the handle goes straight from the one before to the one after. Without one after, it
-/// stays where it was before; without one before, it starts at the beginning of its time, where it is at
-/// rest.
+/// Removes key poses. The handle then moves in a straight line from the previous key to the next one. If
+/// there is no next key, it stays at the previous one; if there is no previous key, it starts from its rest
+/// place.
 AnyDesign withoutKeys(const AnyDesign& design, std::vector<KeyId> keys);
 
 /// Holds the handle from each key to the next one, and leads it from there to the one after that.

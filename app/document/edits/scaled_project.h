@@ -7,8 +7,7 @@
 
 namespace wend {
 
-/// Multiplies everything that a project of a picture gives in pixels by `factor`: pins, paths, regions,
-/// outlines and lengths.
+/// Scales all coordinates and lengths of a picture's project by `factor`: pins, paths, regions and outlines.
 void scalePixels(Project& project, double factor);
 
 /// Returns the factor from a picture's size to another one of the same proportions, up to a pixel; 0 if the

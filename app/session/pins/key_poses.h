@@ -11,8 +11,8 @@ class ShapeSession;
 
 /// Returns copies of key poses of the shown shape.
 std::vector<CopiedKey> copyKeys(const ShapeSession& session, const std::vector<KeyId>& keys);
-/// Returns mirrored copies: the pose of each pin goes to the pin at its mirror image, or to itself if there
-/// is none; see mirrorOf().
+/// Returns mirrored copies. Each pose is given to the pin at the mirror image of its pin, or to the same pin
+/// if there is no such pin; see mirrorOf().
 std::vector<CopiedKey> mirroredKeys(const ShapeSession& session, std::vector<CopiedKey> copies);
 /// Returns copies for other pins: those of a single pin for the selected ones, if these are others.
 std::vector<CopiedKey> forSelected(const ShapeSession& session, const std::vector<CopiedKey>& copies);

@@ -8,8 +8,8 @@
 namespace wend {
 namespace {
 
-/// Returns the closed outlines of triangles with the same orientation. At a vertex where several outlines
-/// meet, any of them goes on.
+/// Returns the closed outlines of triangles with the same orientation. The choice is arbitrary at a vertex
+/// that several outlines share.
 std::vector<std::vector<int>> outlinesOf(const std::vector<Cell<2>>& triangles) {
     std::set<std::pair<int, int>> edges;
     for (const Cell<2>& t : triangles)

@@ -2,12 +2,12 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 
 #include "app/document/edits/document.h"
 #include "app/document/in_background.h"
 #include "app/document/said.h"
 #include "app/session/applied_motion.h"
+#include "app/session/preferences.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -35,12 +35,10 @@ MotionChooser::MotionChooser(Document& document, QWidget& window)
     : QObject(&window), m_document(document), m_window(window) {}
 
 void MotionChooser::ask() {
-    QSettings settings;
-    const QString path =
-        QFileDialog::getOpenFileName(&m_window, tr("Apply Motion of Another Project"),
-                                     settings.value("folder").toString(), tr("Projects (*.wend)"));
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Apply Motion of Another Project"),
+                                                      preferences::folder.value(), tr("Projects (*.wend)"));
     if (path.isEmpty()) return;
-    settings.setValue("folder", QFileInfo(path).absolutePath());
+    preferences::folder.set(QFileInfo(path).absolutePath());
     apply(QFileInfo(path).absoluteFilePath());
 }
 

@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 
 #include "app/document/domain.h"
 #include "app/document/edits/document.h"
@@ -12,6 +11,7 @@
 #include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
+#include "app/session/preferences.h"
 #include "app/session/shape/flat_shape.h"
 #include "app/view/files/project_watch.h"
 #include "core/mesh/error.h"
@@ -104,12 +104,11 @@ void PictureKeeper::reload() {
 }
 
 void PictureKeeper::askReplace() {
-    QSettings settings;
     const QString path =
-        QFileDialog::getOpenFileName(&m_window, tr("Replace Picture"), settings.value("folder").toString(),
+        QFileDialog::getOpenFileName(&m_window, tr("Replace Picture"), preferences::folder.value(),
                                      tr("Pictures (%1)").arg(pictureExtensions()));
     if (path.isEmpty()) return;
-    settings.setValue("folder", QFileInfo(path).absolutePath());
+    preferences::folder.set(QFileInfo(path).absolutePath());
     replace(QFileInfo(path).absoluteFilePath());
 }
 

@@ -2,13 +2,13 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QSettings>
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 
 #include "app/document/edits/film_edits.h"
+#include "app/session/preferences.h"
 #include "core/mesh/fed_process.h"
 
 namespace wend {
@@ -18,7 +18,6 @@ namespace {
 constexpr int kLoudnessRate = 8000;  // samples per second of the loudness
 constexpr int kPeriodSamples = static_cast<int>(kLoudnessRate * SoundTrack::kPeriod);
 constexpr double kMostDrift = 0.25;  // seconds between sound and picture
-const auto kHeardSetting = QStringLiteral("ruler/sound");
 
 /// The file as ffmpeg's protocol for files, which nothing in a name can be mistaken for.
 QString fileWord(const QString& path) {
@@ -40,7 +39,7 @@ void endProcess(QProcess& process) {
 }  // namespace
 
 SoundTrack::SoundTrack(ShapeSession& session, QObject* parent)
-    : QObject(parent), m_session(session), m_heard(QSettings().value(kHeardSetting, true).toBool()) {
+    : QObject(parent), m_session(session), m_heard(preferences::soundHeard.value()) {
     m_decoder.setStandardInputFile(QProcess::nullDevice());
     m_player.setStandardInputFile(QProcess::nullDevice());
     m_player.setStandardOutputFile(QProcess::nullDevice());
@@ -62,7 +61,7 @@ SoundTrack::~SoundTrack() {
 
 void SoundTrack::setHeard(bool heard) {
     m_heard = heard;
-    QSettings().setValue(kHeardSetting, heard);
+    preferences::soundHeard.set(heard);
     heard&& m_session.playback().isPlaying() ? play() : stop();
 }
 

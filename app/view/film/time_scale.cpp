@@ -1,10 +1,10 @@
 #include "app/view/film/time_scale.h"
 
 #include <QLocale>
-#include <QSettings>
 #include <cmath>
 
 #include "app/document/edits/film_edits.h"
+#include "app/session/preferences.h"
 
 namespace wend {
 
@@ -12,14 +12,11 @@ namespace {
 
 constexpr double kSnapReach = 6;     // pixels, of what snaps
 constexpr double kArrowStep = 0.04;  // seconds, of an arrow key
-const auto kFramesSetting = QStringLiteral("ruler/frames");
 
 }  // namespace
 
 TimeScale::TimeScale(ShapeSession& session, QObject* parent)
-    : QObject(parent),
-      m_session(session),
-      m_countsFrames(QSettings().value(kFramesSetting, false).toBool()) {}
+    : QObject(parent), m_session(session), m_countsFrames(preferences::rulerInFrames.value()) {}
 
 void TimeScale::setWay(const QRect& way) {
     m_way = way;
@@ -44,7 +41,7 @@ double TimeScale::rate() const {
 
 void TimeScale::setCountsFrames(bool counts) {
     m_countsFrames = counts;
-    QSettings().setValue(kFramesSetting, counts);
+    preferences::rulerInFrames.set(counts);
     emit changed();
 }
 

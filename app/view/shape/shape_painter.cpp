@@ -193,7 +193,7 @@ void ShapePainter<Dim>::groups(const std::vector<GroupMark>& groups) {
     }
 }
 
-/// Of very many points only some are drawn.
+/// Draws the points, or an even selection if there are very many.
 template <int Dim>
 void ShapePainter<Dim>::dots(const Points<Dim>& points) {
     constexpr Eigen::Index kMost = 20000;
