@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/mesh/error.h"
+#include "warp/blend_mode.h"
 #include "warp/byte_numbers.h"
 #include "warp/krita_layer.h"
 #include "warp/zip_archive.h"
@@ -92,7 +93,7 @@ LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
 }
 
 bool isPlainBlend(const std::string& mode) {
-    return mode.empty() || mode == "normal" || mode == "src-over" || mode == "pass-through";
+    return mode == "pass-through" || blendNamed(mode) == BlendMode::Normal;
 }
 
 std::string readLayerPicture(const std::string& path, PictureFormat format, const std::string& name) try {

@@ -29,7 +29,7 @@ std::size_t layerNamed(const std::vector<PictureLayer>& layers, const std::strin
 /// InputError(path, reason).
 std::string readLayerPicture(const std::string& path, PictureFormat format, const std::string& name);
 
-/// Returns whether layers of that mode cover those below: its own words in OpenRaster, Krita and Photoshop.
+/// Returns whether a group of that mode shows its layers as they are.
 bool isPlainBlend(const std::string& mode);
 
 }  // namespace wend
