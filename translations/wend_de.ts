@@ -2983,7 +2983,7 @@
         <translation>Ctrl+J</translation>
     </message>
     <message>
-        <source>Keep the &amp;Way</source>
+        <source>Keep the Pa&amp;th</source>
         <translation>&amp;Weg behalten</translation>
     </message>
     <message>
@@ -6710,7 +6710,7 @@
         <translation>%1 festhalten</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>Die letzte Bewegung führt jetzt gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
     </message>
 </context>

@@ -2983,7 +2983,7 @@
         <translation>Ctrl+J</translation>
     </message>
     <message>
-        <source>Keep the &amp;Way</source>
+        <source>Keep the Pa&amp;th</source>
         <translation>Conservar el &amp;camino</translation>
     </message>
     <message>
@@ -6710,7 +6710,7 @@
         <translation>Sujetar %1</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá en su lugar.</translation>
     </message>
 </context>

@@ -2983,7 +2983,7 @@
         <translation>Ctrl+J</translation>
     </message>
     <message>
-        <source>Keep the &amp;Way</source>
+        <source>Keep the Pa&amp;th</source>
         <translation>&amp;Garder le trajet</translation>
     </message>
     <message>
@@ -6710,7 +6710,7 @@
         <translation>Tenir %1</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
     </message>
 </context>

@@ -2982,7 +2982,7 @@
         <translation>Ctrl+J</translation>
     </message>
     <message>
-        <source>Keep the &amp;Way</source>
+        <source>Keep the Pa&amp;th</source>
         <translation>経路を残す(&amp;W)</translation>
     </message>
     <message>
@@ -6696,7 +6696,7 @@
         <translation>%1 を固定</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>最後の動きはまっすぐそこへ向かいます。モーション ▸ 経路を残す を使うと、ピンはその先へ動きます。</translation>
     </message>
 </context>

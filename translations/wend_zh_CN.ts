@@ -2982,7 +2982,7 @@
         <translation>Ctrl+J</translation>
     </message>
     <message>
-        <source>Keep the &amp;Way</source>
+        <source>Keep the Pa&amp;th</source>
         <translation>保留路径(&amp;W)</translation>
     </message>
     <message>
@@ -6696,7 +6696,7 @@
         <translation>固定 %1</translation>
     </message>
     <message>
-        <source>The last move goes straight there now. Motion ▸ Keep the Way leads pins on instead.</source>
+        <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>上一次移动现在直接到达那里。运动 ▸ 保留路径 则让图钉继续移动。</translation>
     </message>
 </context>

@@ -339,7 +339,7 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
             m_document.change(step, *next);
             m_added.second = m_document.project();
             emit notice(
-                ShapeSession::tr("The last move goes straight there now. Motion ▸ Keep the Way leads "
+                ShapeSession::tr("The last move goes straight there now. Motion ▸ Keep the Path leads "
                                  "pins on instead."));
             return true;
         }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "app/document/edits/motion_way.h"
+#include "app/document/edits/offset_path.h"
 #include "app/document/edits/pose_edits.h"
 #include "app/document/project.h"
 #include "core/motion/constraints.h"
@@ -99,9 +99,9 @@ void removeKey(Handle<Dim>& handle, double time) {
     auto& motions = handle.motions;
     const Sides<Dim> sides(motions, time);
     if (sides.before != motions.end() && sides.after != motions.end()) {
-        const auto way = offsetOf<Dim>(*sides.before), on = offsetOf<Dim>(*sides.after);
-        if (!way || !on) return;
-        sides.before->kind = Translate<Dim>{*way + *on};
+        const auto offset = offsetOf<Dim>(*sides.before), on = offsetOf<Dim>(*sides.after);
+        if (!offset || !on) return;
+        sides.before->kind = Translate<Dim>{*offset + *on};
         sides.before->ease = easeWith(startsSlowly(sides.before->ease), endsSlowly(sides.after->ease));
         sides.before->end = sides.after->end;
         motions.erase(sides.after);
@@ -121,14 +121,14 @@ void holdKey(Handle<Dim>& handle, double time) {
     auto& motions = handle.motions;
     const auto held = Sides<Dim>(motions, time).after;
     if (held == motions.end()) return;
-    const auto way = offsetOf<Dim>(*held);
+    const auto offset = offsetOf<Dim>(*held);
     const auto next = held + 1;
-    if (!way) return;
+    if (!offset) return;
     if (next == motions.end()) {
         motions.erase(held);
     } else if (next->start > held->end) {
-        *held = {Translate<Dim>{*way}, held->end, next->start};
-    } else if (const auto on = led<Dim>(*next, -*way, 1, 0, Vec<Dim>::Zero())) {
+        *held = {Translate<Dim>{*offset}, held->end, next->start};
+    } else if (const auto on = led<Dim>(*next, -*offset, 1, 0, Vec<Dim>::Zero())) {
         *next = *on;
         motions.erase(held);
     }
@@ -243,8 +243,8 @@ std::vector<CopiedKey> copiedKeys(const Design<Dim>& design, const std::vector<K
     double first = kForever;
     for (const KeyId& key : keys) {
         const auto at = static_cast<std::size_t>(key.handle);
-        const Vec<Dim> way = placeAt<Dim>(design.handles.at(at), key.time, starts.at(at)) - starts[at];
-        copies.push_back({key.handle, key.time, amountOf<Dim>(way), easeAt(design, key)});
+        const Vec<Dim> offset = placeAt<Dim>(design.handles.at(at), key.time, starts.at(at)) - starts[at];
+        copies.push_back({key.handle, key.time, amountOf<Dim>(offset), easeAt(design, key)});
         first = std::min(first, key.time);
     }
     for (CopiedKey& copy : copies) copy.after -= first;

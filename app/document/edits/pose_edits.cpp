@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/edits/motion_way.h"
+#include "app/document/edits/offset_path.h"
 #include "app/document/edits/timing_edits.h"
 #include "app/document/project.h"
 
@@ -15,10 +15,10 @@ namespace {
 template <int Dim>
 bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
                   double time) {
-    const auto way = wayOf<Dim>(motions[i], time);
-    if (!way) return false;
-    const auto [before, after] = split<Dim>(*way, time);
-    const Vec<Dim> start = place - way->at(time);
+    const auto path = offsetPathOf<Dim>(motions[i], time);
+    if (!path) return false;
+    const auto [before, after] = split<Dim>(*path, time);
+    const Vec<Dim> start = place - path->at(time);
     motions[i] = motionAlong<Dim>(before.led(by, 0, 1), start);
     motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                    motionAlong<Dim>(after.led(by, 1, 0), place + by));
@@ -60,10 +60,10 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
     }
     if (next != motions.end()) {
         const bool follows = next->start - key < kShortestMotion;
-        const auto way = follows ? led<Dim>(*next, by, 1, 0, place + by)
-                                 : Motion<Dim>{Translate<Dim>{-by}, key, next->start};
-        if (!way) return false;
-        result.push_back(*way);
+        const auto path = follows ? led<Dim>(*next, by, 1, 0, place + by)
+                                  : Motion<Dim>{Translate<Dim>{-by}, key, next->start};
+        if (!path) return false;
+        result.push_back(*path);
         result.insert(result.end(), follows ? next + 1 : next, motions.end());
     }
     motions = std::move(result);
@@ -93,10 +93,10 @@ Project withPoseAppended(const Project& project, const Gesture& gesture, const s
     double whole = 0;
     for (std::size_t i = 1; i < gesture.path.size(); ++i)
         whole += (gesture.path[i] - gesture.path[i - 1]).norm();
-    double way = 0;
+    double covered = 0;
     for (std::size_t i = 0; i < gesture.path.size(); ++i) {
-        if (i > 0) way += (gesture.path[i] - gesture.path[i - 1]).norm();
-        added.times.push_back(whole > 0 ? length * way / whole : 0);
+        if (i > 0) covered += (gesture.path[i] - gesture.path[i - 1]).norm();
+        added.times.push_back(whole > 0 ? length * covered / whole : 0);
     }
     added.times.back() = length;
     return withGesture<Dim>(project, added, starts);

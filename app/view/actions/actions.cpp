@@ -144,7 +144,7 @@ void Actions::makeMotion() {
                   QKeySequence(tr("Shift+T")), "pose-here");
     poseHere->setChecked(true);
     keepWay =
-        addToggle({tr("Keep the &Way"),
+        addToggle({tr("Keep the Pa&th"),
                    tr("A drag that follows another of the same pins at the end of the film leads them on "
                       "by a second; off: it corrects that move, which becomes straight")},
                   {});
