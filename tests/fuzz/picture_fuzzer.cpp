@@ -134,7 +134,8 @@ int main(int argc, char** argv) {
         if (argc > 4 && sample.name.find(argv[4]) == std::string::npos) continue;
         const fs::path path = folder / ("changed" + fs::path(sample.name).extension().string());
         put(path, sample.bytes);
-        if (const std::string said = read(path); !said.empty()) {
+        const std::string expected = sample.refusal.empty() ? "" : path.string() + sample.refusal;
+        if (const std::string said = read(path); said != expected) {
             ++findings;
             std::printf("%s as it is: %s\n", sample.name.c_str(), said.c_str());
         }

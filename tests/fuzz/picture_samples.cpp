@@ -209,9 +209,11 @@ std::vector<Sample> makeSamples(const fs::path& folder) {
     samples.push_back({"bits.tif", tiff(1, 0)});
     samples.push_back({"grey.pfm", "Pf\n4 2\n-1.0\n" + std::string(32, '?')});
     samples.push_back({"bits.pbm", "P1\n4 2\n0 1 0 1\n1 0 1 0\n"});
-    for (const char* name :
-         {"layers.ora", "layers.psd", "layers16.psd", "layers.psb", "layers.kra", "layers.tif"})
-        samples.push_back({name, contents(fs::path(WEND_SOURCE_DIR "/tests/data/pictures") / name)});
+    const fs::path pictures = WEND_SOURCE_DIR "/tests/data/pictures";
+    for (const char* name : {"layers.ora", "layers.psd", "layers16.psd", "layers.psb", "layers.tif"})
+        samples.push_back({name, contents(pictures / name)});
+    samples.push_back({"layers.kra", contents(pictures / "layers.kra"),
+                       ": its layer \"words\" is a vector layer and cannot be read"});
     return samples;
 }
 
