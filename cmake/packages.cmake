@@ -52,6 +52,8 @@ if(WEND_LIBRARY)
     set(CPACK_DEBIAN_LIB_PACKAGE_GENERATE_SHLIBS ON)
     set(CPACK_DEBIAN_LIB_PACKAGE_GENERATE_SHLIBS_POLICY "=")
     set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+    file(WRITE ${package_words}/triggers "activate-noawait ldconfig\n")
+    set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${package_words}/triggers)
     wend_package(dev libwend-dev libdevel "deformation of meshes and pictures - headers"
         "Headers and CMake files to build programs with the library of Wend.")
     set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libwend0 (= ${full_version})")

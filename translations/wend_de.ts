@@ -3006,6 +3006,14 @@
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>Ein Zug, der am Ende des Films auf einen anderen derselben Pins folgt, führt sie eine Sekunde weiter; aus: Er berichtigt diese Bewegung, die gerade wird</translation>
     </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>&amp;Tastenkürzel …</translation>
+    </message>
+    <message>
+        <source>Give actions other keys</source>
+        <translation>Befehlen andere Tasten geben</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -6712,6 +6720,77 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>Die letzte Bewegung führt jetzt gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShortcutDialog</name>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keine</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>&amp;Standard</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search for an action or for keys</source>
+        <translation>Nach einem Befehl oder nach Tasten suchen</translation>
+    </message>
+    <message>
+        <source>&amp;All Standard</source>
+        <translation>&amp;Alle Standard</translation>
+    </message>
+    <message>
+        <source>Give every action the keys that it has in a new Wend</source>
+        <translation>Jedem Befehl die Tasten geben, die er in einem neuen Wend hat</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Click here, then press the keys</source>
+        <translation>Hier klicken, dann die Tasten drücken</translation>
+    </message>
+    <message>
+        <source>Leave the chosen action without keys</source>
+        <translation>Den gewählten Befehl ohne Tasten lassen</translation>
+    </message>
+    <message>
+        <source>Give the chosen action the keys that it has in a new Wend</source>
+        <translation>Dem gewählten Befehl die Tasten geben, die er in einem neuen Wend hat</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Choose an action, then press the keys that it shall have.</source>
+        <translation>Einen Befehl wählen, dann die Tasten drücken, die er haben soll.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be chosen: the canvas uses it.</source>
+        <translation>%1 lässt sich nicht wählen: die Zeichenfläche braucht es.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>Taken from %1.</source>
+        <translation>Weggenommen von %1.</translation>
     </message>
 </context>
 <context>

@@ -3006,6 +3006,14 @@
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>Un arrastre que sigue a otro de los mismos pines al final de la película los lleva un segundo más allá; desactivado: corrige ese movimiento, que pasa a ser recto</translation>
     </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>A&amp;tajos de teclado…</translation>
+    </message>
+    <message>
+        <source>Give actions other keys</source>
+        <translation>Dar otras teclas a las acciones</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -6712,6 +6720,77 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá en su lugar.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShortcutDialog</name>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Ninguna</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>&amp;Estándar</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Atajos de teclado</translation>
+    </message>
+    <message>
+        <source>Search for an action or for keys</source>
+        <translation>Buscar una acción o unas teclas</translation>
+    </message>
+    <message>
+        <source>&amp;All Standard</source>
+        <translation>&amp;Todo estándar</translation>
+    </message>
+    <message>
+        <source>Give every action the keys that it has in a new Wend</source>
+        <translation>Dar a cada acción las teclas que tiene en un Wend nuevo</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>Te&amp;clas</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Click here, then press the keys</source>
+        <translation>Haga clic aquí y pulse las teclas</translation>
+    </message>
+    <message>
+        <source>Leave the chosen action without keys</source>
+        <translation>Dejar la acción elegida sin teclas</translation>
+    </message>
+    <message>
+        <source>Give the chosen action the keys that it has in a new Wend</source>
+        <translation>Dar a la acción elegida las teclas que tiene en un Wend nuevo</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Acciones</translation>
+    </message>
+    <message>
+        <source>Choose an action, then press the keys that it shall have.</source>
+        <translation>Elija una acción y pulse las teclas que debe tener.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be chosen: the canvas uses it.</source>
+        <translation>No se puede elegir %1: lo usa el lienzo.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
+        <source>Taken from %1.</source>
+        <translation>Se ha quitado a %1.</translation>
     </message>
 </context>
 <context>

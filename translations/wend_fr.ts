@@ -3006,6 +3006,14 @@
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>Un glissement qui suit un autre des mêmes épingles à la fin du film les mène une seconde plus loin ; désactivé : il corrige ce mouvement, qui devient droit</translation>
     </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>Ra&amp;ccourcis clavier…</translation>
+    </message>
+    <message>
+        <source>Give actions other keys</source>
+        <translation>Donner d’autres touches aux commandes</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -6712,6 +6720,77 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShortcutDialog</name>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Aucune</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>&amp;Standard</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Search for an action or for keys</source>
+        <translation>Chercher une commande ou des touches</translation>
+    </message>
+    <message>
+        <source>&amp;All Standard</source>
+        <translation>&amp;Tout par défaut</translation>
+    </message>
+    <message>
+        <source>Give every action the keys that it has in a new Wend</source>
+        <translation>Donner à chaque commande les touches d’origine de Wend</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Touches</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Click here, then press the keys</source>
+        <translation>Cliquez ici, puis appuyez sur les touches</translation>
+    </message>
+    <message>
+        <source>Leave the chosen action without keys</source>
+        <translation>Laisser la commande choisie sans touches</translation>
+    </message>
+    <message>
+        <source>Give the chosen action the keys that it has in a new Wend</source>
+        <translation>Donner à la commande choisie les touches d’origine de Wend</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Choose an action, then press the keys that it shall have.</source>
+        <translation>Choisissez une commande, puis appuyez sur les touches voulues.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be chosen: the canvas uses it.</source>
+        <translation>%1 ne peut pas être choisi : le canevas s’en sert.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
+        <source>Taken from %1.</source>
+        <translation>Retiré à %1.</translation>
     </message>
 </context>
 <context>

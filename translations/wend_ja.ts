@@ -3005,6 +3005,14 @@
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>フィルムの最後で同じピンを続けてドラッグすると、さらに1秒先へ動かします。オフ: 前の動きを直し、まっすぐにします</translation>
     </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>キーボードショートカット(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Give actions other keys</source>
+        <translation>操作に別のキーを割り当てます</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -6698,6 +6706,77 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>最後の動きはまっすぐそこへ向かいます。モーション ▸ 経路を残す を使うと、ピンはその先へ動きます。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShortcutDialog</name>
+    <message>
+        <source>&amp;None</source>
+        <translation>なし(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>標準(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>Search for an action or for keys</source>
+        <translation>操作またはキーを検索</translation>
+    </message>
+    <message>
+        <source>&amp;All Standard</source>
+        <translation>すべて標準に戻す(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Give every action the keys that it has in a new Wend</source>
+        <translation>すべての操作を、インストール直後の Wend のキーに戻します</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>キー(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Click here, then press the keys</source>
+        <translation>ここをクリックしてからキーを押してください</translation>
+    </message>
+    <message>
+        <source>Leave the chosen action without keys</source>
+        <translation>選択した操作のキーをなくします</translation>
+    </message>
+    <message>
+        <source>Give the chosen action the keys that it has in a new Wend</source>
+        <translation>選択した操作を、インストール直後の Wend のキーに戻します</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Choose an action, then press the keys that it shall have.</source>
+        <translation>操作を選び、割り当てるキーを押してください。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be chosen: the canvas uses it.</source>
+        <translation>%1 はキャンバスが使うため選べません。</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>「%1」</translation>
+    </message>
+    <message>
+        <source>Taken from %1.</source>
+        <translation>%1 から外しました。</translation>
     </message>
 </context>
 <context>

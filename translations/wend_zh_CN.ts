@@ -3005,6 +3005,14 @@
         <source>A drag that follows another of the same pins at the end of the film leads them on by a second; off: it corrects that move, which becomes straight</source>
         <translation>在影片末尾再次拖动相同的图钉会让它们继续移动一秒；关闭时：修正上一次移动，使其变为直线</translation>
     </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>键盘快捷键(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Give actions other keys</source>
+        <translation>为操作指定其他按键</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -6698,6 +6706,77 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>上一次移动现在直接到达那里。运动 ▸ 保留路径 则让图钉继续移动。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShortcutDialog</name>
+    <message>
+        <source>&amp;None</source>
+        <translation>无(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>标准(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>Search for an action or for keys</source>
+        <translation>搜索操作或按键</translation>
+    </message>
+    <message>
+        <source>&amp;All Standard</source>
+        <translation>全部恢复标准(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Give every action the keys that it has in a new Wend</source>
+        <translation>将所有操作恢复为 Wend 初始的按键</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Click here, then press the keys</source>
+        <translation>点击此处，然后按下按键</translation>
+    </message>
+    <message>
+        <source>Leave the chosen action without keys</source>
+        <translation>使所选操作没有按键</translation>
+    </message>
+    <message>
+        <source>Give the chosen action the keys that it has in a new Wend</source>
+        <translation>将所选操作恢复为 Wend 初始的按键</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Choose an action, then press the keys that it shall have.</source>
+        <translation>选择一个操作，然后按下要指定的按键。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be chosen: the canvas uses it.</source>
+        <translation>无法选择 %1：画布正在使用它。</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>Taken from %1.</source>
+        <translation>已从%1移除。</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,8 @@ class Preference {
 
     /// Returns the standard until something was chosen.
     T value() const { return QSettings().value(m_key, QVariant::fromValue(m_standard)).template value<T>(); }
+    bool isSet() const { return QSettings().contains(m_key); }
+    void forget() const { QSettings().remove(m_key); }
     void set(const T& value) const { QSettings().setValue(m_key, QVariant::fromValue(value)); }
 
   private:
@@ -23,7 +25,8 @@ class Preference {
     T m_standard;
 };
 
-/// All of them, but for each section of the panels whether it is unfolded ("open/NAME").
+/// All of them, but for each section of the panels whether it is unfolded ("open/NAME"), and for each action the keys
+/// that the user chose ("keys/MAKER/ACTION").
 namespace preferences {
 
 inline const Preference<QString> language{QStringLiteral("language")};      // a code; empty: the desktop's

@@ -346,7 +346,7 @@ void MainWindow::connectViewport(Viewport& view) {
 }
 
 void MainWindow::connectHelp() {
-    new SideWindows(m_session, *m_actions, *this);
+    new SideWindows(m_session, *m_actions, *m_tools, *this);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
     connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
     m_files->setPractice([this] { return m_tutorial->isPractice(); });

@@ -2,28 +2,48 @@
 
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/look/theme.h"
+#include "app/session/preferences.h"
 
 namespace wend {
 
-QAction* ActionMaker::add(const Words& words, const QKeySequence& keys, const QString& icon) {
+namespace {
+
+/// The keys in the settings are those of the maker's class and the action, as in "Actions/open".
+Preference<QStringList> chosenKeys(const QAction& action) {
+    QString maker = QString::fromLatin1(action.parent()->metaObject()->className());
+    maker.remove(QStringLiteral("wend::"));
+    return Preference<QStringList>(QStringLiteral("keys/%1/%2").arg(maker, action.objectName()));
+}
+
+}  // namespace
+
+QAction* ActionMaker::add(QAnyStringView id, const Words& words, const QKeySequence& keys,
+                          const QString& icon) {
     auto* action = new QAction(words.name, this);
     action->setProperty("help", words.help);
     action->setProperty("iconName", icon);
     action->setShortcut(keys);
-    setKeysOf(action, action->shortcuts());
+    adopt(action, id, action->shortcuts());
     describe(action);
-    m_own << action;
     return action;
 }
 
-QAction* ActionMaker::addToggle(const Words& words, const QKeySequence& keys, const QString& icon) {
-    QAction* action = add(words, keys, icon);
+void ActionMaker::adopt(QAction* action, QAnyStringView id, const QList<QKeySequence>& keys) {
+    action->setObjectName(id.toString());
+    setKeysOf(action, keys);
+    m_own << action;
+}
+
+QAction* ActionMaker::addToggle(QAnyStringView id, const Words& words, const QKeySequence& keys,
+                                const QString& icon) {
+    QAction* action = add(id, words, keys, icon);
     action->setCheckable(true);
     return action;
 }
 
 /// The reason for a disabled action is the first line of its tooltip.
 void ActionMaker::describe(QAction* action) {
+    if (!action->property("help").isValid()) return;  // of Qt, which rewords it
     const QString help = helpOf(*action), extra = action->property("whyNot").toString();
     const QString name = withoutKey(action->text());
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
@@ -63,9 +83,32 @@ QList<QKeySequence> ActionMaker::keysOf(const QAction& action) {
     return action.property("ownKeys").value<QList<QKeySequence>>();
 }
 
+QList<QKeySequence> ActionMaker::standardKeysOf(const QAction& action) {
+    return action.property("standardKeys").value<QList<QKeySequence>>();
+}
+
 void ActionMaker::setKeysOf(QAction* action, const QList<QKeySequence>& keys) {
-    action->setProperty("ownKeys", QVariant::fromValue(keys));
-    useKeys(action, keys);
+    action->setProperty("standardKeys", QVariant::fromValue(keys));
+    const Preference<QStringList> chosen = chosenKeys(*action);
+    QList<QKeySequence> own = keys;
+    if (chosen.isSet()) {
+        own.clear();
+        for (const QString& key : chosen.value()) own << QKeySequence(key, QKeySequence::PortableText);
+    }
+    action->setProperty("ownKeys", QVariant::fromValue(own));
+    useKeys(action, own);
+}
+
+void ActionMaker::chooseKeysOf(QAction& action, const std::optional<QList<QKeySequence>>& keys) {
+    const Preference<QStringList> chosen = chosenKeys(action);
+    if (!keys || *keys == standardKeysOf(action)) {
+        chosen.forget();
+    } else {
+        QStringList texts;
+        for (const QKeySequence& key : *keys) texts << key.toString(QKeySequence::PortableText);
+        chosen.set(texts);
+    }
+    setKeysOf(&action, standardKeysOf(action));
 }
 
 void ActionMaker::useKeys(QAction* action, const QList<QKeySequence>& keys) {

@@ -36,28 +36,35 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
 }
 
 void Actions::makeFile() {
-    open =
-        add({tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")}, QKeySequence::Open, "open");
-    save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
-    saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
+    open = add("open", {tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")},
+               QKeySequence::Open, "open");
+    save = add("save", {tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
+    saveAs =
+        add("saveAs", {tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
     replacePicture =
-        add({tr("Re&place Picture…"),
+        add("replacePicture",
+            {tr("Re&place Picture…"),
              tr("Bend another picture of the same proportions in the place of this one; pins and "
                 "motions stay, and are scaled if it is larger or smaller")},
             {});
-    exportPicture = add({tr("&Picture…"), tr("Write the bent picture at its full size")},
+    exportPicture = add("exportPicture", {tr("&Picture…"), tr("Write the bent picture at its full size")},
                         QKeySequence(tr("Ctrl+E")), "export");
-    exportFilm = add({tr("&Film…"), tr("Write the motion as a film: MP4, WebM, QuickTime, GIF …")}, {});
-    exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
-                       QKeySequence(tr("Ctrl+Shift+E")), "frames");
+    exportFilm =
+        add("exportFilm", {tr("&Film…"), tr("Write the motion as a film: MP4, WebM, QuickTime, GIF …")}, {});
+    exportFrames =
+        add("exportFrames", {tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
+            QKeySequence(tr("Ctrl+Shift+E")), "frames");
     exportStMap =
-        add({tr("ST &Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
-    exportMesh = add({tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
-    exportView = add({tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
+        add("exportStMap",
+            {tr("ST &Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+    exportMesh = add("exportMesh", {tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
+    exportView =
+        add("exportView", {tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
     exports->setTitle(tr("&Export"));
     exports->addActions({exportPicture, exportFilm, exportFrames, exportStMap, exportMesh, exportView});
-    closeFile = add({tr("&Close"), tr("Close the file and go back to the start page")}, QKeySequence::Close);
-    quit = add({tr("&Quit"), tr("Leave Wend")}, QKeySequence::Quit);
+    closeFile = add("closeFile", {tr("&Close"), tr("Close the file and go back to the start page")},
+                    QKeySequence::Close);
+    quit = add("quit", {tr("&Quit"), tr("Leave Wend")}, QKeySequence::Quit);
     quit->setMenuRole(QAction::QuitRole);
     recent->setTitle(tr("Open &Recent"));
     samples->setTitle(tr("Open Sa&mple"));
@@ -66,58 +73,68 @@ void Actions::makeFile() {
 void Actions::makeEdit(QUndoStack& stack) {
     undo = stack.createUndoAction(this, tr("&Undo"));
     redo = stack.createRedoAction(this, tr("&Redo"));
-    undo->setShortcut(QKeySequence::Undo);
-    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    adopt(undo, "undo", {QKeySequence(QKeySequence::Undo)});
+    adopt(redo, "redo", {QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
     undo->setProperty("iconName", "undo");
     redo->setProperty("iconName", "redo");
     undo->setStatusTip(tr("Undo the last step"));
     redo->setStatusTip(tr("Redo what was undone"));
-    history = add({tr("&History…"), tr("Show the undo history, and go back to any step")},
+    history = add("history", {tr("&History…"), tr("Show the undo history, and go back to any step")},
                   QKeySequence(tr("Ctrl+H")));
-    selectAll = add({tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
-    selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
-    remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
+    selectAll = add("selectAll", {tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
+    selectNone =
+        add("selectNone", {tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
+    remove = add("remove", {tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
                  QKeySequence::Delete, "remove");
     makePart =
-        add({tr("Make a &Part"),
+        add("makePart",
+            {tr("Make a &Part"),
              tr("What is drawn as the outline becomes a part that bends by itself, or what you draw next; "
                 "what is behind it is filled")},
             QKeySequence(tr("Ctrl+J")), "make-part");
 }
 
 void Actions::makeView() {
-    showMesh = addToggle({tr("&Edges"), tr("Show the edges of the mesh")}, QKeySequence(tr("M")), "mesh");
-    showMap = addToggle({tr("&Colour Overlay"), tr("Colour the shape by what changed")},
+    showMesh = addToggle("showMesh", {tr("&Edges"), tr("Show the edges of the mesh")}, QKeySequence(tr("M")),
+                         "mesh");
+    showMap = addToggle("showMap", {tr("&Colour Overlay"), tr("Colour the shape by what changed")},
                         QKeySequence(tr("D")), "distortion");
-    showMarks =
-        addToggle({tr("&Stiffness Marks"), tr("Show where the shape is stiff, and along which direction")},
-                  QKeySequence(tr("Shift+S")), "marks");
-    showArrows = addToggle({tr("&Velocity Arrows"), tr("Show where the shape moves at this time")},
-                           QKeySequence(tr("Shift+V")));
+    showMarks = addToggle(
+        "showMarks", {tr("&Stiffness Marks"), tr("Show where the shape is stiff, and along which direction")},
+        QKeySequence(tr("Shift+S")), "marks");
+    showArrows =
+        addToggle("showArrows", {tr("&Velocity Arrows"), tr("Show where the shape moves at this time")},
+                  QKeySequence(tr("Shift+V")));
     hideOverlays =
-        addToggle({tr("&Hide Pins and Overlays"), tr("Show the bare picture; hold H to do so for a moment")},
+        addToggle("hideOverlays",
+                  {tr("&Hide Pins and Overlays"), tr("Show the bare picture; hold H to do so for a moment")},
                   QKeySequence(tr("Shift+H")), "hide");
     showRest = addToggle(
+        "showRest",
         {tr("&Before"), tr("Show the shape as it was before it was bent; hold \\ to do so for a moment")}, {},
         "compare");
     compare = addToggle(
+        "compare",
         {tr("&Compare Energies"),
          tr("Show another energy side by side, with the same pins; or drag a tile of Keep onto the shape")},
         QKeySequence(tr("Y")));
-    fit = add({tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
-    actualSize = add({tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
+    fit = add("fit", {tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
+    actualSize = add("actualSize", {tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
                      QKeySequence(tr("1")), "zoom-100");
-    zoomIn = add({tr("Zoom &In"), tr("Look closer")}, QKeySequence::ZoomIn);
-    zoomOut = add({tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
-    fullScreen = addToggle({tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
+    zoomIn = add("zoomIn", {tr("Zoom &In"), tr("Look closer")}, QKeySequence::ZoomIn);
+    zoomOut = add("zoomOut", {tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
+    fullScreen =
+        addToggle("fullScreen", {tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
     showProperties = addToggle(
+        "showProperties",
         {tr("&Properties"), tr("Show the properties on the right, or give their room to the shape")},
         QKeySequence(Qt::Key_F4));
     showProperties->setChecked(true);
     auto* looks = new QActionGroup(this);
-    systemLook = addToggle({tr("Like the &Desktop"), tr("Light or dark, like the desktop")}, {});
-    lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
-    darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
+    systemLook =
+        addToggle("systemLook", {tr("Like the &Desktop"), tr("Light or dark, like the desktop")}, {});
+    lightLook = addToggle("lightLook", {tr("&Light"), tr("Dark on light")}, {});
+    darkLook = addToggle("darkLook", {tr("&Dark"), tr("Light on dark")}, {});
     fillFactors(*markSizes, {100, 150, 200, 300});
     markSizes->setTitle(tr("Size of M&arks"));
     markSizes->menuAction()->setStatusTip(
@@ -127,28 +144,32 @@ void Actions::makeView() {
 }
 
 void Actions::makeMotion() {
-    play = add({tr("&Play"), tr("Play or pause the motion; tapping the space bar does so, too")},
+    play = add("play", {tr("&Play"), tr("Play or pause the motion; tapping the space bar does so, too")},
                QKeySequence(tr("K")), "play");
-    loop = addToggle({tr("&Loop"), tr("Start over at the end")}, QKeySequence(tr("Shift+L")), "loop");
-    toStart =
-        add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
-    toEnd =
-        add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
+    loop = addToggle("loop", {tr("&Loop"), tr("Start over at the end")}, QKeySequence(tr("Shift+L")), "loop");
+    toStart = add("toStart", {tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home),
+                  "first-frame");
+    toEnd = add("toEnd", {tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End),
+                "last-frame");
     record = addToggle(
+        "record",
         {tr("&Record"), tr("Record every drag as it happens, in real time; Ctrl does so for one drag")},
         QKeySequence(tr("Ctrl+R")), "record");
     poseHere =
-        addToggle({tr("&Pose at This Time"),
+        addToggle("poseHere",
+                  {tr("&Pose at This Time"),
                    tr("In the step Animate, a drag sets where pins are at the time shown, and what they do "
                       "before and after stays; off: it leads them on to the end of the film")},
                   QKeySequence(tr("Shift+T")), "pose-here");
     poseHere->setChecked(true);
     keepWay =
-        addToggle({tr("Keep the Pa&th"),
+        addToggle("keepWay",
+                  {tr("Keep the Pa&th"),
                    tr("A drag that follows another of the same pins at the end of the film leads them on "
                       "by a second; off: it corrects that move, which becomes straight")},
                   {});
     onionSkin = addToggle(
+        "onionSkin",
         {tr("&Onion Skin"), tr("Show the shape as it was a little before and as it is a little after")},
         QKeySequence(tr("Shift+N")), "onion");
     fillFactors(*speed, {25, 50, 100, 200});
@@ -156,8 +177,10 @@ void Actions::makeMotion() {
         tr("How fast the motion plays, and how fast time goes while drags are recorded"));
     speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
     setSpeed(1);
-    settle = add({tr("Rela&x"), tr("Let the shape relax at the end, with the pins where they are")}, {});
-    applyMotion = add({tr("&Apply Motion…"),
+    settle =
+        add("settle", {tr("Rela&x"), tr("Let the shape relax at the end, with the pins where they are")}, {});
+    applyMotion = add("applyMotion",
+                      {tr("&Apply Motion…"),
                        tr("Move this shape as another project moves its own: pins of the same name, with "
                           "lengths in proportion to the sizes of both shapes")},
                       {});
@@ -180,11 +203,14 @@ void Actions::setSpeed(double factor) {
 }
 
 void Actions::makeHelp() {
-    manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
-                 "help");
-    tutorial = add({tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
-    shortcuts = add({tr("&Keys and Mouse"), tr("What the mouse and the keys do")}, QKeySequence(tr("?")));
-    about = add({tr("&About Wend"), tr("Version and licence")}, {});
+    manual = add("manual", {tr("&Manual"), tr("How it works, page by page, with a search")},
+                 QKeySequence(Qt::Key_F1), "help");
+    tutorial =
+        add("tutorial", {tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
+    shortcuts = add("shortcuts", {tr("&Keys and Mouse"), tr("What the mouse and the keys do")},
+                    QKeySequence(tr("?")));
+    chooseKeys = add("chooseKeys", {tr("&Keyboard Shortcuts…"), tr("Give actions other keys")}, {});
+    about = add("about", {tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
 }
 
@@ -204,6 +230,8 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove, makePart});
     for (QMenu* menu : edits) edit->addMenu(menu);
+    edit->addSeparator();
+    edit->addAction(chooseKeys);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     view->addActions({showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare});
     view->addSeparator();

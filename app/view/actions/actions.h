@@ -30,7 +30,7 @@ class Actions : public ActionMaker {
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *poseHere, *keepWay, *onionSkin, *applyMotion;
     QAction *systemLook, *lightLook, *darkLook;
-    QAction *about, *manual, *tutorial, *shortcuts, *history;
+    QAction *about, *manual, *tutorial, *shortcuts, *chooseKeys, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
     BackdropChoice* const backdrop;
     LanguageChoice* const languages;

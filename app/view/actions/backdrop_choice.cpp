@@ -15,7 +15,7 @@ BackdropChoice::BackdropChoice(QObject* parent)
         {{tr("&Black"), tr("Black behind the shape, to see light edges")}, QColor(Qt::black)}};
     const int remembered = preferences::backdrop.value();
     for (const auto& [words, colour] : choices) {
-        QAction* one = addToggle(words, {});
+        QAction* one = addToggle(QStringLiteral("backdrop%1").arg(m_group->actions().size() + 1), words, {});
         one->setData(colour);
         m_menu->addAction(m_group->addAction(one));
     }

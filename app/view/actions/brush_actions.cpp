@@ -35,7 +35,8 @@ void BrushActions::change(const Change& change) {
 
 void BrushActions::makeStops() {
     for (int stop = 0; stop < EnergyScale::kStops; ++stop) {
-        QAction* action = add({}, QKeySequence(QStringLiteral("Shift+%1").arg(stop + 1)));
+        QAction* action = add(QStringLiteral("stop%1").arg(stop + 1), {},
+                              QKeySequence(QStringLiteral("Shift+%1").arg(stop + 1)));
         m_menu->addAction(action);
         m_stops << action;
         connect(action, &QAction::triggered, this, [this, stop] { choose(stop); });
@@ -43,10 +44,12 @@ void BrushActions::makeStops() {
 }
 
 void BrushActions::makeTargets() {
-    keep = addToggle({tr("&Keep"), tr("Paint what the shape keeps when it has to give way")}, {});
+    keep = addToggle("keep", {tr("&Keep"), tr("Paint what the shape keeps when it has to give way")}, {});
     stiffness =
-        addToggle({tr("&Stiffness"), tr("Paint how many times stiffer the shape is along a direction")}, {});
-    direction = addToggle({tr("&Direction"), tr("Comb the direction along which the shape is stiff")}, {});
+        addToggle("stiffness",
+                  {tr("&Stiffness"), tr("Paint how many times stiffer the shape is along a direction")}, {});
+    direction = addToggle("direction",
+                          {tr("&Direction"), tr("Comb the direction along which the shape is stiff")}, {});
     auto* group = new QActionGroup(this);
     for (const auto& [action, target] : {std::pair{keep, BrushTarget::Keep},
                                          {stiffness, BrushTarget::Stiffness},
@@ -75,7 +78,8 @@ void BrushActions::makeTip() {
     amount->box().setRange(1, 100);
     for (const NumberAction* part : {hardness, amount}) part->box().setSingleStep(10);
     pressure = addToggle(
-        {tr("&Pressure"), tr("The harder a pen is pressed, the more of the amount is painted")}, {});
+        "pressure", {tr("&Pressure"), tr("The harder a pen is pressed, the more of the amount is painted")},
+        {});
     pressure->setObjectName(QStringLiteral("pressure"));
     connect(&size->box(), &QSpinBox::valueChanged, this,
             [this](int across) { change([&](BrushSettings& brush) { brush.radius = across / 2.0; }); });

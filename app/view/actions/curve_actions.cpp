@@ -20,18 +20,20 @@ CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditing*()>
 }
 
 void CurveActions::makeActions() {
-    make = add({tr("Edit &Path"), tr("Turn the last path of the selected pin into a Bézier curve")},
+    make = add("make", {tr("Edit &Path"), tr("Turn the last path of the selected pin into a Bézier curve")},
                QKeySequence(tr("Shift+C")));
-    insert = add({tr("&Insert Point"),
+    insert = add("insert",
+                 {tr("&Insert Point"),
                   tr("Split the curve at the pointer, or after the chosen point; its shape stays")},
                  QKeySequence(tr("I")));
-    remove = add({tr("&Delete Point"), tr("Remove the chosen point from the curve")},
+    remove = add("remove", {tr("&Delete Point"), tr("Remove the chosen point from the curve")},
                  QKeySequence(tr("Ctrl+Del")));
-    free = addToggle({tr("&Free"), tr("Let the two directions at the point be independent")},
+    free = addToggle("free", {tr("&Free"), tr("Let the two directions at the point be independent")},
                      QKeySequence(tr("Alt+1")));
-    aligned = addToggle({tr("&Aligned"), tr("Keep both directions at the point on one line")},
+    aligned = addToggle("aligned", {tr("&Aligned"), tr("Keep both directions at the point on one line")},
                         QKeySequence(tr("Alt+2")));
     automatic = addToggle(
+        "automatic",
         {tr("A&utomatic"), tr("Lead the curve smoothly through the point, guided by its neighbours")},
         QKeySequence(tr("Alt+3")));
     auto* kinds = new QActionGroup(this);

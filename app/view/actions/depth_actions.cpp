@@ -27,15 +27,19 @@ double extreme(const DepthRegions& depth, bool maximum) {
 DepthActions::DepthActions(ShapeSession& session, QObject* parent)
     : ActionMaker(parent), m_session(session), m_menu(new QMenu) {
     front =
-        add({tr("Bring to &Front"), tr("Where the shape covers itself, what is around the selected pins lies "
+        add("front",
+            {tr("Bring to &Front"), tr("Where the shape covers itself, what is around the selected pins lies "
                                        "in front of all else")},
             QKeySequence(tr("Ctrl+Shift+]")));
     behind =
-        add({tr("Send to &Back"), tr("Where the shape covers itself, what is around the selected pins lies "
+        add("behind",
+            {tr("Send to &Back"), tr("Where the shape covers itself, what is around the selected pins lies "
                                      "behind all else")},
             QKeySequence(tr("Ctrl+Shift+[")));
-    plain = add({tr("As &Drawn"), tr("What is around the selected pins has no order of its own")}, {});
-    number = add({tr("&Number…"),
+    plain =
+        add("plain", {tr("As &Drawn"), tr("What is around the selected pins has no order of its own")}, {});
+    number = add("number",
+                 {tr("&Number…"),
                   tr("Give what is around the selected pins an order: the greater number lies in front")},
                  {});
     m_menu->setTitle(tr("&Depth"));

@@ -62,7 +62,8 @@ LanguageChoice::LanguageChoice(QObject* parent)
     m_menu->menuAction()->setStatusTip(tr("The language of the window, from the next start of Wend"));
     auto* group = new QActionGroup(this);
     const auto offer = [&](const Words& words, const QString& code) {
-        QAction* one = addToggle(words, {});
+        QAction* one = addToggle(
+            QStringLiteral("language-%1").arg(code.isEmpty() ? QStringLiteral("desktop") : code), words, {});
         one->setData(code);
         one->setChecked(code == m_spoken);
         m_menu->addAction(group->addAction(one));

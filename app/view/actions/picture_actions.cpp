@@ -6,11 +6,14 @@
 namespace wend {
 
 PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
-    adds = addToggle({tr("&Add"), tr("What you draw will bend, too; Ctrl takes it away instead")}, {}, "add");
-    takesAway = addToggle({tr("&Take Away"), tr("What you draw will not bend; Ctrl adds it instead")}, {},
-                          "take-away");
+    adds = addToggle("adds", {tr("&Add"), tr("What you draw will bend, too; Ctrl takes it away instead")}, {},
+                     "add");
+    takesAway =
+        addToggle("takesAway", {tr("&Take Away"), tr("What you draw will not bend; Ctrl adds it instead")},
+                  {}, "take-away");
     makesPart =
-        addToggle({tr("Make a &Part"),
+        addToggle("makesPart",
+                  {tr("Make a &Part"),
                    tr("What you draw becomes a part that bends by itself; what is behind it is filled")},
                   {}, "make-part");
     auto* group = new QActionGroup(this);

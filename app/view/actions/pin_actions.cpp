@@ -46,11 +46,12 @@ PinActions::PinActions(ShapeSession& session, QObject* parent)
 }
 
 void PinActions::makeGrips() {
-    move = addToggle({tr("Mo&ve"), tr("Drag pins to move them; in a solid, also by the arrows")},
+    move = addToggle("move", {tr("Mo&ve"), tr("Drag pins to move them; in a solid, also by the arrows")},
                      QKeySequence(tr("G")), "move");
-    turn = addToggle({tr("&Rotate"), tr("Drag to rotate the selected pins; in a solid, by the rings")},
-                     QKeySequence(tr("R")), "rotate");
-    grow = addToggle({tr("Sc&ale"), tr("Drag to scale the selected pins; in a solid, by the ring")},
+    turn =
+        addToggle("turn", {tr("&Rotate"), tr("Drag to rotate the selected pins; in a solid, by the rings")},
+                  QKeySequence(tr("R")), "rotate");
+    grow = addToggle("grow", {tr("Sc&ale"), tr("Drag to scale the selected pins; in a solid, by the ring")},
                      QKeySequence(tr("S")), "scale");
     auto* grips = new QActionGroup(this);
     for (QAction* grip : {move, turn, grow}) grips->addAction(grip);
@@ -61,16 +62,18 @@ void PinActions::makeGrips() {
 
 void PinActions::makeOutlines() {
     const QString outline = tr("What the pin tool and the select tool draw around pins to select them");
-    selectRectangle = addToggle({tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
-    selectLasso = addToggle({tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
-    selectBrush = addToggle({tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
+    selectRectangle =
+        addToggle("selectRectangle", {tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
+    selectLasso = addToggle("selectLasso", {tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
+    selectBrush = addToggle("selectBrush", {tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
     auto* outlines = new QActionGroup(this);
     for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
     selectRectangle->setChecked(true);
     using enum DrawnOutline::Kind;
     choose(&PinSettings::selectBy,
            {{selectRectangle, Rectangle}, {selectLasso, Lasso}, {selectBrush, Brush}});
-    snap = addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh instead of where you click")}, {});
+    snap = addToggle("snap",
+                     {tr("S&nap"), tr("New pins sit on corners of the mesh instead of where you click")}, {});
     snap->setChecked(m_choice.now().snaps);
     connect(snap, &QAction::toggled, this, [this](bool on) { m_choice.change(&PinSettings::snaps, on); });
     brushSize = new NumberAction(
@@ -95,24 +98,31 @@ void PinActions::choose(Value PinSettings::*value,
 }
 
 void PinActions::makeActions() {
-    lock = addToggle({tr("&Lock"), tr("The selected pins are neither moved nor removed until unlocked")},
-                     QKeySequence(tr("Ctrl+L")));
-    hide = addToggle({tr("&Hide"), tr("The selected pins still hold, but are neither drawn nor picked")},
-                     QKeySequence(tr("Ctrl+Shift+H")));
-    showAll = add({tr("&Show All"), tr("Show all hidden pins again")}, QKeySequence(tr("Alt+Shift+H")));
-    group = add({tr("&Group…"), tr("Put the selected pins under a heading of the list")},
+    lock =
+        addToggle("lock", {tr("&Lock"), tr("The selected pins are neither moved nor removed until unlocked")},
+                  QKeySequence(tr("Ctrl+L")));
+    hide =
+        addToggle("hide", {tr("&Hide"), tr("The selected pins still hold, but are neither drawn nor picked")},
+                  QKeySequence(tr("Ctrl+Shift+H")));
+    showAll =
+        add("showAll", {tr("&Show All"), tr("Show all hidden pins again")}, QKeySequence(tr("Alt+Shift+H")));
+    group = add("group", {tr("&Group…"), tr("Put the selected pins under a heading of the list")},
                 QKeySequence(tr("Ctrl+G")));
-    ungroup = add({tr("&Ungroup"), tr("Take the selected pins out of their groups")},
+    ungroup = add("ungroup", {tr("&Ungroup"), tr("Take the selected pins out of their groups")},
                   QKeySequence(tr("Ctrl+Shift+G")));
-    link = addToggle({tr("Lin&k"), tr("The selected pins move together, whichever of them is dragged")},
-                     QKeySequence(tr("Ctrl+K")));
-    mirror = add({tr("&Mirror"), tr("Set pins at the mirror images of the selected ones, across the middle "
+    link =
+        addToggle("link", {tr("Lin&k"), tr("The selected pins move together, whichever of them is dragged")},
+                  QKeySequence(tr("Ctrl+K")));
+    mirror = add("mirror",
+                 {tr("&Mirror"), tr("Set pins at the mirror images of the selected ones, across the middle "
                                     "of the shape, with mirrored motions")},
                  QKeySequence(tr("Ctrl+M")));
-    mirrorMotion = add({tr("Mirror M&otion"), tr("The selected pins move to the other side instead")},
-                       QKeySequence(tr("Ctrl+Shift+M")));
+    mirrorMotion =
+        add("mirrorMotion", {tr("Mirror M&otion"), tr("The selected pins move to the other side instead")},
+            QKeySequence(tr("Ctrl+Shift+M")));
     holdThroughout =
-        add({tr("Pin for the Whole &Animation"),
+        add("holdThroughout",
+            {tr("Pin for the Whole &Animation"),
              tr("The selected pins hold from the start of the animation to its end, not only from "
                 "the time at which they were set")},
             QKeySequence(tr("Ctrl+Shift+F")));

@@ -23,48 +23,56 @@ SolidActions::SolidActions(Toolbox& tools, QObject* parent)
 
 void SolidActions::makeGrabbing() {
     through = addToggle(
+        "through",
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
     holdBeyond =
-        add({tr("Grab Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
+        add("holdBeyond",
+            {tr("Grab Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));
 }
 
 void SolidActions::makeView() {
     detail = addToggle(
+        "detail",
         {tr("S&kin"), tr("Show the detailed or textured surface embedded in the solid; off: the border of "
                          "the tetrahedra, which bend")},
         QKeySequence(tr("Shift+D")));
     detail->setChecked(true);
     chooseDetail = add(
+        "chooseDetail",
         {tr("Choose Sk&in…"), tr("Embed a detailed, perhaps textured surface from a file in the solid")}, {});
-    removeDetail = add({tr("Re&move Skin"), tr("Show and export the solid with its own surface again")}, {});
-    flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
+    removeDetail = add("removeDetail",
+                       {tr("Re&move Skin"), tr("Show and export the solid with its own surface again")}, {});
+    flat = addToggle("flat", {tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
-    orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
-    cut = addToggle({tr("&Cut Open"), tr("Look inside along a plane; an arrow and rings move and tilt it")},
+    orthographic = addToggle("orthographic", {tr("&Parallel View"), tr("See without perspective")},
+                             QKeySequence(tr("5")));
+    cut = addToggle("cut",
+                    {tr("&Cut Open"), tr("Look inside along a plane; an arrow and rings move and tilt it")},
                     QKeySequence(tr("C")), "cut");
     const QString look = tr("Look along an axis of the world");
-    front = add({tr("&Front"), look}, QKeySequence(tr("1")));
-    back = add({tr("&Back"), look}, keypad("Ctrl+Num+1"));
-    right = add({tr("&Right"), look}, QKeySequence(tr("3")));
-    left = add({tr("&Left"), look}, keypad("Ctrl+Num+3"));
-    top = add({tr("&Top"), look}, QKeySequence(tr("7")));
-    bottom = add({tr("B&ottom"), look}, keypad("Ctrl+Num+7"));
-    oblique = add({tr("&Oblique"), tr("Look from the side and above")}, QKeySequence(tr("0")));
+    front = add("front", {tr("&Front"), look}, QKeySequence(tr("1")));
+    back = add("back", {tr("&Back"), look}, keypad("Ctrl+Num+1"));
+    right = add("right", {tr("&Right"), look}, QKeySequence(tr("3")));
+    left = add("left", {tr("&Left"), look}, keypad("Ctrl+Num+3"));
+    top = add("top", {tr("&Top"), look}, QKeySequence(tr("7")));
+    bottom = add("bottom", {tr("B&ottom"), look}, keypad("Ctrl+Num+7"));
+    oblique = add("oblique", {tr("&Oblique"), tr("Look from the side and above")}, QKeySequence(tr("0")));
     const QString up = tr("Which axis of the world points up in the view; kept with the project");
-    upAxes = {addToggle({tr("&X Points Up"), up}, {}), addToggle({tr("&Y Points Up"), up}, {}),
-              addToggle({tr("&Z Points Up"), up}, {})};
+    upAxes = {addToggle("upX", {tr("&X Points Up"), up}, {}), addToggle("upY", {tr("&Y Points Up"), up}, {}),
+              addToggle("upZ", {tr("&Z Points Up"), up}, {})};
     auto* axes = new QActionGroup(this);
     for (QAction* axis : upAxes) axes->addAction(axis);
     upAxes[2]->setChecked(true);
     auto* keys = new QActionGroup(this);
-    wendKeys =
-        addToggle({tr("&Wend"), tr("Right or middle button turns, with Shift moves; the wheel zooms")}, {});
-    vtkKeys =
-        addToggle({tr("Like &VTK"), tr("Left button turns, middle moves, right zooms, as in ParaView")}, {});
+    wendKeys = addToggle(
+        "wendKeys", {tr("&Wend"), tr("Right or middle button turns, with Shift moves; the wheel zooms")}, {});
+    vtkKeys = addToggle(
+        "vtkKeys", {tr("Like &VTK"), tr("Left button turns, middle moves, right zooms, as in ParaView")}, {});
     blenderKeys =
-        addToggle({tr("Like &Blender"), tr("Middle button turns, with Shift moves, with Ctrl zooms")}, {});
+        addToggle("blenderKeys",
+                  {tr("Like &Blender"), tr("Middle button turns, with Shift moves, with Ctrl zooms")}, {});
     for (QAction* action : {wendKeys, vtkKeys, blenderKeys}) keys->addAction(action);
     wendKeys->setChecked(true);
 }

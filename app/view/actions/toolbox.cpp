@@ -23,7 +23,8 @@ void Toolbox::makeModes() {
     auto* group = new QActionGroup(this);
     for (const Mode mode : kModes) {
         const QString keys = QStringLiteral("Ctrl+%1").arg(static_cast<int>(mode) + 1);
-        QAction* one = addToggle(words.at(mode), QKeySequence(keys));
+        QAction* one = addToggle(QStringLiteral("step%1").arg(static_cast<int>(mode) + 1), words.at(mode),
+                                 QKeySequence(keys));
         group->addAction(one);
         connect(one, &QAction::triggered, this, [this, mode] { setMode(mode); });
         m_modes[mode] = one;
@@ -32,9 +33,9 @@ void Toolbox::makeModes() {
 
 void Toolbox::makeTool(const ToolKind& kind) {
     QAction* tool = addToggle(
+        QString::fromLatin1(kind.id),
         {QCoreApplication::translate("Tools", kind.name), QCoreApplication::translate("Tools", kind.help)},
         {}, QString::fromLatin1(kind.icon));
-    tool->setObjectName(QString::fromLatin1(kind.id));
     setKeysOf(tool, QKeySequence::listFromString(QString::fromLatin1(kind.keys)));
     m_group->addAction(tool);
     m_tools.push_back(tool);
@@ -122,6 +123,23 @@ void Toolbox::show() {
 void Toolbox::shareKeysWith(const QList<ActionMaker*>& others) {
     m_others = others;
     shareKeys();
+}
+
+QList<QAction*> Toolbox::actionsWithKeys() const {
+    QList<QAction*> actions = own();
+    for (const ActionMaker* maker : m_others) actions << maker->own();
+    return actions;
+}
+
+bool Toolbox::canShareKeys(const QAction& one, const QAction& other) const {
+    if (one.isVisible() != other.isVisible()) return true;
+    const auto kindOf = [this](const QAction& action) -> const ToolKind* {
+        const auto at = std::ranges::find(m_tools, &action);
+        return at != m_tools.end() ? &toolTable()[static_cast<std::size_t>(at - m_tools.begin())] : nullptr;
+    };
+    const ToolKind *a = kindOf(one), *b = kindOf(other);
+    return a && b &&
+           std::ranges::none_of(kModes, [&](Mode mode) { return a->modes.has(mode) && b->modes.has(mode); });
 }
 
 void Toolbox::shareKeys() {

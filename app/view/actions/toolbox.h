@@ -32,6 +32,13 @@ class Toolbox : public ActionMaker {
     QList<QAction*> toolsFirstIn(Mode mode) const;
     /// A key belongs to the current step's tools first, then to these, then to the tools of other steps.
     void shareKeysWith(const QList<ActionMaker*>& others);
+    /// Assigns the keys anew, after an action got others.
+    void shareKeys();
+    /// Returns the tools, the steps and the actions that keys are shared with.
+    QList<QAction*> actionsWithKeys() const;
+    /// Whether two actions may have the same key: tools of different steps, or one for pictures and one for
+    /// solids.
+    bool canShareKeys(const QAction& one, const QAction& other) const;
 
   signals:
     /// Emitted when the tool, the step or the dimension changed.
@@ -44,7 +51,6 @@ class Toolbox : public ActionMaker {
     QAction* toolFor(Mode mode) const;
     void choose(const ToolKind& kind);
     void show();
-    void shareKeys();
 
     QActionGroup* m_group;
     std::map<Mode, QAction*> m_modes;

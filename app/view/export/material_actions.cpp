@@ -19,25 +19,32 @@ MaterialActions::MaterialActions(ShapeSession& session, Exporter& exporter, QObj
     : ActionMaker(parent), m_session(session), m_menu(new QMenu) {
     using enum MaterialPart;
     bringIn[Keep] =
-        add({tr("Import &Keep…"),
+        add("importKeep",
+            {tr("Import &Keep…"),
              tr("A grey picture over the whole, as a layer: black keeps area, white keeps angles")},
             {});
     bringIn[Stiffness] =
-        add({tr("Import &Stiffness…"), tr("A grey picture over the whole, as a layer: black is the same as "
+        add("importStiffness",
+            {tr("Import &Stiffness…"), tr("A grey picture over the whole, as a layer: black is the same as "
                                           "everywhere, white is 1000 times stiffer")},
             {});
     bringIn[Direction] =
-        add({tr("Import &Directions…"), tr("A grey picture over the whole, as a layer, of the direction of "
+        add("importDirection",
+            {tr("Import &Directions…"), tr("A grey picture over the whole, as a layer, of the direction of "
                                            "stiffness: black is level, middle grey upright")},
             {});
-    cells = add({tr("Import Values of &Cells…"),
+    cells = add("cells",
+                {tr("Import Values of &Cells…"),
                  tr("φ and B of every cell from a mesh file that contains them, such as an exported one")},
                 {});
-    write[Keep] = add({tr("Export K&eep…"), tr("As a grey picture, to be edited in a paint program")}, {});
+    write[Keep] = add("exportKeep",
+                      {tr("Export K&eep…"), tr("As a grey picture, to be edited in a paint program")}, {});
     write[Stiffness] =
-        add({tr("Export S&tiffness…"), tr("As a grey picture, to be edited in a paint program")}, {});
+        add("exportStiffness",
+            {tr("Export S&tiffness…"), tr("As a grey picture, to be edited in a paint program")}, {});
     write[Direction] =
-        add({tr("Export Di&rections…"), tr("As a grey picture, to be edited in a paint program")}, {});
+        add("exportDirection",
+            {tr("Export Di&rections…"), tr("As a grey picture, to be edited in a paint program")}, {});
     m_menu->setTitle(tr("&Material"));
     for (const auto& [part, action] : bringIn) {
         m_menu->addAction(action);

@@ -9,13 +9,15 @@
 #include "app/view/actions/actions.h"
 #include "app/view/help/cheat_sheet.h"
 #include "app/view/help/manual_window.h"
+#include "app/view/help/shortcut_dialog.h"
 
 namespace wend {
 
-SideWindows::SideWindows(ShapeSession& session, const Actions& actions, QMainWindow& window)
-    : QObject(&window), m_session(session), m_window(window) {
+SideWindows::SideWindows(ShapeSession& session, const Actions& actions, Toolbox& tools, QMainWindow& window)
+    : QObject(&window), m_session(session), m_tools(tools), m_window(window) {
     connect(actions.manual, &QAction::triggered, this, &SideWindows::showManual);
     connect(actions.shortcuts, &QAction::triggered, this, &SideWindows::showKeys);
+    connect(actions.chooseKeys, &QAction::triggered, this, &SideWindows::chooseKeys);
     connect(actions.history, &QAction::triggered, this, &SideWindows::showHistory);
     connect(actions.about, &QAction::triggered, this, &SideWindows::showAbout);
 }
@@ -31,6 +33,10 @@ void SideWindows::showManual() {
 
 void SideWindows::showKeys() {
     CheatSheet(*m_window.menuBar(), m_session.document().dimension(), &m_window).exec();
+}
+
+void SideWindows::chooseKeys() {
+    ShortcutDialog(*m_window.menuBar(), m_tools, &m_window).exec();
 }
 
 /// Shows the undo history; a click moves to that step.
