@@ -107,11 +107,13 @@ void ShortcutDialog::fill(const QMenuBar& menus) {
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     const QList<QAction*> known = m_tools.actionsWithKeys();
-    const auto add = [&](const auto& self, QTreeWidgetItem& heading, const QMenu& menu) -> void {
+    const auto add = [&](const auto& self, QTreeWidgetItem& heading, const QMenu& menu,
+                         const QString& path) -> void {
         for (QAction* action : menu.actions()) {
-            if (action->menu()) self(self, heading, *action->menu());
+            if (action->menu())
+                self(self, heading, *action->menu(), path + nameOf(*action) + QStringLiteral(" › "));
             if (!known.contains(action)) continue;
-            auto* item = new QTreeWidgetItem(&heading, {nameOf(*action)});
+            auto* item = new QTreeWidgetItem(&heading, {path + nameOf(*action)});
             item->setData(0, kAction, QVariant::fromValue(action));
             item->setToolTip(0, ActionMaker::helpOf(*action));
         }
@@ -119,7 +121,7 @@ void ShortcutDialog::fill(const QMenuBar& menus) {
     for (const QAction* menu : menus.actions()) {
         auto* heading = new QTreeWidgetItem(m_list, {nameOf(*menu)});
         heading->setFlags(Qt::ItemIsEnabled);
-        add(add, *heading, *menu->menu());
+        add(add, *heading, *menu->menu(), {});
         heading->setHidden(heading->childCount() == 0);
     }
     m_list->expandAll();
