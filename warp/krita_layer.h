@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/zip_archive.h"
 #include "warp/picture_metadata.h"
-#include "warp/zip_archive.h"
 
 namespace wend {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "core/mesh/error.h"
+#include "core/mesh/zip_archive.h"
 #include "warp/blend_mode.h"
 #include "warp/byte_numbers.h"
 #include "warp/krita_layer.h"
-#include "warp/zip_archive.h"
 
 namespace wend {
 namespace {

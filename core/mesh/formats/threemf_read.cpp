@@ -11,8 +11,8 @@
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/formats/zip_archive.h"
 #include "core/mesh/number_text.h"
+#include "core/mesh/zip_archive.h"
 
 namespace wend::formats {
 namespace {
@@ -40,7 +40,7 @@ std::string_view attributeNamed(pugi::xml_node node, std::string_view name) {
 
 class ThreeMfReader {
   public:
-    explicit ThreeMfReader(std::string_view bytes) : m_archive(bytes) {}
+    explicit ThreeMfReader(const std::string& path) : m_archive(path) {}
 
     /// Reads the objects that the build names, each at its place.
     MeshFile read() {
@@ -190,7 +190,7 @@ class ThreeMfReader {
 }  // namespace
 
 MeshFile readThreeMf(std::span<const MeshSource> files) {
-    return ThreeMfReader(files[0].bytes).read();
+    return ThreeMfReader(files[0].path).read();
 }
 
 }  // namespace wend::formats

@@ -1,4 +1,4 @@
-#include "warp/zip_archive.h"
+#include "core/mesh/zip_archive.h"
 
 #include <minizip/unzip.h>
 
@@ -8,13 +8,19 @@
 
 namespace wend {
 
+namespace {
+
+constexpr int kAnyCase = 2;  // of minizip
+
+}  // namespace
+
 ZipArchive::ZipArchive(const std::string& path) : m_path(path), m_zip(unzOpen64(path.c_str()), unzClose) {
     if (!m_zip) fail("is a damaged ZIP archive");
 }
 
 std::optional<std::string> ZipArchive::file(const std::string& name, std::uint64_t most) const {
     unz_file_info64 info{};
-    if (unzLocateFile(m_zip.get(), name.c_str(), 1) != UNZ_OK) return std::nullopt;
+    if (unzLocateFile(m_zip.get(), name.c_str(), kAnyCase) != UNZ_OK) return std::nullopt;
     if (unzGetCurrentFileInfo64(m_zip.get(), &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK ||
         unzOpenCurrentFile(m_zip.get()) != UNZ_OK)
         fail("has a damaged " + name);

@@ -15,7 +15,7 @@ class ZipArchive {
 
     static constexpr std::uint64_t kLongest = std::uint64_t(2) << 30;  // bytes of a file in an archive
 
-    /// Returns the file of that name, or its first bytes; nothing if there is none.
+    /// Returns the file of that name, in upper or lower case, or its first bytes; nothing if there is none.
     std::optional<std::string> file(const std::string& name, std::uint64_t most = kLongest) const;
 
     [[noreturn]] void fail(const std::string& why) const;
