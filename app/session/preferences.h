@@ -25,8 +25,8 @@ class Preference {
     T m_standard;
 };
 
-/// All of them, but for each section of the panels whether it is unfolded ("open/NAME"), and for each action the keys
-/// that the user chose ("keys/MAKER/ACTION").
+/// All of them, but for each section of the panels whether it is unfolded ("open/NAME"), and for each action
+/// the keys that the user chose ("keys/MAKER/ACTION").
 namespace preferences {
 
 inline const Preference<QString> language{QStringLiteral("language")};      // a code; empty: the desktop's

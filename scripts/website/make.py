@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""make.py FOLDER [API]: writes the manual as a website that needs no server: the pages of docs/ with their pictures, a
-search, and the reference of the library where scripts/api-reference.sh has put it (API, its folder html). Fails on a
-link that leads nowhere. Needs python3-markdown."""
+"""make.py FOLDER [API [MODULE]]: writes the manual as a website that needs no server: the pages of docs/ with their
+pictures, the notebooks, a search, and the reference of the library where scripts/api-reference.sh has put it (API, its
+folder html). With MODULE, the folder of the Python module, notebooks are run and show their results, which needs
+Matplotlib. Fails on a link that leads nowhere. Needs python3-markdown."""
 
 import html
 import html.parser
@@ -15,8 +16,11 @@ import urllib.parse
 
 import markdown
 
+import notebook
+
 here = os.path.dirname(os.path.abspath(__file__))
 docs = os.path.normpath(os.path.join(here, "../../docs"))
+notebooks = os.path.normpath(os.path.join(here, "../../examples/notebooks"))
 
 
 def slug(title, separator="-"):
@@ -48,12 +52,12 @@ def target(link):
 
 
 class Page:
-    def __init__(self, name):
-        with open(os.path.join(docs, name)) as file:
-            text = file.read()
+    """A page of its own name, converted from Markdown."""
+
+    def __init__(self, name, text):
         converter = markdown.Markdown(extensions=["tables", "fenced_code", "toc", "sane_lists"],
                                       extension_configs={"toc": {"slugify": slug}})
-        self.name, self.pictures = web_name(name), []
+        self.name, self.pictures = name, []
         self.body = re.sub(r'<a href="([^"]*)">(.*?)</a>', self.link, converter.convert(text), flags=re.S)
         self.body = re.sub(r'src="(\.\./[^"]*)"', self.picture, self.body)
         self.body = self.body.replace("<table>", '<div class="wide"><table>').replace("</table>", "</table></div>")
@@ -79,10 +83,13 @@ class Page:
 
 
 def written(page, pages, api):
-    items = "".join('<li><a href="%s"%s>%s</a></li>' %
-                    (one.name, ' aria-current="page"' if one is page else "", html.escape(one.title)) for one in pages)
+    def item(one):
+        return '<li><a href="%s"%s>%s</a></li>' % (one.name, ' aria-current="page"' if one is page else "",
+                                                   html.escape(one.title))
+    items = "".join(item(one) for one in pages if not one.name.startswith("notebook-"))
     if api:
         items += '<li><a href="api/index.html">Reference of the library</a></li>'
+    cells = "".join(item(one) for one in pages if one.name.startswith("notebook-"))
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -100,6 +107,8 @@ def written(page, pages, api):
 <input id="search" type="search" placeholder="Search" aria-label="Search the manual">
 <ul id="results"></ul>
 <ul>{items}</ul>
+<h3>Notebooks</h3>
+<ul>{cells}</ul>
 </nav>
 <main>
 {page.body}
@@ -148,10 +157,20 @@ def dead_links(folder):
                 yield f"{name}: {link} leads nowhere"
 
 
-def main(folder, api=None):
-    pages = [Page(name) for name in page_names()]
+def read(name):
+    with open(os.path.join(docs, name)) as file:
+        return file.read()
+
+
+def main(folder, api=None, module=None):
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder + "/pictures")
+    if module:
+        sys.path.insert(0, os.path.abspath(module))
+    pages = [Page(web_name(name), read(name)) for name in page_names()]
+    for name in sorted(os.listdir(notebooks)):
+        text = notebook.text_of(os.path.join(notebooks, name), folder + "/pictures", module is not None)
+        pages.append(Page(f"notebook-{name[:-6]}.html", text))
     own = [os.path.join(docs, "pictures", name) for name in os.listdir(docs + "/pictures")]
     for name in own + [one for page in pages for one in page.pictures]:
         if name.endswith((".png", ".svg")):
@@ -171,6 +190,6 @@ def main(folder, api=None):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if not 2 <= len(sys.argv) <= 4:
         sys.exit(__doc__)
     sys.exit(main(*sys.argv[1:]))
