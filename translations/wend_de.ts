@@ -3062,17 +3062,6 @@
     </message>
 </context>
 <context>
-    <name>wend::BorderOffer</name>
-    <message>
-        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
-        <translation>Dieses Bild füllt seinen Rahmen. Mit festgehaltenem Rand biegt es sich im Inneren, und an den Kanten entsteht keine Lücke.</translation>
-    </message>
-    <message>
-        <source>Hold the Border</source>
-        <translation>Bildrand festhalten</translation>
-    </message>
-</context>
-<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -4888,17 +4877,6 @@
     </message>
 </context>
 <context>
-    <name>wend::LineArtOffer</name>
-    <message>
-        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
-        <translation>Dieses Bild besteht vor allem aus dünnen Linien, und nur die Linien würden sich biegen. Mit gefüllten Löchern biegt sich auch, was sie umschließen.</translation>
-    </message>
-    <message>
-        <source>Fill the Holes</source>
-        <translation>Löcher füllen</translation>
-    </message>
-</context>
-<context>
     <name>wend::MainWindow</name>
     <message>
         <source>Main</source>
@@ -5304,6 +5282,55 @@
     </message>
 </context>
 <context>
+    <name>wend::Offers</name>
+    <message>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
+        <translation>Dieses Bild füllt seinen Rahmen. Mit festgehaltenem Rand biegt es sich im Inneren, und an den Kanten entsteht keine Lücke.</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>Bildrand festhalten</translation>
+    </message>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Weiche Kanten oder Schatten dieses Bildes reichen über den Ausschnitt hinaus und werden abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>Mitnehmen</translation>
+    </message>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>Dieses Bild besteht vor allem aus dünnen Linien, und nur die Linien würden sich biegen. Mit gefüllten Löchern biegt sich auch, was sie umschließen.</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n Bild wurde als Teil geöffnet: es biegt sich für sich.</numerusform>
+            <numerusform>%n Bilder wurden als Teile geöffnet: jeder biegt sich für sich. Verbinden Sie sie unter Teile, wo sie sich treffen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n Ebene wurde als Teil geöffnet: sie biegt sich für sich.</numerusform>
+            <numerusform>%n Ebenen wurden als Teile geöffnet: jeder biegt sich für sich. Verbinden Sie sie unter Teile, wo sie sich treffen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>Reduziert öffnen</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>Reduziert öffnen</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5553,31 +5580,6 @@
     <message>
         <source>Change blend mode</source>
         <translation>Mischmodus ändern</translation>
-    </message>
-</context>
-<context>
-    <name>wend::PartsOffer</name>
-    <message numerus="yes">
-        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n Bild wurde als Teil geöffnet: es biegt sich für sich.</numerusform>
-            <numerusform>%n Bilder wurden als Teile geöffnet: jeder biegt sich für sich. Verbinden Sie sie unter Teile, wo sie sich treffen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n Ebene wurde als Teil geöffnet: sie biegt sich für sich.</numerusform>
-            <numerusform>%n Ebenen wurden als Teile geöffnet: jeder biegt sich für sich. Verbinden Sie sie unter Teile, wo sie sich treffen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Open Flattened</source>
-        <translation>Reduziert öffnen</translation>
-    </message>
-    <message>
-        <source>Open flattened</source>
-        <translation>Reduziert öffnen</translation>
     </message>
 </context>
 <context>
@@ -6929,17 +6931,6 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SoftEdgeOffer</name>
-    <message>
-        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
-        <translation>Weiche Kanten oder Schatten dieses Bildes reichen über den Ausschnitt hinaus und werden abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>Include Them</source>
-        <translation>Mitnehmen</translation>
     </message>
 </context>
 <context>

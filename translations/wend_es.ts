@@ -3062,17 +3062,6 @@
     </message>
 </context>
 <context>
-    <name>wend::BorderOffer</name>
-    <message>
-        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
-        <translation>Esta imagen llena su marco. Con el borde sujeto se deforma por dentro y no se abren huecos en los lados.</translation>
-    </message>
-    <message>
-        <source>Hold the Border</source>
-        <translation>Sujetar borde</translation>
-    </message>
-</context>
-<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -4888,17 +4877,6 @@
     </message>
 </context>
 <context>
-    <name>wend::LineArtOffer</name>
-    <message>
-        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
-        <translation>Esta imagen se compone sobre todo de líneas finas, y solo se doblarían las líneas. Con los huecos rellenos se dobla también lo que encierran.</translation>
-    </message>
-    <message>
-        <source>Fill the Holes</source>
-        <translation>Rellenar los huecos</translation>
-    </message>
-</context>
-<context>
     <name>wend::MainWindow</name>
     <message>
         <source>Main</source>
@@ -5304,6 +5282,55 @@
     </message>
 </context>
 <context>
+    <name>wend::Offers</name>
+    <message>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
+        <translation>Esta imagen llena su marco. Con el borde sujeto se deforma por dentro y no se abren huecos en los lados.</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>Sujetar borde</translation>
+    </message>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Los bordes suaves o las sombras de esta imagen salen del recorte y quedan cortados.</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>Incluirlos</translation>
+    </message>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>Esta imagen se compone sobre todo de líneas finas, y solo se doblarían las líneas. Con los huecos rellenos se dobla también lo que encierran.</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>Rellenar los huecos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n imagen se abrió como parte: se dobla por sí sola.</numerusform>
+            <numerusform>%n imágenes se abrieron como partes: cada una se dobla por sí sola. Únalas donde se encuentran, en Partes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n capa se abrió como parte: se dobla por sí sola.</numerusform>
+            <numerusform>%n capas se abrieron como partes: cada una se dobla por sí sola. Únalas donde se encuentran, en Partes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>Abrir acoplada</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>Abrir acoplada</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5553,31 +5580,6 @@
     <message>
         <source>Change blend mode</source>
         <translation>Cambiar modo de mezcla</translation>
-    </message>
-</context>
-<context>
-    <name>wend::PartsOffer</name>
-    <message numerus="yes">
-        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n imagen se abrió como parte: se dobla por sí sola.</numerusform>
-            <numerusform>%n imágenes se abrieron como partes: cada una se dobla por sí sola. Únalas donde se encuentran, en Partes.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n capa se abrió como parte: se dobla por sí sola.</numerusform>
-            <numerusform>%n capas se abrieron como partes: cada una se dobla por sí sola. Únalas donde se encuentran, en Partes.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Open Flattened</source>
-        <translation>Abrir acoplada</translation>
-    </message>
-    <message>
-        <source>Open flattened</source>
-        <translation>Abrir acoplada</translation>
     </message>
 </context>
 <context>
@@ -6929,17 +6931,6 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SoftEdgeOffer</name>
-    <message>
-        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
-        <translation>Los bordes suaves o las sombras de esta imagen salen del recorte y quedan cortados.</translation>
-    </message>
-    <message>
-        <source>Include Them</source>
-        <translation>Incluirlos</translation>
     </message>
 </context>
 <context>

@@ -3062,17 +3062,6 @@
     </message>
 </context>
 <context>
-    <name>wend::BorderOffer</name>
-    <message>
-        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
-        <translation>Cette image remplit son cadre. Le bord maintenu, elle se déforme à l’intérieur, sans vide sur les côtés.</translation>
-    </message>
-    <message>
-        <source>Hold the Border</source>
-        <translation>Maintenir le bord</translation>
-    </message>
-</context>
-<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -4888,17 +4877,6 @@
     </message>
 </context>
 <context>
-    <name>wend::LineArtOffer</name>
-    <message>
-        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
-        <translation>Cette image est surtout faite de traits fins, et seuls les traits se plieraient. Avec les trous remplis, ce qu’ils entourent se plie aussi.</translation>
-    </message>
-    <message>
-        <source>Fill the Holes</source>
-        <translation>Remplir les trous</translation>
-    </message>
-</context>
-<context>
     <name>wend::MainWindow</name>
     <message>
         <source>Main</source>
@@ -5304,6 +5282,55 @@
     </message>
 </context>
 <context>
+    <name>wend::Offers</name>
+    <message>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
+        <translation>Cette image remplit son cadre. Le bord maintenu, elle se déforme à l’intérieur, sans vide sur les côtés.</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>Maintenir le bord</translation>
+    </message>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>Des bords doux ou des ombres de cette image dépassent du détourage et sont coupés.</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>Les inclure</translation>
+    </message>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>Cette image est surtout faite de traits fins, et seuls les traits se plieraient. Avec les trous remplis, ce qu’ils entourent se plie aussi.</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>Remplir les trous</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n image a été ouverte comme partie : elle se plie seule.</numerusform>
+            <numerusform>%n images ont été ouvertes comme parties : chacune se plie seule. Joignez-les là où elles se touchent, sous Parties.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n calque a été ouvert comme partie : il se plie seul.</numerusform>
+            <numerusform>%n calques ont été ouverts comme parties : chacune se plie seule. Joignez-les là où elles se touchent, sous Parties.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>Ouvrir aplatie</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>Ouvrir aplatie</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5553,31 +5580,6 @@
     <message>
         <source>Change blend mode</source>
         <translation>Modifier le mode de fusion</translation>
-    </message>
-</context>
-<context>
-    <name>wend::PartsOffer</name>
-    <message numerus="yes">
-        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n image a été ouverte comme partie : elle se plie seule.</numerusform>
-            <numerusform>%n images ont été ouvertes comme parties : chacune se plie seule. Joignez-les là où elles se touchent, sous Parties.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n calque a été ouvert comme partie : il se plie seul.</numerusform>
-            <numerusform>%n calques ont été ouverts comme parties : chacune se plie seule. Joignez-les là où elles se touchent, sous Parties.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Open Flattened</source>
-        <translation>Ouvrir aplatie</translation>
-    </message>
-    <message>
-        <source>Open flattened</source>
-        <translation>Ouvrir aplatie</translation>
     </message>
 </context>
 <context>
@@ -6929,17 +6931,6 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SoftEdgeOffer</name>
-    <message>
-        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
-        <translation>Des bords doux ou des ombres de cette image dépassent du détourage et sont coupés.</translation>
-    </message>
-    <message>
-        <source>Include Them</source>
-        <translation>Les inclure</translation>
     </message>
 </context>
 <context>

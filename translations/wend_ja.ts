@@ -3061,17 +3061,6 @@
     </message>
 </context>
 <context>
-    <name>wend::BorderOffer</name>
-    <message>
-        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
-        <translation>この画像は枠いっぱいに描かれています。端を固定すると、内側だけが変形し、縁にすき間ができません。</translation>
-    </message>
-    <message>
-        <source>Hold the Border</source>
-        <translation>画像の端を固定</translation>
-    </message>
-</context>
-<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -4881,17 +4870,6 @@
     </message>
 </context>
 <context>
-    <name>wend::LineArtOffer</name>
-    <message>
-        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
-        <translation>この画像はほとんどが細い線で、線だけが曲がります。穴を埋めると、線で囲まれた内側も曲がります。</translation>
-    </message>
-    <message>
-        <source>Fill the Holes</source>
-        <translation>穴を埋める</translation>
-    </message>
-</context>
-<context>
     <name>wend::MainWindow</name>
     <message>
         <source>Main</source>
@@ -5295,6 +5273,53 @@
     </message>
 </context>
 <context>
+    <name>wend::Offers</name>
+    <message>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
+        <translation>この画像は枠いっぱいに描かれています。端を固定すると、内側だけが変形し、縁にすき間ができません。</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>画像の端を固定</translation>
+    </message>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>この画像の柔らかい縁や影が切り抜きの外に広がっていて、切り落とされます。</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>含める</translation>
+    </message>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>この画像はほとんどが細い線で、線だけが曲がります。穴を埋めると、線で囲まれた内側も曲がります。</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>穴を埋める</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 枚の画像をパーツとして開きました。それぞれ単独で曲がります。接するところで「パーツ」から接合してください。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 枚のレイヤーをパーツとして開きました。それぞれ単独で曲がります。接するところで「パーツ」から接合してください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>統合して開く</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>統合して開く</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5544,29 +5569,6 @@
     <message>
         <source>Change blend mode</source>
         <translation>描画モードを変更</translation>
-    </message>
-</context>
-<context>
-    <name>wend::PartsOffer</name>
-    <message numerus="yes">
-        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n 枚の画像をパーツとして開きました。それぞれ単独で曲がります。接するところで「パーツ」から接合してください。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n 枚のレイヤーをパーツとして開きました。それぞれ単独で曲がります。接するところで「パーツ」から接合してください。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Open Flattened</source>
-        <translation>統合して開く</translation>
-    </message>
-    <message>
-        <source>Open flattened</source>
-        <translation>統合して開く</translation>
     </message>
 </context>
 <context>
@@ -6915,17 +6917,6 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SoftEdgeOffer</name>
-    <message>
-        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
-        <translation>この画像の柔らかい縁や影が切り抜きの外に広がっていて、切り落とされます。</translation>
-    </message>
-    <message>
-        <source>Include Them</source>
-        <translation>含める</translation>
     </message>
 </context>
 <context>

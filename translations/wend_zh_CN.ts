@@ -3061,17 +3061,6 @@
     </message>
 </context>
 <context>
-    <name>wend::BorderOffer</name>
-    <message>
-        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
-        <translation>这张图片充满画框。固定边缘后只在内部变形，边上不会露出空隙。</translation>
-    </message>
-    <message>
-        <source>Hold the Border</source>
-        <translation>固定图片边缘</translation>
-    </message>
-</context>
-<context>
     <name>wend::BrushActions</name>
     <message>
         <source>&amp;Brush</source>
@@ -4881,17 +4870,6 @@
     </message>
 </context>
 <context>
-    <name>wend::LineArtOffer</name>
-    <message>
-        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
-        <translation>这幅图像主要由细线组成，只有线条会弯曲。填充孔洞后，线条所围的内部也会弯曲。</translation>
-    </message>
-    <message>
-        <source>Fill the Holes</source>
-        <translation>填充孔洞</translation>
-    </message>
-</context>
-<context>
     <name>wend::MainWindow</name>
     <message>
         <source>Main</source>
@@ -5295,6 +5273,53 @@
     </message>
 </context>
 <context>
+    <name>wend::Offers</name>
+    <message>
+        <source>This picture fills its frame. If its border is held, it bends inside and no gap opens at the edges.</source>
+        <translation>这张图片充满画框。固定边缘后只在内部变形，边上不会露出空隙。</translation>
+    </message>
+    <message>
+        <source>Hold the Border</source>
+        <translation>固定图片边缘</translation>
+    </message>
+    <message>
+        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
+        <translation>这张图片的柔边或阴影超出了抠图范围，会被裁掉。</translation>
+    </message>
+    <message>
+        <source>Include Them</source>
+        <translation>一并保留</translation>
+    </message>
+    <message>
+        <source>This picture is mostly thin lines, and only the lines would bend. Filled holes bend what they enclose, too.</source>
+        <translation>这幅图像主要由细线组成，只有线条会弯曲。填充孔洞后，线条所围的内部也会弯曲。</translation>
+    </message>
+    <message>
+        <source>Fill the Holes</source>
+        <translation>填充孔洞</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 张图片已作为部件打开:各自弯曲。请在“部件”中将它们在相接处连接。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
+        <translation>
+            <numerusform>%n 个图层已作为部件打开:各自弯曲。请在“部件”中将它们在相接处连接。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open Flattened</source>
+        <translation>合并打开</translation>
+    </message>
+    <message>
+        <source>Open flattened</source>
+        <translation>合并打开</translation>
+    </message>
+</context>
+<context>
     <name>wend::OpeningNote</name>
     <message>
         <source>Opening %1 …</source>
@@ -5544,29 +5569,6 @@
     <message>
         <source>Change blend mode</source>
         <translation>更改混合模式</translation>
-    </message>
-</context>
-<context>
-    <name>wend::PartsOffer</name>
-    <message numerus="yes">
-        <source>%n pictures were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n 张图片已作为部件打开:各自弯曲。请在“部件”中将它们在相接处连接。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n layers were opened as parts: each bends by itself. Join them where they meet, under Parts.</source>
-        <translation>
-            <numerusform>%n 个图层已作为部件打开:各自弯曲。请在“部件”中将它们在相接处连接。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Open Flattened</source>
-        <translation>合并打开</translation>
-    </message>
-    <message>
-        <source>Open flattened</source>
-        <translation>合并打开</translation>
     </message>
 </context>
 <context>
@@ -6915,17 +6917,6 @@
     <message>
         <source>First select a pin that holds a ball, a box or one side.</source>
         <translation>请先选择抓取球、块或单侧的图钉。</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SoftEdgeOffer</name>
-    <message>
-        <source>Soft edges or shadows of this picture reach beyond the cut-out, and are cut off.</source>
-        <translation>这张图片的柔边或阴影超出了抠图范围，会被裁掉。</translation>
-    </message>
-    <message>
-        <source>Include Them</source>
-        <translation>一并保留</translation>
     </message>
 </context>
 <context>

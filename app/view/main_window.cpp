@@ -48,13 +48,10 @@
 #include "app/view/film/track_view.h"
 #include "app/view/help/side_windows.h"
 #include "app/view/help/tutorial.h"
-#include "app/view/notices/border_offer.h"
 #include "app/view/notices/info_banner.h"
-#include "app/view/notices/line_art_offer.h"
-#include "app/view/notices/parts_offer.h"
+#include "app/view/notices/offers.h"
 #include "app/view/notices/problem_remedies.h"
 #include "app/view/notices/shape_notices.h"
-#include "app/view/notices/soft_edge_offer.h"
 #include "app/view/notices/spring_offer.h"
 #include "app/view/notices/work_note.h"
 #include "app/view/properties.h"
@@ -245,10 +242,7 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     connectChoices();
-    new BorderOffer(m_session.document(), *m_banner, this);
-    new SoftEdgeOffer(m_session.document(), *m_banner, this);
-    new LineArtOffer(m_session.document(), *m_banner, this);
-    new PartsOffer(m_session.document(), *m_banner, this);
+    new Offers(m_session.document(), *m_banner, this);
     new SpringOffer(m_session, *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);
     const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };

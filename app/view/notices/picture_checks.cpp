@@ -1,22 +1,21 @@
-#include "app/view/notices/soft_edge_offer.h"
+#include "app/view/notices/picture_checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/document.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/in_background.h"
-#include "app/view/notices/info_banner.h"
+#include "core/mesh/error.h"
+#include "core/mesh/segments.h"
 #include "warp/convert.h"
+#include "warp/outline.h"
 
 namespace wend {
 
 namespace {
 
-constexpr double kFaint = 0.01;        // opacity above which the wider outline includes a pixel
+// --- Soft edges ---
+
 constexpr float kLeastMissed = 0.02F;  // less is not missed
 constexpr double kMuch = 0.01;         // of the pixels within
 
@@ -66,7 +65,41 @@ class PixelKinds {
     std::vector<std::uint8_t> m_kinds;
 };
 
+// --- Line art ---
+
+constexpr double kMostInk = 0.4;    // of what the strokes enclose
+constexpr double kThickest = 0.04;  // of the picture's diagonal: the mean width of a stroke
+
+struct InkMeasure {
+    double area = 0, length = 0;
+};
+
+/// Measures with the even-odd rule: holes count against what they are in.
+InkMeasure measured(const Outline& outline) {
+    InkMeasure sum;
+    for (const auto& loop : outline.loops) {
+        sum.area += loopArea(loop);
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            sum.length += (loop[(k + 1) % loop.size()] - loop[k]).norm();
+    }
+    sum.area = std::abs(sum.area);
+    return sum;
+}
+
 }  // namespace
+
+bool hasOpaqueEdges(const Image& picture) {
+    constexpr float kFull = 0.99F;
+    if (!picture.alpha) return true;
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    std::vector<float> row(static_cast<std::size_t>(picture.width) * channels);
+    for (const int y : {0, picture.height - 1}) {
+        loadRow(picture, y, row.data());
+        for (std::size_t i = channels - 1; i < row.size(); i += channels)
+            if (row[i] < kFull) return false;
+    }
+    return true;
+}
 
 bool cutsSoftEdges(const Image& picture, const AlphaOutlineOptions& outline) {
     if (!picture.alpha) return false;
@@ -76,43 +109,21 @@ bool cutsSoftEdges(const Image& picture, const AlphaOutlineOptions& outline) {
     return static_cast<double>(pixels.countFar(static_cast<int>(std::ceil(outline.margin)))) > much;
 }
 
-SoftEdgeOffer::SoftEdgeOffer(Document& document, InfoBanner& banner, QObject* parent)
-    : QObject(parent), m_document(document), m_banner(banner) {
-    connect(&m_document, &Document::opened, this, &SoftEdgeOffer::look);
-    connect(&m_document, &Document::projectChanged, this, &SoftEdgeOffer::follow);
-}
-
-bool SoftEdgeOffer::isDue() const {
-    if (m_document.isEmpty() || !m_document.picture()) return false;
-    const Domain& domain = m_document.domain();
-    return domain.kind == DomainKind::Image && domain.outline == OutlineKind::Alpha &&
-           domain.alpha.threshold > kFaint;
-}
-
-/// Saved projects are not asked again. The check runs in the background for large pictures.
-void SoftEdgeOffer::look() {
-    m_isOffered = false;
-    if (!isDue() || !m_document.path().isEmpty() || !m_document.design<2>().handles.empty()) return;
-    const auto picture = m_document.picture();
-    inBackground(
-        this, [picture, outline = m_document.domain().alpha] { return cutsSoftEdges(*picture, outline); },
-        [this, picture](bool cuts) {
-            if (cuts && m_document.picture() == picture && isDue()) offer();
-        });
-}
-
-void SoftEdgeOffer::offer() {
-    m_isOffered = true;
-    const auto take = [this] { changeSetting(m_document, "domain.outline.threshold", kFaint); };
-    m_banner.tell(InfoBanner::Topic::SoftEdges,
-                  tr("Soft edges or shadows of this picture reach beyond the cut-out, and are cut off."),
-                  {{tr("Include Them"), take}});
-}
-
-void SoftEdgeOffer::follow() {
-    if (!m_isOffered || isDue()) return;
-    m_isOffered = false;
-    m_banner.clear(InfoBanner::Topic::SoftEdges);
+bool isLineArt(const Image& picture, const AlphaOutlineOptions& outline) {
+    if (!picture.alpha) return false;
+    try {
+        AlphaOutlineOptions strokes = outline;
+        strokes.margin = 0;
+        strokes.holes = OutlineHoles::Kept;
+        const InkMeasure ink = measured(outlineFromAlpha(picture, strokes));
+        strokes.holes = OutlineHoles::Filled;
+        const InkMeasure whole = measured(outlineFromAlpha(picture, strokes));
+        const double width = ink.length > 0 ? 2 * ink.area / ink.length : 0;
+        return ink.area < kMostInk * whole.area &&
+               width < kThickest * std::hypot(picture.width, picture.height);
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 }  // namespace wend
