@@ -8,6 +8,7 @@
 
 #include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/handle_comparison.h"
+#include "app/document/edits/progress.h"
 #include "app/document/project.h"
 #include "core/motion/easing.h"
 #include "core/motion/screw_motion.h"
@@ -241,6 +242,7 @@ bool hasOwnTiming(const Project& project) {
     for (const Handle<Dim>& handle : std::get<Design<Dim>>(project.design).handles)
         for (const Motion<Dim>& motion : handle.motions) {
             if (motion.ease != Ease::Linear || unevenness<Dim>(motion) > kSeen) return true;
+            if (const auto own = straightProgress<Dim>(motion); own && !easeOf(*own)) return true;
             movesOnly = movesOnly && std::holds_alternative<Recorded<Dim>>(motion.kind);
         }
     double at = 0, slowest = std::numeric_limits<double>::infinity(), fastest = 0;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/document/edits/film_time.h"
+#include "core/motion/constraints.h"
 
 namespace wend {
 
@@ -106,6 +107,33 @@ bool isCutOff(const Motion<Dim>& motion, const Motion<Dim>& whole) {
     return handle.motions.size() == 1 && same(handle.motions[0], motion);
 }
 
+/// Returns whether a body that follows all motions of either handle is at the same place at a time.
+template <int Dim>
+bool samePlaceAt(const Handle<Dim>& a, const Handle<Dim>& b, double time) {
+    const auto at = [time](const Handle<Dim>& handle) {
+        return HandleTimeline<Dim>(handle).bodyAt(time, Side::Before).position;
+    };
+    const AffineMap<Dim> p = at(a), q = at(b);
+    const double way = std::max(p.b.norm(), q.b.norm());
+    return (p.A - q.A).norm() <= kRounding && (p.b - q.b).norm() <= kRounding * way;
+}
+
+template <int Dim>
+double lastOf(const Handle<Dim>& a, const Handle<Dim>& b) {
+    if (!samePlace(a, b) || a.activeFrom != b.activeFrom || a.activeTo != b.activeTo) return kNever;
+    std::size_t i = a.motions.size(), j = b.motions.size();
+    while (i > 0 && j > 0 && same(a.motions[i - 1], b.motions[j - 1])) --i, --j;
+    double last = -kNever;
+    for (std::size_t k = 0; k < i; ++k) last = std::max(last, a.motions[k].end);
+    for (std::size_t k = 0; k < j; ++k) last = std::max(last, b.motions[k].end);
+    const auto isField = [](const Motion<Dim>& motion) {
+        return std::holds_alternative<FieldMotion<Dim>>(motion.kind);
+    };
+    if (std::ranges::any_of(a.motions, isField) || std::ranges::any_of(b.motions, isField))
+        return i + j > 0 ? kNever : last;
+    return i + j == 0 || samePlaceAt(a, b, last) ? last : kNever;
+}
+
 /// Compares two lists of handles with different clocks.
 template <int Dim>
 class Comparison {
@@ -175,8 +203,17 @@ double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Hand
     return first;
 }
 
+template <int Dim>
+double lastDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b) {
+    if (a.size() != b.size()) return kNever;
+    double last = -kNever;
+    for (std::size_t i = 0; i < a.size(); ++i) last = std::max(last, lastOf(a[i], b[i]));
+    return last;
+}
+
 #define WEND_INSTANTIATE(Dim)                                                                              \
     template bool samePlace(const Handle<Dim>&, const Handle<Dim>&);                                       \
+    template double lastDifference<Dim>(const std::vector<Handle<Dim>>&, const std::vector<Handle<Dim>>&); \
     template double timeScale<Dim>(const std::vector<Handle<Dim>>&, const std::vector<Handle<Dim>>&);      \
     template double firstDifference<Dim>(const std::vector<Handle<Dim>>&, const std::vector<Handle<Dim>>&, \
                                          double)

@@ -22,6 +22,12 @@ template <int Dim>
 double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b,
                        double scale = 1);
 
+/// Returns the time from which on two lists of handles, with the same clock, prescribe the same places again:
+/// the end of the last motion in which they differ. −infinity if they never differ, infinity if they do to
+/// the end.
+template <int Dim>
+double lastDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b);
+
 /// Returns whether two times are equal up to the rounding of a change of the clock.
 bool sameTime(double a, double b);
 

@@ -8,6 +8,7 @@
 
 #include "app/document/edits/offset_path.h"
 #include "app/document/edits/pose_edits.h"
+#include "app/document/edits/progress.h"
 #include "app/document/project.h"
 #include "core/motion/constraints.h"
 
@@ -45,12 +46,6 @@ AnyDesign edited(AnyDesign design, const std::vector<KeyId>& keys, const Edit& e
     return design;
 }
 
-bool startsSlowly(Ease ease) {
-    return ease == Ease::In || ease == Ease::InOut;
-}
-bool endsSlowly(Ease ease) {
-    return ease == Ease::Out || ease == Ease::InOut;
-}
 Ease easeWith(bool start, bool end) {
     return start ? (end ? Ease::InOut : Ease::In) : (end ? Ease::Out : Ease::Linear);
 }
@@ -101,8 +96,9 @@ void removeKey(Handle<Dim>& handle, double time) {
     if (sides.before != motions.end() && sides.after != motions.end()) {
         const auto offset = offsetOf<Dim>(*sides.before), on = offsetOf<Dim>(*sides.after);
         if (!offset || !on) return;
+        const Ease ease = easeWith(slowSidesOf<Dim>(*sides.before).start, slowSidesOf<Dim>(*sides.after).end);
         sides.before->kind = Translate<Dim>{*offset + *on};
-        sides.before->ease = easeWith(startsSlowly(sides.before->ease), endsSlowly(sides.after->ease));
+        sides.before->ease = ease;
         sides.before->end = sides.after->end;
         motions.erase(sides.after);
     } else if (sides.before != motions.end()) {
@@ -144,8 +140,10 @@ template <int Dim>
 void easeKey(Handle<Dim>& handle, double time, const KeyEase& ease) {
     const Sides<Dim> sides(handle.motions, time);
     const auto none = handle.motions.end();
-    if (sides.before != none) sides.before->ease = easeWith(startsSlowly(sides.before->ease), ease.before);
-    if (sides.after != none) sides.after->ease = easeWith(ease.after, endsSlowly(sides.after->ease));
+    if (sides.before != none)
+        setSlowSides<Dim>(*sides.before, {slowSidesOf<Dim>(*sides.before).start, ease.before});
+    if (sides.after != none)
+        setSlowSides<Dim>(*sides.after, {ease.after, slowSidesOf<Dim>(*sides.after).end});
 }
 
 /// Eases straight motions beside a new key; others have the rhythm that they had.
@@ -154,14 +152,18 @@ void easeStraight(Handle<Dim>& handle, double time, const KeyEase& ease) {
     const Sides<Dim> sides(handle.motions, time);
     for (const auto& [side, before] : {std::pair{sides.before, true}, {sides.after, false}}) {
         if (side == handle.motions.end() || !std::holds_alternative<Translate<Dim>>(side->kind)) continue;
-        side->ease = before ? easeWith(startsSlowly(side->ease), ease.before)
-                            : easeWith(ease.after, endsSlowly(side->ease));
+        const SlowSides now = slowSidesOf<Dim>(*side);
+        setSlowSides<Dim>(*side, before ? SlowSides{now.start, ease.before} : SlowSides{ease.after, now.end});
     }
 }
 
-/// Returns the key of a handle that is nearest to a time.
+/// Returns the key of a handle that poseAt() set at a time: the end of a motion if one is near, otherwise the
+/// nearest key.
 template <int Dim>
 double nearestKey(const Handle<Dim>& handle, double time) {
+    const auto off = [time](const Motion<Dim>& motion) { return std::abs(motion.end - time); };
+    const auto before = std::ranges::min_element(handle.motions, {}, off);
+    if (before != handle.motions.end() && off(*before) < kShortestMotion) return before->end;
     const auto times = timesOf(handle);
     return *std::ranges::min_element(times, {}, [time](double t) { return std::abs(t - time); });
 }
@@ -224,8 +226,8 @@ KeyEase easeAt(const AnyDesign& design, const KeyId& key) {
     std::visit(
         [&](const auto& one) {
             for (const auto& motion : one.handles.at(static_cast<std::size_t>(key.handle)).motions) {
-                if (motion.end == key.time) ease.before = endsSlowly(motion.ease);
-                if (motion.start == key.time) ease.after = startsSlowly(motion.ease);
+                if (motion.end == key.time) ease.before = slowSidesOf(motion).end;
+                if (motion.start == key.time) ease.after = slowSidesOf(motion).start;
             }
         },
         design);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/document/edits/bezier_edits.h"
+#include "app/document/edits/progress.h"
 #include "core/motion/curve.h"
 #include "core/motion/easing.h"
 
@@ -20,6 +21,35 @@ template <int Dim>
 Vec<Dim> offsetAt(const Recorded<Dim>& stroke, double s) {
     const double time = std::lerp(stroke.times.front(), stroke.times.back(), s);
     return OffsetPath<Dim>{stroke.times, stroke.points}.at(time) - stroke.points.front();
+}
+
+/// Returns shares of a motion's duration at which it is sampled: even ones, that of a time, and those of the
+/// corners, which are given as shares of the path.
+template <int Dim>
+std::set<double> sampleShares(const Motion<Dim>& motion, double time, const std::vector<double>& corners) {
+    std::set<double> shares = {0, 1};
+    const auto add = [&](double s) {
+        const auto after = shares.lower_bound(s);
+        if (s > 0 && s < 1 && *after - s > kApart && s - *std::prev(after) > kApart) shares.insert(s);
+    };
+    add((time - motion.start) / (motion.end - motion.start));
+    for (const double corner : corners) add(easeInverse(motion.ease, std::clamp(corner, 0.0, 1.0)));
+    for (int i = 1; i < kSamples; ++i) add(double(i) / kSamples);
+    return shares;
+}
+
+/// Returns a chain of cubics that is led as its parameter goes: it stays one, with its easing.
+template <int Dim>
+Motion<Dim> ledChain(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last,
+                     const Vec<Dim>& place) {
+    Motion<Dim> result = motion;
+    auto& points = std::get<CurveMotion<Dim>>(result.kind).points;
+    const Vec<Dim> start = points.front();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(points.size() - 1);
+        points[i] += place - start + (std::lerp(first, last, share) - first) * by;
+    }
+    return result;
 }
 
 }  // namespace
@@ -48,13 +78,8 @@ template <int Dim>
 std::optional<OffsetPath<Dim>> offsetPathOf(const Motion<Dim>& motion, double time) {
     const auto timeAt = [&](double s) { return std::lerp(motion.start, motion.end, s); };
     OffsetPath<Dim> path;
-    const auto sample = [&](auto&& offset) {
-        const double own = (time - motion.start) / (motion.end - motion.start);
-        std::set<double> parts = {0, 1};
-        for (int i = 1; i < kSamples; ++i)
-            if (std::abs(double(i) / kSamples - own) > kApart) parts.insert(double(i) / kSamples);
-        if (own > kApart && own < 1 - kApart) parts.insert(own);
-        for (const double s : parts) {
+    const auto sample = [&](auto&& offset, const std::vector<double>& corners = {}) {
+        for (const double s : sampleShares<Dim>(motion, time, corners)) {
             path.times.push_back(timeAt(s));
             path.offsets.push_back(offset(ease(motion.ease, s)));
         }
@@ -68,11 +93,13 @@ std::optional<OffsetPath<Dim>> offsetPathOf(const Motion<Dim>& motion, double ti
         return path;
     }
     if (const auto* stroke = std::get_if<Recorded<Dim>>(&motion.kind)) {
+        const double from = stroke->times.front(), length = stroke->times.back() - from;
         if (!isEven) {
-            sample([&](double u) { return offsetAt<Dim>(*stroke, u); });
+            std::vector<double> corners;
+            for (const double own : stroke->times) corners.push_back((own - from) / length);
+            sample([&](double u) { return offsetAt<Dim>(*stroke, u); }, corners);
             return path;
         }
-        const double from = stroke->times.front(), length = stroke->times.back() - from;
         for (std::size_t i = 0; i < stroke->times.size(); ++i) {
             path.times.push_back(timeAt((stroke->times[i] - from) / length));
             path.offsets.push_back(stroke->points[i] - stroke->points.front());
@@ -82,10 +109,14 @@ std::optional<OffsetPath<Dim>> offsetPathOf(const Motion<Dim>& motion, double ti
     const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
     if (!curve || curve->frame != FrameKind::None || curve->scale != 1 || curve->twist != 0) return {};
     const Curve<Dim> line = curveOf<Dim>(*curve);
-    sample([&](double u) {
-        const int k = line.locate(u, 0, static_cast<int>(line.pieces.size()));
-        return Vec<Dim>(line.pieces[k].value(line.pieces[k].local(u)) - line.pieces.front().value(0));
-    });
+    std::vector<double> corners;
+    for (const CurvePiece<Dim>& piece : line.pieces) corners.push_back(piece.from);
+    sample(
+        [&](double u) {
+            const int k = line.locate(u, 0, static_cast<int>(line.pieces.size()));
+            return Vec<Dim>(line.pieces[k].value(line.pieces[k].local(u)) - line.pieces.front().value(0));
+        },
+        corners);
     return path;
 }
 
@@ -139,7 +170,15 @@ std::optional<Motion<Dim>> led(const Motion<Dim>& motion, const Vec<Dim>& by, do
         result.kind = Translate<Dim>{straight->by + (last - first) * by};
         return result;
     }
+    if (straightProgress<Dim>(motion)) {
+        const auto& points = std::get<CurveMotion<Dim>>(motion.kind).points;
+        const Vec<Dim> way = points.back() - points.front() + (last - first) * by;
+        return straightMove<Dim>(way, {motion.start, motion.end}, *straightProgress<Dim>(motion), place);
+    }
+    const auto* chain = std::get_if<CurveMotion<Dim>>(&motion.kind);
     const auto path = offsetPathOf<Dim>(motion, motion.end);
+    if (path && chain && chain->interpolation == Interpolation::Bezier)
+        return ledChain<Dim>(motion, by, first, last, place);
     return path ? std::optional(motionAlong<Dim>(path->led(by, first, last), place)) : std::nullopt;
 }
 

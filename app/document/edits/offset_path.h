@@ -32,7 +32,8 @@ std::pair<OffsetPath<Dim>, OffsetPath<Dim>> split(const OffsetPath<Dim>& path, d
 template <int Dim>
 Motion<Dim> motionAlong(const OffsetPath<Dim>& path, const Vec<Dim>& place);
 /// Returns the motion with a displacement times a factor from `first` to `last`, starting at a place. One
-/// that is straight stays so, with its easing. Nothing for motions that do not only translate.
+/// that is straight, or a chain of cubics, stays so, with its easing. Nothing for motions that do not only
+/// translate.
 template <int Dim>
 std::optional<Motion<Dim>> led(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last,
                                const Vec<Dim>& place);

@@ -1,9 +1,12 @@
 #include "app/document/edits/pose_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/offset_path.h"
+#include "app/document/edits/progress.h"
 #include "app/document/edits/timing_edits.h"
 #include "app/document/project.h"
 
@@ -11,10 +14,34 @@ namespace wend {
 
 namespace {
 
+/// Returns both parts of a cubic of the time, led through a pose: exactly, because the displacement times a
+/// factor that is linear in time is a cubic, too.
+template <int Dim>
+std::array<Motion<Dim>, 2> splitCubic(const Motion<Dim>& motion, std::array<Vec<Dim>, 4> points,
+                                      const Vec<Dim>& place, const Vec<Dim>& by, double time) {
+    const double s = (time - motion.start) / (motion.end - motion.start);
+    const std::vector<Vec<Dim>> both = splitBezier<Dim>({points.begin(), points.end()}, 0, s);
+    std::array<Vec<Dim>, 4> first, second;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double share = static_cast<double>(k) / 3;
+        first[k] = place + (both[k] - both[3]) + share * by;
+        second[k] = place + (both[3 + k] - both[3]) + (1 - share) * by;
+    }
+    return {cubicMove<Dim>(first, {motion.start, time}), cubicMove<Dim>(second, {time, motion.end})};
+}
+
 /// Leads the motion that contains the time through a pose, as two motions.
 template <int Dim>
 bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
                   double time) {
+    const bool isEven =
+        motions[i].ease == Ease::Linear && std::holds_alternative<Translate<Dim>>(motions[i].kind);
+    if (const auto cubic = isEven ? std::nullopt : cubicOf<Dim>(motions[i])) {
+        const auto [before, after] = splitCubic<Dim>(motions[i], *cubic, place, by, time);
+        motions[i] = before;
+        motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(i) + 1, after);
+        return true;
+    }
     const auto path = offsetPathOf<Dim>(motions[i], time);
     if (!path) return false;
     const auto [before, after] = split<Dim>(*path, time);

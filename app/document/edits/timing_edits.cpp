@@ -1,4 +1,6 @@
 #include "app/document/edits/timing_edits.h"
+#include "app/document/edits/offset_path.h"
+#include "app/document/edits/progress.h"
 #include "app/document/project.h"
 
 #include <algorithm>
@@ -15,6 +17,13 @@ template <class Edit>
 AnyDesign edited(AnyDesign design, int handle, const Edit& edit) {
     std::visit([&](auto& own) { edit(own.handles.at(static_cast<std::size_t>(handle)).motions); }, design);
     return design;
+}
+
+/// A straight move along a curve of progress becomes an eased one.
+template <int Dim>
+void setEase(Motion<Dim>& motion, Ease ease) {
+    if (straightProgress<Dim>(motion)) motion.kind = Translate<Dim>{*offsetOf<Dim>(motion)};
+    motion.ease = ease;
 }
 
 /// Returns the interval in which a motion can be placed: between the other motions of its handle that do not
@@ -113,7 +122,7 @@ AnyDesign withMotionEase(const AnyDesign& design, const std::vector<MotionId>& m
     AnyDesign result = design;
     for (const MotionId& id : motions)
         result = edited(std::move(result), id.handle,
-                        [&](auto& own) { own.at(static_cast<std::size_t>(id.motion)).ease = ease; });
+                        [&](auto& own) { setEase(own.at(static_cast<std::size_t>(id.motion)), ease); });
     return result;
 }
 

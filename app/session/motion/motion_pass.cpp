@@ -20,6 +20,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFramesPerUnit = 24;
 constexpr int kMostFrames = 480;
+constexpr double kSameShape = 1e-7;              // of the size: as exact as an elastic shape is computed
 constexpr std::chrono::milliseconds kLookUp(2);  // from waiting, for a wish to stop
 
 template <int Dim>
@@ -55,13 +56,15 @@ void MotionPass<Dim>::clear() {
     m_begun = false;
     m_probe.reset();
     m_cache.clear();
+    m_known.reset();
     m_result.reset();
     m_restSent = false;
     m_sent.clear();
 }
 
 template <int Dim>
-KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const Project> project) {
+KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const Project> project,
+                                const std::vector<FramePtr>& frames) {
     KeptFrames kept{1, -kInfinity};
     const double end = motionEnd(*project);
     const bool sameFlow = m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
@@ -70,23 +73,37 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     const bool fits = sameFlow && isFree && settlingOf(*m_project) == settlingOf(*project);
     if (sameFlow) {
         const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
-        const double scale = timeScale<Dim>(before, after);
-        // Steps of fixed number are placed elsewhere when the clock changes.
-        if (scale == 1 || isFree)
-            kept = {scale, std::min(firstDifference(before, after, scale),
+        const auto keptWith = [&](double scale) -> KeptFrames {
+            return {scale, std::min(firstDifference(before, after, scale),
                                     firstDifference(settlingOf(*m_project), settlingOf(*project), scale))};
+        };
+        // Steps of fixed number are placed elsewhere when the clock changes.
+        const double scale = timeScale<Dim>(before, after);
+        if (scale == 1 || isFree) kept = keptWith(scale);
+        // The first motion alone may have become shorter.
+        if (const KeptFrames same = keptWith(1); scale != 1 && same.upTo >= kept.upTo) kept = same;
     }
     const bool same = kept.upTo == kInfinity && kept.timeScale == 1 && end == m_end;
     m_shape = shape;
-    m_project = std::move(project);
+    const auto previous = std::exchange(m_project, std::move(project));
     if (same) return kept;
+    const bool isElastic = std::isinf(m_shape.material->memory);
+    if (!fits || !isElastic || kept.timeScale != 1 || end != m_end)
+        m_known.reset();
+    else if (isWhole())
+        m_known = Known{previous, {}, frames};
+    if (m_known)
+        m_known->from =
+            lastDifference<Dim>(designOf<Dim>(*m_known->project).handles, designOf<Dim>(*m_project).handles);
     m_end = end;
     if (!fits) m_deformer.reset(), m_making = {};
     m_begun = false;
     m_probe.reset();
     m_result.reset();
     if (kept.timeScale != 1) changeClock(kept.timeScale);
-    forgetFrom(std::min(kept.upTo, end));
+    PoseCache<Dim> later = forgetFrom(std::min(kept.upTo, end));
+    if (m_known && m_known->project == previous) m_known->states = std::move(later);
+    if (m_known && m_known->from >= end) m_known.reset();
     if (m_cache.last() && isDense()) return {kept.timeScale, m_cache.last()->time};
     const auto own = std::move(m_project);
     auto deformer = std::move(m_deformer);
@@ -98,11 +115,42 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
 }
 
 template <int Dim>
-void MotionPass<Dim>::forgetFrom(double time) {
+PoseCache<Dim> MotionPass<Dim>::forgetFrom(double time) {
     for (const double breakpoint : breakpoints())
         if (sameTime(breakpoint, time)) time = breakpoint;
-    m_cache.keepUpTo(time);
+    PoseCache<Dim> later = m_cache.keepUpTo(time);
     while (!m_sent.empty() && (!m_cache.last() || m_sent.back() > m_cache.last()->time)) m_sent.pop_back();
+    return later;
+}
+
+/// Returns whether the motion is known to its end, on a single branch.
+template <int Dim>
+bool MotionPass<Dim>::isWhole() const {
+    return m_result && m_result->outcome == Outcome::Done && m_deformer &&
+           m_deformer->statistics().snaps.empty();
+}
+
+/// Goes on with what was known before a change, if the shape is the same there. Returns false if it is not.
+template <int Dim>
+bool MotionPass<Dim>::takeKnown(const Sink& sink) {
+    const State<Dim>& now = m_deformer->state();
+    if (!m_known || !sink.onKnown || now.time >= m_end) return false;
+    if (now.time < m_known->from && !sameTime(now.time, m_known->from)) return false;
+    const State<Dim>* then = m_known->states.at(now.time);
+    if (!then) return false;
+    const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
+    const double off = (now.points - then->points).colwise().norm().maxCoeff();
+    Known known = std::move(*m_known);
+    m_known.reset();
+    if (off > kSameShape * size) return false;
+    for (const FramePtr& frame : known.frames) {
+        if (frame->time <= m_sent.back() || sameTime(frame->time, m_sent.back())) continue;
+        m_sent.push_back(frame->time);
+        sink.onKnown(posed<Dim>(frame));
+    }
+    m_cache.addLater(std::move(known.states), now.time);
+    m_deformer->restore(*m_cache.last());
+    return true;
 }
 
 /// States at breakpoints keep their bits, because the integrator restarts there.
@@ -233,10 +281,13 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
         if (result.outcome == Outcome::Cancelled) return;
         m_cache.add(m_deformer->state());
         send(m_deformer->state());
+        if (result.outcome == Outcome::Done && takeKnown(sink)) break;
         if (result.outcome == Outcome::Done) continue;
         m_result = result;
+        m_known.reset();
         return;
     }
+    m_known.reset();
     m_result = AdvanceResult{};
 }
 

@@ -14,7 +14,9 @@ namespace wend {
 /// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the
 /// breakpoints of the motions' windows, which the integrator never crosses anyway, and keeps the states
 /// there: the result is the same bits as one run from the start. Where only the clock changes, the states
-/// stay and get other times: then it is the same but for rounding.
+/// stay and get other times: then it is the same but for rounding. An elastic shape depends only on where its
+/// handles are: once these are where they were before a change, and the shape with them, what was computed
+/// for later times is taken from there.
 template <int Dim>
 class MotionPass {
   public:
@@ -23,11 +25,15 @@ class MotionPass {
         std::function<void(double time, double end)> progress;
         /// Gets the approximate time that the current step has reached; from any thread.
         std::function<void(double time, double end)> within;
+        /// Gets a frame that was known from before a change; without it all is computed anew.
+        std::function<void(const PosedPtr<Dim>&)> onKnown;
         std::function<void()> meanwhile;  // called while uninterruptible work runs in a thread of its own
     };
 
-    /// Sets the problem and returns how much of the earlier frames stays valid.
-    KeptFrames set(const Shape<Dim>& shape, std::shared_ptr<const Project> project);
+    /// Sets the problem and returns how much of the earlier frames stays valid. `frames` are those of the
+    /// motion so far.
+    KeptFrames set(const Shape<Dim>& shape, std::shared_ptr<const Project> project,
+                   const std::vector<FramePtr>& frames = {});
     void clear();
 
     bool isSet() const { return m_project != nullptr; }
@@ -56,7 +62,9 @@ class MotionPass {
     std::vector<double> breakpoints() const;
     double nextBreakpoint(double time) const;
     void changeClock(double scale);
-    void forgetFrom(double time);
+    PoseCache<Dim> forgetFrom(double time);
+    bool isWhole() const;
+    bool takeKnown(const Sink& sink);
     double frameSpacing() const;
     bool isDense() const;
 
@@ -68,6 +76,14 @@ class MotionPass {
     bool m_begun = false;                        // the deformer is that of this project
     std::optional<VelocityProbe<Dim>> m_probe;   // once a velocity was asked for
     PoseCache<Dim> m_cache;
+    /// The part of an elastic motion behind a change.
+    struct Known {
+        std::shared_ptr<const Project> project;  // whose motion it is
+        PoseCache<Dim> states = {};
+        std::vector<FramePtr> frames;
+        double from = 0;  // when the handles are again where they were
+    };
+    std::optional<Known> m_known;
     std::optional<AdvanceResult> m_result;
     double m_end = 0;
     std::vector<double> m_sent;  // times of frames

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "app/document/edits/handle_comparison.h"
 #include "core/integration/deformer.h"
 
 namespace wend {
@@ -15,7 +16,21 @@ class PoseCache {
   public:
     void clear() { m_states.clear(); }
     void add(const State<Dim>& state) { m_states.insert_or_assign(state.time, state); }
-    void keepUpTo(double time) { m_states.erase(m_states.upper_bound(time), m_states.end()); }
+    /// Keeps the states up to a time and returns the others.
+    PoseCache keepUpTo(double time) {
+        PoseCache later;
+        while (!m_states.empty() && m_states.rbegin()->first > time)
+            later.m_states.insert(m_states.extract(std::prev(m_states.end())));
+        return later;
+    }
+    /// Adds the states of another cache that are later than a time.
+    void addLater(PoseCache other, double time) { m_states.merge(other.keepUpTo(time).m_states); }
+    /// Returns the state at a time that is nearly this one, or null.
+    const State<Dim>* at(double time) const {
+        for (const auto& [own, state] : m_states)
+            if (sameTime(own, time)) return &state;
+        return nullptr;
+    }
     /// Changes the time of every state, or drops it where the function returns nothing.
     void retime(const std::function<std::optional<double>(double)>& timeOf) {
         std::map<double, State<Dim>> states;

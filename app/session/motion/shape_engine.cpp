@@ -70,7 +70,7 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
     const bool recalled = m_shape && shape.rest != m_shape->rest && recall(shape);
     if (!m_shape || shape.rest != m_shape->rest || shape.material != m_shape->material)
         m_shape = std::make_shared<const Shape<Dim>>(shape);
-    const KeptFrames kept = m_pass.set(shape, m_project);
+    const KeptFrames kept = m_pass.set(shape, m_project, m_track.frames());
     m_track.keep(kept);
     m_sink.shapeReady(m_revision, shape.rest, recalled ? KeptFrames{1, -1} : kept);
     if (recalled)
@@ -214,6 +214,10 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     sink.onFrame = [&](const State<Dim>& state, double pinError) {
         const auto frame = makeFrame(m_shape, state.time, state.points, pinError);
         frame->milliseconds = clock.lap();
+        m_track.add(frame);
+        m_sink.frameReady(frame);
+    };
+    sink.onKnown = [&](const PosedPtr<Dim>& frame) {
         m_track.add(frame);
         m_sink.frameReady(frame);
     };

@@ -6,6 +6,7 @@
 #include "app/document/edits/document.h"
 #include "app/document/edits/key_edits.h"
 #include "app/document/edits/pose_edits.h"
+#include "app/document/edits/progress.h"
 #include "app/document/edits/simplify_edits.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/project.h"
@@ -82,13 +83,15 @@ Project with(Project project, AnyDesign design) {
     return project;
 }
 
-/// Of motions that are straight or recorded.
+/// Of motions that are straight, curves or recorded.
 template <int Dim>
 bool sameBits(const Motion<Dim>& a, const Motion<Dim>& b) {
     if (a.start != b.start || a.end != b.end || a.ease != b.ease || a.kind.index() != b.kind.index())
         return false;
     if (const auto* straight = std::get_if<Translate<Dim>>(&a.kind))
         return straight->by == std::get<Translate<Dim>>(b.kind).by;
+    if (const auto* curve = std::get_if<CurveMotion<Dim>>(&a.kind))
+        return curve->points == std::get<CurveMotion<Dim>>(b.kind).points;
     const auto &stroke = std::get<Recorded<Dim>>(a.kind), &other = std::get<Recorded<Dim>>(b.kind);
     return stroke.times == other.times && stroke.points == other.points;
 }
@@ -280,7 +283,7 @@ Project randomEdit(const Project& project, int handle, std::mt19937& random, dou
     };
     const std::vector<double> times = keyTimes(project.design, handle);
     const std::vector<Vec<Dim>> starts(3, Vec<Dim>::Zero());
-    const int what = times.empty() ? 5 : times.size() > 30 ? upTo(2) : upTo(6);
+    const int what = times.empty() ? 5 : times.size() > 30 ? upTo(2) : upTo(7);
     if (what == 5) {
         CopiedKey copy{handle, 0, Amount::Zero(), {upTo(2) == 0, upTo(2) == 0}};
         for (int k = 0; k < Dim; ++k) copy.offset[k] = uniform(-5, 5);
@@ -301,6 +304,15 @@ Project randomEdit(const Project& project, int handle, std::mt19937& random, dou
         next.design = withKeysHeld(project.design, {{handle, key}});
     }
     if (what == 3) next.design = withKeyEase(project.design, {{handle, key}}, {upTo(2) == 0, upTo(2) == 0});
+    if (what == 6) {
+        const auto between = motionsBetween(project.design, {{handle, key}});
+        const Progress progress{uniform(-0.5, 1.5), uniform(-0.5, 1.5)};
+        const auto& motion = std::get<Design<Dim>>(project.design)
+                                 .handles[static_cast<std::size_t>(handle)]
+                                 .motions[static_cast<std::size_t>(between.at(0).motion)];
+        from = motion.start, to = motion.end;
+        next.design = withProgress<Dim>(std::get<Design<Dim>>(project.design), between, progress, starts);
+    }
     if (what == 4) {
         auto motions = std::get<Design<Dim>>(project.design).handles[handle].motions;
         const int motion = upTo(static_cast<int>(motions.size()));

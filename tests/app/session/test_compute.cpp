@@ -44,6 +44,8 @@ class TestCompute : public QObject {
     void init();
     void opensAtRest();
     void pinsBecomeVertices();
+    void elasticFilmsKeepWhatFollows();
+    void elasticFilmsFollowWhatMoves();
     void anotherMeshIsTakenBack();
     void dragEndsAsTheCommandLineHasIt();
     void stopsWhileItPrepares();
@@ -187,6 +189,81 @@ void TestCompute::stopsWhileItPrepares() {
     designOf<2>(*impossible).handles[0].at = std::vector<Vec<2>>{{-500, -500}};
     pass.set(shape, impossible);
     QVERIFY_THROWS_EXCEPTION(InputError, pass.run(sink, {}));
+}
+
+/// Of an elastic film only what a change touches is computed anew: the frames before and after it are the
+/// very same, and those between agree with a computation from the start. A flow depends on the way.
+void TestCompute::elasticFilmsKeepWhatFollows() {
+    for (const bool elastic : {true, false}) {
+        open();
+        m_session->addPin({40, 80});
+        m_session->addPin({200, 80});
+        m_session->addPin({120, 80});
+        const auto film = copyOf(*m_session->document().project());
+        endOf(*film) = 4;
+        designOf<2>(*film).material.memory = elastic ? std::numeric_limits<double>::infinity() : 0;
+        auto& handles = designOf<2>(*film).handles;
+        handles[1].motions = {{Translate<2>{{0, 20}}, 0, 1, Ease::InOut},
+                              {Translate<2>{{-10, 5}}, 1, 2, Ease::InOut},
+                              {Translate<2>{{5, -15}}, 2, 3.5, Ease::InOut}};
+        handles[2].motions = {{Translate<2>{{0, -12}}, 0.4, 2.6, Ease::InOut}};
+        m_session->document().change({}, film);
+        QVERIFY(settle(*m_session));
+        const auto before = m_session->track().frames();
+        // The pose at 1 s: it touches what is before 2 s.
+        for (const Vec<2>& by : {Vec<2>(4, 3), Vec<2>(-6, 9)}) {
+            const auto next = copyOf(*m_session->document().project());
+            auto& own = designOf<2>(*next).handles[1].motions;
+            std::get<Translate<2>>(own[0].kind).by += by;
+            std::get<Translate<2>>(own[1].kind).by -= by;
+            m_session->document().change({}, next);
+        }
+        QVERIFY(settle(*m_session));
+        const auto after = m_session->track().frames();
+        QCOMPARE(after.size(), before.size());
+        int kept = 0;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            QCOMPARE(after[i]->time, before[i]->time);
+            kept += after[i] == before[i];
+            if (after[i]->time > 2 + 1e-9) QCOMPARE(after[i] == before[i], elastic);
+            if (after[i]->time > 0.1 && after[i]->time < 1.9) QVERIFY(after[i] != before[i]);
+        }
+        QVERIFY(!elastic || kept > 40);
+        MotionPass<2> fresh;
+        MotionPass<2>::Sink sink;
+        std::size_t i = 0;
+        double worst = 0;
+        sink.onFrame = [&](const State<2>& state, double) {
+            const auto own = posed<2>(after.at(i++));
+            QCOMPARE(own->time, state.time);
+            worst = std::max(worst, (own->pose - state.points).cwiseAbs().maxCoeff());
+        };
+        sink.progress = [](double, double) {};
+        fresh.set(*posed<2>(after[0])->built, m_session->document().project());
+        fresh.run(sink, {});
+        QCOMPARE(i, after.size());
+        QVERIFY2(worst < (elastic ? 1e-5 : 1e-12), qPrintable(QString::number(worst)));  // pixels
+    }
+}
+
+/// The pose stays where it was put: a change that moves the end for good is computed to the end.
+void TestCompute::elasticFilmsFollowWhatMoves() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    const auto film = copyOf(*m_session->document().project());
+    endOf(*film) = 2;
+    designOf<2>(*film).material.memory = std::numeric_limits<double>::infinity();
+    designOf<2>(*film).handles[1].motions = {{Translate<2>{{0, 20}}, 0, 1}, {Translate<2>{{-10, 5}}, 1, 2}};
+    m_session->document().change({}, film);
+    QVERIFY(settle(*m_session));
+    const auto before = m_session->track().frames();
+    const auto next = copyOf(*film);
+    std::get<Translate<2>>(designOf<2>(*next).handles[1].motions[0].kind).by = {0, 10};
+    m_session->document().change({}, next);
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->track().last() != before.back());
+    QVERIFY((m_session->frame<2>()->pose - commandLinePose()).cwiseAbs().maxCoeff() < 1e-6);
 }
 
 /// The very frames come back: nothing is computed again when a change of the mesh is undone, redone, or
