@@ -6,6 +6,7 @@
 #include "app/document/file/guide_file.h"
 #include "app/document/file/matrix_numbers.h"
 #include "app/document/file/named_places.h"
+#include "app/document/file/nearest_word.h"
 #include "app/document/file/rgb_text.h"
 #include "app/document/file/setting_json.h"
 #include "app/document/project_fwd.h"
@@ -264,6 +265,20 @@ void readHold(const JsonValue& value, Handle<Dim>& handle) {
     }
 }
 
+/// Fails if a region has the key of a place that is none, such as a group.
+void requireRegion(const JsonValue& region) {
+    const std::vector<std::string> shapes = {"polygon", "circle", "sphere", "box", "halfspace", "blend"},
+                                   places = {"group", "vertices", "points"};
+    if (!region.json().is_object()) return;
+    for (const auto& entry : region.json().items()) {
+        const std::string place = meantKey(entry.key(), places);
+        if (place.empty() || !meantKey(entry.key(), shapes).empty()) continue;
+        region.fail(entry.key() == place
+                        ? "`" + place + "` stands in place of `region`, not in it"
+                        : "`" + entry.key() + "` is not known; `" + place + "`, in place of `region`?");
+    }
+}
+
 /// A place that is named is found later.
 template <int Dim>
 Placement<Dim> readPlacement(const JsonValue& value, Handle<Dim>& handle) {
@@ -279,6 +294,7 @@ Placement<Dim> readPlacement(const JsonValue& value, Handle<Dim>& handle) {
         if (points.empty()) at.fail("has no point");
         return points;
     }
+    requireRegion(at);
     Region<Dim> region = readRegion<Dim>(at);
     if (std::holds_alternative<Blend<Dim>>(region)) at.fail("a blend has no inside that could be a handle");
     return region;

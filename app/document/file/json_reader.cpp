@@ -170,7 +170,7 @@ std::string JsonObject::oneOf(const std::vector<std::string>& keys) const {
         if (!found.empty()) m_value.fail("has both `" + found + "` and `" + key + "`");
         found = key;
     }
-    if (found.empty()) failWithout(keys, "has none of the known kinds: " + list);
+    if (found.empty()) failWithout(keys, "has none of the known kinds: " + list + unknownKeys());
     return found;
 }
 
@@ -179,17 +179,23 @@ bool JsonObject::has(const std::string& key) const {
     return m_value.json().contains(key);
 }
 
+std::string JsonObject::unknownKeys() const {
+    for (const auto& entry : m_value.json().items())
+        if (!m_known.contains(entry.key())) return "; `" + entry.key() + "` is not known";
+    return {};
+}
+
 std::string JsonObject::suggestionFor(const std::string& unknown) const {
     std::vector<std::string> absent;
     std::ranges::copy_if(m_wanted, std::back_inserter(absent),
                          [&](const std::string& key) { return !m_value.json().contains(key); });
-    return nearestWord(unknown, absent);
+    return meantKey(unknown, absent);
 }
 
 void JsonObject::failWithout(const std::vector<std::string>& keys, const std::string& what) const {
     for (const auto& entry : m_value.json().items()) {
         const bool isKnown = m_known.contains(entry.key());
-        if (const std::string near = isKnown ? "" : nearestWord(entry.key(), keys); !near.empty())
+        if (const std::string near = isKnown ? "" : meantKey(entry.key(), keys); !near.empty())
             m_value.fail(isUnknown(entry.key(), near));
     }
     m_value.fail(what);

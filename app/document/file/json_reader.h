@@ -85,6 +85,7 @@ class JsonObject {
 
   private:
     std::string suggestionFor(const std::string& unknown) const;
+    std::string unknownKeys() const;
 
     JsonValue m_value;
     std::set<std::string> m_known;           // that were read

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -13,6 +15,25 @@ std::string plain(const std::string& text) {
             letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return letters;
 }
+
+/// What other programs call a key, in small letters.
+constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
+    {"label", "group"},      {"labels", "group"},    {"physical", "group"},  {"physicalname", "group"},
+    {"tag", "group"},        {"ref", "group"},       {"reference", "group"}, {"set", "group"},
+    {"nset", "group"},       {"elset", "group"},     {"sideset", "group"},   {"nodeset", "group"},
+    {"patch", "group"},      {"boundary", "group"},  {"material", "group"},  {"surface", "group"},
+    {"solid", "group"},      {"usemtl", "group"},    {"marker", "group"},    {"attribute", "group"},
+    {"nodes", "vertices"},   {"node", "vertices"},   {"ids", "vertices"},    {"id", "vertices"},
+    {"indices", "vertices"}, {"position", "points"}, {"at", "points"},       {"coordinates", "points"},
+    {"ball", "sphere"},      {"ball", "circle"},     {"circle", "sphere"},   {"sphere", "circle"},
+    {"disc", "circle"},      {"disk", "circle"},     {"rect", "box"},        {"rectangle", "box"},
+    {"cube", "box"},         {"cuboid", "box"},      {"square", "box"},      {"plane", "halfspace"},
+    {"picture", "image"},    {"texture", "image"},   {"model", "mesh"},      {"volume", "mesh"},
+    {"stl", "surface"},      {"move", "motion"},     {"motions", "motion"},  {"path", "points"},
+    {"offset", "by"},        {"vector", "by"},       {"displacement", "by"}, {"degrees", "angle"},
+    {"radians", "angle"},    {"position", "centre"}, {"origin", "centre"},   {"pivot", "centre"},
+    {"direction", "axis"},   {"filename", "file"},   {"easing", "ease"},     {"duration", "end"},
+    {"type", "kind"},        {"r", "radius"},        {"layers", "parts"},    {"fps", "frameRate"}};
 
 constexpr std::size_t kLongestKey = 40;  // of a key that is compared
 constexpr std::size_t kLeastPrefix = 3;  // letters
@@ -48,6 +69,14 @@ std::string nearestWord(const std::string& text, const std::vector<std::string>&
         nearest = word;
     }
     return nearest;
+}
+
+std::string meantKey(const std::string& text, const std::vector<std::string>& keys) {
+    if (std::string near = nearestWord(text, keys); !near.empty()) return near;
+    const std::string name = plain(text);
+    for (const auto& [other, key] : kOtherNames)
+        if (other == name && std::ranges::count(keys, key) > 0) return std::string(key);
+    return {};
 }
 
 }  // namespace wend

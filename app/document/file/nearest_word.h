@@ -14,4 +14,8 @@ int editDistance(const std::string& a, const std::string& b);
 /// Empty: none is near.
 std::string nearestWord(const std::string& text, const std::vector<std::string>& words);
 
+/// Returns the key that was probably meant: the nearest word, else the one for which other programs use that
+/// name. Empty: there is none.
+std::string meantKey(const std::string& text, const std::vector<std::string>& keys);
+
 }  // namespace wend

@@ -153,16 +153,17 @@ class Losses {
         const std::string in =
             " not in " + std::string(m_format.article) + std::string(m_format.name) + " file";
         std::string text;
-        if (!m_lost.empty())
-            text = joined(m_lost) +
-                   (m_lost.size() == 1 && (m_lost[0].starts_with("1 ") || !m_bag.notices.empty()) ? " is"
-                                                                                                  : " are") +
-                   in;
+        if (!m_lost.empty()) text = joined(m_lost) + (isOne() ? " is" : " are") + in;
         for (const std::string& one : m_changed) text += (text.empty() ? "" : "; ") + one;
         return text;
     }
 
   private:
+    /// Returns whether a single thing is lost.
+    bool isOne() const {
+        return m_lost.size() == 1 && (m_lost[0].starts_with("1 ") || m_lost[0].starts_with("the name of ") ||
+                                      !m_bag.notices.empty());
+    }
     /// Lists the cells that are split, lose nodes, or are left out, with their numbers.
     void countCells() {
         std::map<CellKind, std::size_t> counts;

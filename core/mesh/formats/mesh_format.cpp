@@ -63,12 +63,17 @@ void requireSound(const MeshFile& file, MeshNeeds needs = MeshNeeds::Cells) {
     requireFields(file);
 }
 
+bool canCarry(const MeshFormat& format, const MeshFile& mesh) {
+    return mesh.tetrahedra.empty() || format.holdsTetrahedra;
+}
+
 void requireCarriable(const MeshFormat& format, const MeshFile& mesh) {
-    if (mesh.tetrahedra.empty() || format.holdsTetrahedra) return;
+    if (canCarry(format, mesh)) return;
     std::string able;
     for (const auto& other : meshFormats())
         if (other.holdsTetrahedra) able += " " + std::string(other.extensions.front());
-    throw InputError("a " + std::string(format.name) + " file cannot hold tetrahedra; these can:" + able);
+    throw InputError(std::string(format.article) + std::string(format.name) +
+                     " file cannot hold tetrahedra; these can:" + able);
 }
 
 /// Returns the part of a mesh that is written, if the mesh was generated or its boundary was requested.
@@ -292,7 +297,7 @@ std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
 }
 
 std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options) {
-    if (mesh.made) return {};
+    if (mesh.made || !canCarry(format, mesh)) return {};
     MeshFormat asked = format;
     if (format.print == printStl && options.binary()) asked.groups = GroupsHeld::None;
     if (format.print == printGmsh && options.gmshVersion == 2) asked.groups = GroupsHeld::Names;

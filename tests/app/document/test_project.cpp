@@ -612,7 +612,7 @@ class TestProject : public QObject {
             "material.regions[0].shape: has none of the known");
         row("sphere in 2D",
             withMaterial("'regions': [{'shape': {'sphere': {'centre': [0, 0], 'radius': 1}}}]"),
-            "none of the known");
+            "material.regions[0].shape: `sphere` is not known; `circle`?");
         row("radius", withMaterial("'regions': [{'shape': {'circle': {'centre': [0, 0], 'radius': 0}}}]"),
             "material.regions[0].shape.circle.radius: 0 is out of range");
         row("box", withMaterial("'regions': [{'shape': {'box': {'min': [0, 0], 'max': [1, 0]}}}]"),
@@ -626,6 +626,15 @@ class TestProject : public QObject {
             "material.cells.phi[1]: phi = 9 is outside");
         row("no at", withHandle("{'name': 'x'}"), "handles[0]: the key `at` is missing");
         row("at kind", withHandle("{'at': {'edges': [1]}}"), "handles[0].at: has none of the known kinds");
+        row("place of another program", withHandle("{'at': {'label': 21}}"),
+            "handles[0].at: `label` is not known; `group`?");
+        row("place in a region", withHandle("{'at': {'region': {'label': 21}}}"),
+            "handles[0].at.region: `label` is not known; `group`, in place of `region`?");
+        row("group in a region", withHandle("{'at': {'region': {'group': 'load'}}}"),
+            "handles[0].at.region: `group` stands in place of `region`, not in it");
+        row("shape of space", withHandle("{'at': {'region': {'sphere': {'centre': [1, 2], 'radius': 1}}}}"),
+            "handles[0].at.region: `sphere` is not known; `circle`?");
+        row("shape unknown", withHandle("{'at': {'region': {'star': 5}}}"), "blend; `star` is not known");
         row("at both", withHandle("{'at': {'points': [[1, 2]], 'vertices': [1]}}"),
             "handles[0].at: has both");
         row("no points", withHandle("{'at': {'points': []}}"), "handles[0].at.points: has no point");
