@@ -6,6 +6,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
 #include "warp/atlas.h"
+#include "warp/drawn_picture.h"
 #include "warp/image.h"
 #include "warp/orientation.h"
 #include "warp/picture_metadata.h"
@@ -38,9 +39,9 @@ std::string oddPixels(const Image& image) {
     });
 }
 
-Image readUpright(const std::string& path, const std::string& layer, double maxMegapixels,
+Image readUpright(const std::string& path, const std::string& layer, const PictureLimits& limits,
                   std::vector<std::string>* notices) try {
-    StoredPicture stored = readPicture(path, {.megapixels = maxMegapixels}, layer);
+    StoredPicture stored = readPicture(path, limits, layer);
     Image image = upright(std::move(stored.image), stored.orientation);
     if (!notices) return image;
     if (std::string odd = oddPixels(image); !odd.empty()) stored.notices.push_back(std::move(odd));
@@ -85,7 +86,11 @@ Image flattenedPages(const std::string& path, const Image& first, double maxMega
 }  // namespace
 
 Image readImageHeader(const std::string& path) {
-    auto [image, orientation, ignored] = readPictureHeader(path);
+    return readImageHeader(path, {});
+}
+
+Image readImageHeader(const std::string& path, const DrawnSize& drawn) {
+    auto [image, orientation, ignored] = readPictureHeader(path, drawn);
     if (orientation >= 5) std::swap(image.width, image.height);
     if (hasPagesAsLayers(path, image))
         std::tie(image.width, image.height) = sizeOf(fileMetadata(image)->layers);
@@ -93,12 +98,28 @@ Image readImageHeader(const std::string& path) {
 }
 
 Image readImage(const std::string& path, double maxMegapixels, std::vector<std::string>* notices) {
-    Image image = readUpright(path, {}, maxMegapixels, notices);
+    Image image = readUpright(path, {}, {.megapixels = maxMegapixels}, notices);
     return hasPagesAsLayers(path, image) ? flattenedPages(path, image, maxMegapixels) : image;
 }
 
+Image readImage(const std::string& path, const DrawnSize& drawn, std::vector<std::string>* notices) {
+    if (drawn[0] > 0 && isDrawing(path)) return readUpright(path, {}, {.drawn = drawn}, notices);
+    return readImage(path, kMaxMegapixels, notices);
+}
+
 Image readLayer(const std::string& path, const std::string& layer, std::vector<std::string>* notices) {
-    return readUpright(path, layer, kMaxMegapixels, notices);
+    return readLayer(path, layer, DrawnSize{}, notices);
+}
+
+Image readLayer(const std::string& path, const std::string& layer, const DrawnSize& drawn,
+                std::vector<std::string>* notices) {
+    return readUpright(path, layer, {.drawn = drawn}, notices);
+}
+
+bool isDrawing(const std::string& path) try {
+    return pictureFormat(InputFile(path)) == PictureFormat::Svg;
+} catch (const InputError&) {
+    return false;
 }
 
 }  // namespace wend

@@ -115,9 +115,15 @@ bool isInItsContainer(PictureFormat format, std::string_view head) {
     }
 }
 
-bool isSvg(std::string_view head) {
-    return head.starts_with("<svg") ||
-           (head.starts_with("<?xml") && head.find("<svg") != std::string_view::npos);
+/// An SVG file may begin with a byte-order mark, and with comments of any length.
+bool isSvg(const InputFile& file, std::string_view head) {
+    constexpr std::size_t kLongestPrologue = 65536;
+    if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
+    head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+    if (head.starts_with("<svg")) return true;
+    const bool isXml =
+        head.starts_with("<?xml") || head.starts_with("<!--") || head.starts_with("<!DOCTYPE svg");
+    return isXml && file.bytes(0, kLongestPrologue).find("<svg") != std::string::npos;
 }
 
 /// Bytes below a blank that no text has.
@@ -143,7 +149,7 @@ PictureFormat pictureFormat(const InputFile& file) {
     const std::string head = file.bytes(0, 512);
     const auto known = marked(kRead, head);
     if (known != kRead.end() && isInItsContainer(known->what, head)) return known->what;
-    if (isSvg(head)) return PictureFormat::Svg;
+    if (isSvg(file, head)) return PictureFormat::Svg;
     if (isTga(head, static_cast<double>(file.size()))) return PictureFormat::Tga;
     throw InputError(file.path(), "is " + kindOfOther(head) +
                                       ". Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, "

@@ -56,9 +56,13 @@ PictureMessage answerTo(const PictureMessage& request, PixelSink& sink) {
     bool isSound = true;  // no library has seen the file
     try {
         std::vector<std::string> notices;
+        const std::string layer = request.value("layer", "");
+        const DrawnSize size = request.value("drawn", DrawnSize{});
+        if (request.contains("vectors"))
+            return {{"vectors", messageOf(vectorSourceOf(request.at("path"), layer, size))}};
         const PictureSource source = request.contains("layer")
-                                         ? layerSourceOf(request.at("path"), request.at("layer"), notices)
-                                         : sourceOf(request.at("path"), notices);
+                                         ? layerSourceOf(request.at("path"), layer, size, notices)
+                                         : sourceOf(request.at("path"), size, notices);
         isSound = false;
         return {{"picture", messageOf(read(request, source, notices, sink))}};
     } catch (const InputError& error) {

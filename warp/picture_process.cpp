@@ -70,6 +70,7 @@ class Reading {
     StoredPicture read(bool pixels) try {
         PictureMessage request{{"path", m_absolute}};
         if (!m_layer.empty()) request["layer"] = m_layer;
+        if (m_limits.drawn[0] > 0) request["drawn"] = m_limits.drawn;
         if (pixels) request["megapixels"] = m_limits.megapixels;
         if (!m_reader->send(pack(request))) fail();
         for (;;) {
@@ -78,6 +79,17 @@ class Reading {
             if (answer.contains("taken")) take(answer.at("taken"));
             if (answer.contains("picture")) return finish(answer.at("picture"));
         }
+    } catch (const PictureMessage::exception&) {
+        failWith("its reader failed");
+    }
+
+    VectorDrawing readVectors() try {
+        const PictureMessage request{
+            {"path", m_absolute}, {"layer", m_layer}, {"drawn", m_limits.drawn}, {"vectors", true}};
+        if (!m_reader->send(pack(request))) fail();
+        VectorDrawing drawing = drawingOf(next().at("vectors"));
+        idleReader().giveBack(std::move(m_reader));
+        return drawing;
     } catch (const PictureMessage::exception&) {
         failWith("its reader failed");
     }
@@ -169,9 +181,14 @@ StoredPicture readPicture(const std::string& path, const PictureLimits& limits, 
     return Reading(path, layer, limits).read(true);
 }
 
-StoredPicture readPictureHeader(const std::string& path) {
+StoredPicture readPictureHeader(const std::string& path, const DrawnSize& drawn) {
     pictureFormat(InputFile(path));
-    return Reading(path, {}, {}).read(false);
+    return Reading(path, {}, {.drawn = drawn}).read(false);
+}
+
+VectorDrawing readVectors(const std::string& path, const std::string& layer, const DrawnSize& drawn) {
+    pictureFormat(InputFile(path));
+    return Reading(path, layer, {.drawn = drawn}).readVectors();
 }
 
 }  // namespace wend

@@ -4,6 +4,7 @@
 
 #include "warp/image.h"
 #include "warp/picture_library.h"
+#include "warp/vector_drawing.h"
 
 namespace wend {
 
@@ -11,6 +12,7 @@ namespace wend {
 struct PictureLimits {
     double megapixels = kMaxMegapixels;
     double idleSeconds = 60;  // without an answer and without computing
+    DrawnSize drawn{};        // of SVG
 };
 
 /// Reads a picture by wend-picture, a process of its own, which may fail in any way, and is kept for the next
@@ -21,6 +23,9 @@ StoredPicture readPicture(const std::string& path, const PictureLimits& limits,
                           const std::string& layer = {});
 
 /// Does the same without the pixels.
-StoredPicture readPictureHeader(const std::string& path);
+StoredPicture readPictureHeader(const std::string& path, const DrawnSize& drawn = {});
+
+/// Returns the paths of an SVG drawing, or of one of its layers, by the same process. Throws the same.
+VectorDrawing readVectors(const std::string& path, const std::string& layer, const DrawnSize& drawn);
 
 }  // namespace wend

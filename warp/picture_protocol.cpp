@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/mesh/error.h"
+#include "core/mesh/printable.h"
 
 namespace wend {
 namespace {
@@ -54,6 +55,12 @@ PictureMetadata metadataOf(const PictureMessage& message) {
     return metadata;
 }
 
+std::vector<std::string> printableLines(const std::vector<std::string>& lines) {
+    std::vector<std::string> all;
+    for (const std::string& line : lines) all.push_back(printable(line));
+    return all;
+}
+
 }  // namespace
 
 std::string pack(const PictureMessage& message) {
@@ -96,6 +103,34 @@ StoredPicture pictureOf(const PictureMessage& message) {
     stored.orientation = message.at("orientation");
     stored.notices = message.at("notices");
     return stored;
+}
+
+PictureMessage messageOf(const VectorDrawing& drawing) {
+    PictureMessage pictures = PictureMessage::array();
+    for (const DrawnPicture& one : drawing.pictures)
+        pictures.push_back(
+            {one.x, one.y, one.width, one.height, binary(one.pixels.data(), one.pixels.size())});
+    return {{"svg", binary(drawing.svg.data(), drawing.svg.size())},
+            {"viewBox", drawing.viewBox},
+            {"size", {drawing.width, drawing.height}},
+            {"own", {printable(drawing.ownWidth), printable(drawing.ownHeight)}},
+            {"pictures", std::move(pictures)},
+            {"notices", printableLines(drawing.notices)}};
+}
+
+VectorDrawing drawingOf(const PictureMessage& message) {
+    VectorDrawing drawing;
+    const auto text = [](const PictureMessage& bytes) {
+        return std::string(bytes.get_binary().begin(), bytes.get_binary().end());
+    };
+    drawing.svg = text(message.at("svg"));
+    drawing.viewBox = message.at("viewBox");
+    drawing.width = message.at("size").at(0), drawing.height = message.at("size").at(1);
+    drawing.ownWidth = message.at("own").at(0), drawing.ownHeight = message.at("own").at(1);
+    for (const PictureMessage& one : message.at("pictures"))
+        drawing.pictures.push_back({one.at(0), one.at(1), one.at(2), one.at(3), text(one.at(4))});
+    drawing.notices = message.at("notices");
+    return drawing;
 }
 
 }  // namespace wend

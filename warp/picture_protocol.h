@@ -4,11 +4,14 @@
 #include <string>
 
 #include "warp/picture_library.h"
+#include "warp/vector_drawing.h"
 
 namespace wend {
 
 /// Messages between the program and wend-picture are CBOR objects without a version, because both are built
-/// together. The program asks for {"path", "megapixels"}, or {"path"} for the header alone. Answers:
+/// together. The program asks for {"path", "megapixels"}, or {"path"} for the header alone, both also with
+/// {"layer"} and {"drawn"}, the size of a drawing; or for {"path", "vectors"}: the one answer is {"vectors"}.
+/// Answers:
 /// {"layout", "rows"}: the picture's layout, and how many rows the shared memory is to hold, whose number as
 /// text confirms it; {"taken"}: that many rows are in it, confirmed by an empty text. The last answer is
 /// {"picture"}, or {"wrong", "isSound"}: the reason, and whether the process can continue, or {"memory"}:
@@ -23,5 +26,9 @@ PictureMessage unpackMessage(const std::string& bytes);
 /// and InputError for invalid values.
 PictureMessage messageOf(const StoredPicture& stored);
 StoredPicture pictureOf(const PictureMessage& message);
+
+/// Convert a drawing.
+PictureMessage messageOf(const VectorDrawing& drawing);
+VectorDrawing drawingOf(const PictureMessage& message);
 
 }  // namespace wend

@@ -53,15 +53,22 @@ void takePng(const InputFile& file, PictureSource& source, std::vector<std::stri
     tellOf(extras, notices);
 }
 
-/// A drawing as pixels: all of it, or one layer.
-PictureSource drawing(const InputFile& file, const std::string& layer, PictureSource source) {
+void requireDrawable(const InputFile& file) {
     constexpr std::uint64_t kLongest = 256U << 20U;
-    if (file.size() > kLongest) throw InputError(source.path, "is a drawing of more than 256 MB");
-    DrawnSvg drawn = drawnSvg(source.path, file.bytes(), layer);
+    if (file.size() > kLongest) throw InputError(file.path(), "is a drawing of more than 256 MB");
+}
+
+/// A drawing as pixels: all of it, or one layer.
+PictureSource drawing(const InputFile& file, const std::string& layer, const DrawnSize& size,
+                      PictureSource source) try {
+    requireDrawable(file);
+    DrawnSvg drawn = svgLibrary().draw(file.bytes(), layer, size);
     if (layer.empty()) source.layers = std::move(drawn.layers);
     source.bytes = std::move(drawn.picture);
     source.format = PictureFormat::Png;
     return source;
+} catch (const InputError& error) {
+    throw error.named(source.path);
 }
 
 PictureSource tiffPage(const InputFile& file, const std::string& layer, PictureSource source) try {
@@ -76,14 +83,14 @@ PictureSource tiffPage(const InputFile& file, const std::string& layer, PictureS
 
 }  // namespace
 
-PictureSource sourceOf(const std::string& path, std::vector<std::string>& notices) {
+PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vector<std::string>& notices) {
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita) {
         takePng(mergedPicture(path, source), source, notices);
         return source;
     }
-    if (source.format == PictureFormat::Svg) return drawing(file, {}, source);
+    if (source.format == PictureFormat::Svg) return drawing(file, {}, size, source);
     if (source.format == PictureFormat::Psd) {
         LayeredFile layered = readPsdFile(file);
         source.bytes = std::move(layered.merged);
@@ -105,12 +112,12 @@ PictureSource sourceOf(const std::string& path, std::vector<std::string>& notice
     return source;
 }
 
-PictureSource layerSourceOf(const std::string& path, const std::string& layer,
+PictureSource layerSourceOf(const std::string& path, const std::string& layer, const DrawnSize& size,
                             std::vector<std::string>& notices) {
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::Tiff) return tiffPage(file, layer, source);
-    if (source.format == PictureFormat::Svg) return drawing(file, layer, source);
+    if (source.format == PictureFormat::Svg) return drawing(file, layer, size, source);
     if (source.format == PictureFormat::Psd)
         source.bytes = readPsdLayer(file, layer);
     else if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita)
@@ -120,6 +127,15 @@ PictureSource layerSourceOf(const std::string& path, const std::string& layer,
     source.format = PictureFormat::Png;
     takePng({path, source.bytes}, source, notices);
     return source;
+}
+
+VectorDrawing vectorSourceOf(const std::string& path, const std::string& layer, const DrawnSize& size) try {
+    const InputFile file(path);
+    if (pictureFormat(file) != PictureFormat::Svg) throw InputError("is no SVG drawing");
+    requireDrawable(file);
+    return svgLibrary().vectors(file.bytes(), layer, size);
+} catch (const InputError& error) {
+    throw error.named(path);
 }
 
 }  // namespace wend

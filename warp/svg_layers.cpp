@@ -6,7 +6,6 @@
 #include "core/mesh/error.h"
 
 namespace wend {
-namespace {
 
 const SvgLibrary& svgLibrary() {
     static const SvgLibrary* const library = [] {
@@ -16,14 +15,6 @@ const SvgLibrary& svgLibrary() {
         return reinterpret_cast<const SvgLibrary* (*)()>(entry)();
     }();
     return *library;
-}
-
-}  // namespace
-
-DrawnSvg drawnSvg(const std::string& path, const std::string& svg, const std::string& layer) try {
-    return svgLibrary().draw(svg, layer);
-} catch (const InputError& error) {
-    throw error.named(path);
 }
 
 }  // namespace wend

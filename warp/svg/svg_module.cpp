@@ -13,6 +13,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/layered_file.h"
+#include "warp/svg/vector_maker.h"
 #include "warp/svg_layers.h"
 
 namespace wend {
@@ -28,15 +29,6 @@ void needApplication() {
     static char* arguments[] = {name, nullptr};
     qputenv("QT_QPA_PLATFORM", "offscreen");
     static QGuiApplication application(count, arguments);
-}
-
-bool isDrawn(const pugi::xml_node& node) {
-    constexpr std::array kNotDrawn{"defs",           "style",  "metadata", "title",   "desc",
-                                   "script",         "symbol", "clipPath", "mask",    "linearGradient",
-                                   "radialGradient", "filter", "marker",   "pattern", "font"};
-    const std::string_view name = node.name();
-    return node.type() == pugi::node_element && name.find(':') == std::string_view::npos &&
-           std::ranges::find(kNotDrawn, name) == kNotDrawn.end();
 }
 
 std::vector<pugi::xml_node> drawnIn(const pugi::xml_node& parent) {
@@ -114,15 +106,9 @@ void show(pugi::xml_node node) {
     if (node.attribute("style")) node.attribute("style").set_value(style.c_str());
 }
 
-std::string textOf(const pugi::xml_document& document) {
-    std::ostringstream text;
-    document.save(text, "", pugi::format_raw, pugi::encoding_utf8);
-    return text.str();
-}
-
 class SvgDrawing {
   public:
-    explicit SvgDrawing(const std::string& svg) {
+    SvgDrawing(const std::string& svg, const DrawnSize& size) {
         needApplication();
         if (!m_document.load_buffer(svg.data(), svg.size(), pugi::parse_default | pugi::parse_ws_pcdata))
             throw InputError("is no sound XML");
@@ -132,10 +118,11 @@ class SvgDrawing {
             throw InputError("has no drawing of a size");
         const QSize own = renderer.defaultSize();
         const double longer = std::max(own.width(), own.height());
-        m_scale = std::max(1.0, std::ceil(kFewestPixels / longer));
-        if (m_scale * m_scale * 1e-6 * own.width() * own.height() > kMaxMegapixels)
+        const double scale = std::max(1.0, std::ceil(kFewestPixels / longer));
+        if (scale * scale * 1e-6 * own.width() * own.height() > kMaxMegapixels && size[0] == 0)
             throw InputError("is larger than 400 million pixels");
-        m_size = own * m_scale;
+        m_viewBox = renderer.viewBoxF();
+        m_size = size[0] > 0 ? sizeLike(own, size) : own * scale;
     }
 
     /// Returns all of it.
@@ -149,6 +136,16 @@ class SvgDrawing {
         return result;
     }
 
+    /// Returns all of it, or one layer, as paths.
+    VectorDrawing vectors(const std::string& name) const {
+        pugi::xml_document alone;
+        if (name.empty())
+            alone.reset(m_document);
+        else
+            keepAlone(layerNamed(layers(), name), alone);
+        return vectorsOf(alone, m_viewBox, m_size);
+    }
+
     DrawnSvg drawn(const std::string& name) const {
         const QImage image = pictureOf(layerNamed(layers(), name));
         const QRect seen = seenOf(image);
@@ -157,6 +154,19 @@ class SvgDrawing {
     }
 
   private:
+    /// Returns the size that was asked for if it has the proportions of the view box or, within rounding, of
+    /// the drawing's own size; otherwise the height follows them.
+    QSize sizeLike(const QSize& own, const DrawnSize& asked) const {
+        const double high = static_cast<double>(asked[0]) * own.height() / own.width();
+        const double exact = asked[0] * m_viewBox.height() / m_viewBox.width();
+        const auto isAsked = [&](double height) { return std::abs(height - asked[1]) <= 1; };
+        const bool isPlain = std::abs(own.width() * exact / asked[0] - own.height()) <= 1;  // not stretched
+        const double rows =
+            isAsked(high) || isAsked(exact) ? asked[1] : std::max(1.0, std::round(isPlain ? exact : high));
+        if (1e-6 * asked[0] * rows > kMaxMegapixels) throw InputError("is larger than 400 million pixels");
+        return {asked[0], static_cast<int>(rows)};
+    }
+
     static QByteArray bytesOf(const std::string& text) {
         return {text.data(), static_cast<qsizetype>(text.size())};
     }
@@ -181,13 +191,16 @@ class SvgDrawing {
     /// Draws one layer within the groups that it is in.
     QImage pictureOf(std::size_t layer) const {
         pugi::xml_document alone;
+        keepAlone(layer, alone);
+        return picture(textOf(alone));
+    }
+    void keepAlone(std::size_t layer, pugi::xml_document& alone) const {
         alone.reset(m_document);
         pugi::xml_node parent = layerParent(alone.document_element());
         const std::vector<pugi::xml_node> own = layersIn(parent)[layer].nodes;
         for (const pugi::xml_node& node : drawnIn(parent))
             if (std::ranges::find(own, node) == own.end()) parent.remove_child(node);
         if (isGroup(own.front())) show(own.front());
-        return picture(textOf(alone));
     }
 
     /// Returns the box of what is not transparent; empty if all is.
@@ -214,15 +227,19 @@ class SvgDrawing {
 
     pugi::xml_document m_document;
     std::vector<SvgLayer> m_layers;
-    double m_scale = 1;
     QSize m_size;
+    QRectF m_viewBox;
 };
 
 class QtSvg final : public SvgLibrary {
   public:
-    DrawnSvg draw(const std::string& svg, const std::string& layer) const override {
-        const SvgDrawing drawing(svg);
+    DrawnSvg draw(const std::string& svg, const std::string& layer, const DrawnSize& size) const override {
+        const SvgDrawing drawing(svg, size);
         return layer.empty() ? drawing.drawn() : drawing.drawn(layer);
+    }
+    VectorDrawing vectors(const std::string& svg, const std::string& layer,
+                          const DrawnSize& size) const override {
+        return SvgDrawing(svg, size).vectors(layer);
     }
 };
 
