@@ -810,6 +810,38 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 hat %2 × %3 Pixel, und das Projekt wurde für %4 × %5 gemacht: Pins und Wege bleiben, wo sie sind</translation>
     </message>
+    <message>
+        <source>the project&apos;s picture is no SVG drawing: it has no paths that could be written</source>
+        <translation>das Bild des Projekts ist keine SVG-Zeichnung: Es hat keine Pfade, die geschrieben werden könnten</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is no SVG drawing: it becomes a picture in the SVG file</source>
+        <translation>der Teil „%1“ ist keine SVG-Zeichnung: In der SVG-Datei wird er ein Bild</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is cut: it becomes a picture in the SVG file</source>
+        <translation>der Teil „%1“ ist zugeschnitten: In der SVG-Datei wird er ein Bild</translation>
+    </message>
+    <message>
+        <source>its pattern &quot;%1&quot; turns and stretches with each shape, but is not bent</source>
+        <translation>ihr Muster „%1“ dreht und streckt sich mit jeder Form, wird aber nicht verbogen</translation>
+    </message>
+    <message>
+        <source>a picture in it stays one</source>
+        <translation>ein Bild darin bleibt ein Bild</translation>
+    </message>
+    <message>
+        <source>its picture &quot;%1&quot; is not in the file: it is left out</source>
+        <translation>ihr Bild „%1“ ist nicht in der Datei: Es wird weggelassen</translation>
+    </message>
+    <message>
+        <source>its text along a path is left out</source>
+        <translation>ihr Text entlang eines Pfads wird weggelassen</translation>
+    </message>
+    <message>
+        <source>its &lt;%1&gt; is left out</source>
+        <translation>ihr &lt;%1&gt; wird weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3013,6 +3045,12 @@
     <message>
         <source>Give actions other keys</source>
         <translation>Befehlen andere Tasten geben</translation>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>Die SVG-Zeichnung mit mehr oder weniger Pixeln zeichnen; Pins und Bewegungen werden angepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Drawing Size…</source>
+        <translation>&amp;Größe der Zeichnung …</translation>
     </message>
 </context>
 <context>
@@ -3806,6 +3844,29 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>Dreiecke mit mehr als dem Zehnfachen ihrer Fläche oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Überlagerung zeigt sie rot.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DrawingSizeDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Drawing Size</source>
+        <translation>Größe der Zeichnung</translation>
+    </message>
+    <message>
+        <source>The drawing becomes a picture of this size. Pins, paths and regions are scaled with it; exported SVG files keep the drawing&apos;s own units.</source>
+        <translation>Die Zeichnung wird ein Bild dieser Größe. Pins, Pfade und Bereiche werden angepasst; exportierte SVG-Dateien behalten die Einheiten der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
     </message>
 </context>
 <context>
@@ -5793,6 +5854,14 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>Pins und Wege sind mit ihm angepasst. %1</translation>
+    </message>
+    <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>Dieses Bild ist keine SVG-Zeichnung: Seine Pixel stehen fest.</translation>
+    </message>
+    <message>
+        <source>Change drawing size</source>
+        <translation>Größe der Zeichnung ändern</translation>
     </message>
 </context>
 <context>

@@ -810,6 +810,38 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 tiene %2 × %3 píxeles y el proyecto se hizo para %4 × %5: los alfileres y trayectorias se quedan donde están</translation>
     </message>
+    <message>
+        <source>the project&apos;s picture is no SVG drawing: it has no paths that could be written</source>
+        <translation>la imagen del proyecto no es un dibujo SVG: no tiene trazados que se puedan escribir</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is no SVG drawing: it becomes a picture in the SVG file</source>
+        <translation>la parte «%1» no es un dibujo SVG: en el archivo SVG será una imagen</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is cut: it becomes a picture in the SVG file</source>
+        <translation>la parte «%1» está recortada: en el archivo SVG será una imagen</translation>
+    </message>
+    <message>
+        <source>its pattern &quot;%1&quot; turns and stretches with each shape, but is not bent</source>
+        <translation>su motivo «%1» gira y se estira con cada forma, pero no se dobla</translation>
+    </message>
+    <message>
+        <source>a picture in it stays one</source>
+        <translation>una imagen que contiene sigue siendo una imagen</translation>
+    </message>
+    <message>
+        <source>its picture &quot;%1&quot; is not in the file: it is left out</source>
+        <translation>su imagen «%1» no está en el archivo: se omite</translation>
+    </message>
+    <message>
+        <source>its text along a path is left out</source>
+        <translation>se omite su texto a lo largo de un trazado</translation>
+    </message>
+    <message>
+        <source>its &lt;%1&gt; is left out</source>
+        <translation>se omite su &lt;%1&gt;</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3013,6 +3045,12 @@
     <message>
         <source>Give actions other keys</source>
         <translation>Dar otras teclas a las acciones</translation>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>Dibujar el SVG con más o menos píxeles; los alfileres y movimientos se escalan con él</translation>
+    </message>
+    <message>
+        <source>&amp;Drawing Size…</source>
+        <translation>Tamaño del &amp;dibujo…</translation>
     </message>
 </context>
 <context>
@@ -3806,6 +3844,29 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>Triángulos de más de diez veces su área, o de menos de una décima parte. Un clic muestra el lugar siguiente; la superposición los marca en rojo.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DrawingSizeDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Drawing Size</source>
+        <translation>Tamaño del dibujo</translation>
+    </message>
+    <message>
+        <source>The drawing becomes a picture of this size. Pins, paths and regions are scaled with it; exported SVG files keep the drawing&apos;s own units.</source>
+        <translation>El dibujo se convierte en una imagen de este tamaño. Alfileres, trayectorias y regiones se escalan con él; los archivos SVG exportados conservan las unidades del dibujo.</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Anchura</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>Alt&amp;ura</translation>
     </message>
 </context>
 <context>
@@ -5793,6 +5854,14 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>Los alfileres y trayectorias se han escalado con ella. %1</translation>
+    </message>
+    <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>Esta imagen no es un dibujo SVG: sus píxeles son los que tiene.</translation>
+    </message>
+    <message>
+        <source>Change drawing size</source>
+        <translation>Cambiar el tamaño del dibujo</translation>
     </message>
 </context>
 <context>

@@ -810,6 +810,38 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 a %2 × %3 pixels, et le projet a été fait pour %4 × %5 : épingles et trajectoires restent où elles sont</translation>
     </message>
+    <message>
+        <source>the project&apos;s picture is no SVG drawing: it has no paths that could be written</source>
+        <translation>l’image du projet n’est pas un dessin SVG : elle n’a pas de tracés à écrire</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is no SVG drawing: it becomes a picture in the SVG file</source>
+        <translation>la partie « %1 » n’est pas un dessin SVG : elle devient une image dans le fichier SVG</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is cut: it becomes a picture in the SVG file</source>
+        <translation>la partie « %1 » est découpée : elle devient une image dans le fichier SVG</translation>
+    </message>
+    <message>
+        <source>its pattern &quot;%1&quot; turns and stretches with each shape, but is not bent</source>
+        <translation>son motif « %1 » tourne et s’étire avec chaque forme, mais n’est pas déformé</translation>
+    </message>
+    <message>
+        <source>a picture in it stays one</source>
+        <translation>une image qu’il contient reste une image</translation>
+    </message>
+    <message>
+        <source>its picture &quot;%1&quot; is not in the file: it is left out</source>
+        <translation>son image « %1 » n’est pas dans le fichier : elle est omise</translation>
+    </message>
+    <message>
+        <source>its text along a path is left out</source>
+        <translation>son texte le long d’un tracé est omis</translation>
+    </message>
+    <message>
+        <source>its &lt;%1&gt; is left out</source>
+        <translation>son &lt;%1&gt; est omis</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3013,6 +3045,12 @@
     <message>
         <source>Give actions other keys</source>
         <translation>Donner d’autres touches aux commandes</translation>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>Dessiner le dessin SVG avec plus ou moins de pixels ; épingles et mouvements sont mis à l’échelle</translation>
+    </message>
+    <message>
+        <source>&amp;Drawing Size…</source>
+        <translation>Taille du &amp;dessin…</translation>
     </message>
 </context>
 <context>
@@ -3806,6 +3844,29 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>Triangles de plus de dix fois leur aire, ou de moins d’un dixième. Un clic montre l’endroit suivant ; l’incrustation les marque en rouge.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DrawingSizeDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Drawing Size</source>
+        <translation>Taille du dessin</translation>
+    </message>
+    <message>
+        <source>The drawing becomes a picture of this size. Pins, paths and regions are scaled with it; exported SVG files keep the drawing&apos;s own units.</source>
+        <translation>Le dessin devient une image de cette taille. Épingles, trajectoires et régions sont mises à l’échelle ; les fichiers SVG exportés gardent les unités du dessin.</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Hauteur</translation>
     </message>
 </context>
 <context>
@@ -5793,6 +5854,14 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>Épingles et trajectoires sont mises à l’échelle avec elle. %1</translation>
+    </message>
+    <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>Cette image n’est pas un dessin SVG : ses pixels sont ce qu’elle a.</translation>
+    </message>
+    <message>
+        <source>Change drawing size</source>
+        <translation>Changer la taille du dessin</translation>
     </message>
 </context>
 <context>

@@ -810,6 +810,38 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 は %2 × %3 ピクセルで、プロジェクトは %4 × %5 用に作られています。ピンと軌道はそのままです</translation>
     </message>
+    <message>
+        <source>the project&apos;s picture is no SVG drawing: it has no paths that could be written</source>
+        <translation>プロジェクトの画像は SVG の図ではないため、書き出せるパスがありません</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is no SVG drawing: it becomes a picture in the SVG file</source>
+        <translation>パーツ「%1」は SVG の図ではないため、SVG ファイルでは画像になります</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is cut: it becomes a picture in the SVG file</source>
+        <translation>パーツ「%1」は切り抜かれているため、SVG ファイルでは画像になります</translation>
+    </message>
+    <message>
+        <source>its pattern &quot;%1&quot; turns and stretches with each shape, but is not bent</source>
+        <translation>模様「%1」は図形とともに回転・伸縮しますが、曲がりません</translation>
+    </message>
+    <message>
+        <source>a picture in it stays one</source>
+        <translation>含まれる画像は画像のままです</translation>
+    </message>
+    <message>
+        <source>its picture &quot;%1&quot; is not in the file: it is left out</source>
+        <translation>画像「%1」はファイルに含まれていないため省かれます</translation>
+    </message>
+    <message>
+        <source>its text along a path is left out</source>
+        <translation>パスに沿った文字は省かれます</translation>
+    </message>
+    <message>
+        <source>its &lt;%1&gt; is left out</source>
+        <translation>&lt;%1&gt; は省かれます</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3012,6 +3044,12 @@
     <message>
         <source>Give actions other keys</source>
         <translation>操作に別のキーを割り当てます</translation>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>SVG の図を描くピクセル数を変えます。ピンと動きも拡大縮小されます</translation>
+    </message>
+    <message>
+        <source>&amp;Drawing Size…</source>
+        <translation>図の大きさ(&amp;D)…</translation>
     </message>
 </context>
 <context>
@@ -3803,6 +3841,29 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>面積が 10 倍を超えた、または 10 分の 1 未満になった三角形です。クリックすると次の箇所を表示し、オーバーレイでは赤で示します。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DrawingSizeDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Drawing Size</source>
+        <translation>図の大きさ</translation>
+    </message>
+    <message>
+        <source>The drawing becomes a picture of this size. Pins, paths and regions are scaled with it; exported SVG files keep the drawing&apos;s own units.</source>
+        <translation>図はこの大きさの画像になります。ピン、パス、領域も拡大縮小されます。書き出す SVG ファイルは図の単位のままです。</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>幅(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>高さ(&amp;H)</translation>
     </message>
 </context>
 <context>
@@ -5782,6 +5843,14 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>ピンと軌道も合わせて拡大縮小しました。%1</translation>
+    </message>
+    <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>この画像は SVG の図ではないため、ピクセル数は決まっています。</translation>
+    </message>
+    <message>
+        <source>Change drawing size</source>
+        <translation>図の大きさを変更</translation>
     </message>
 </context>
 <context>

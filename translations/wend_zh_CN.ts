@@ -810,6 +810,38 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 为 %2 × %3 像素，而项目是为 %4 × %5 制作的：图钉和路径保持原位</translation>
     </message>
+    <message>
+        <source>the project&apos;s picture is no SVG drawing: it has no paths that could be written</source>
+        <translation>项目的图片不是 SVG 绘图：没有可写出的路径</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is no SVG drawing: it becomes a picture in the SVG file</source>
+        <translation>部件“%1”不是 SVG 绘图：在 SVG 文件中成为图片</translation>
+    </message>
+    <message>
+        <source>the part &quot;%1&quot; is cut: it becomes a picture in the SVG file</source>
+        <translation>部件“%1”被裁切：在 SVG 文件中成为图片</translation>
+    </message>
+    <message>
+        <source>its pattern &quot;%1&quot; turns and stretches with each shape, but is not bent</source>
+        <translation>其图案“%1”随各形状旋转和拉伸，但不会弯曲</translation>
+    </message>
+    <message>
+        <source>a picture in it stays one</source>
+        <translation>其中的图片仍为图片</translation>
+    </message>
+    <message>
+        <source>its picture &quot;%1&quot; is not in the file: it is left out</source>
+        <translation>其图片“%1”不在文件中：已略去</translation>
+    </message>
+    <message>
+        <source>its text along a path is left out</source>
+        <translation>沿路径的文字已略去</translation>
+    </message>
+    <message>
+        <source>its &lt;%1&gt; is left out</source>
+        <translation>其 &lt;%1&gt; 已略去</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3012,6 +3044,12 @@
     <message>
         <source>Give actions other keys</source>
         <translation>为操作指定其他按键</translation>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>以更多或更少的像素绘制 SVG 绘图；图钉和动作随之缩放</translation>
+    </message>
+    <message>
+        <source>&amp;Drawing Size…</source>
+        <translation>绘图大小(&amp;D)…</translation>
     </message>
 </context>
 <context>
@@ -3803,6 +3841,29 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>面积超过原来十倍或不足十分之一的三角形。单击查看下一处；叠加层中以红色标出。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DrawingSizeDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Drawing Size</source>
+        <translation>绘图大小</translation>
+    </message>
+    <message>
+        <source>The drawing becomes a picture of this size. Pins, paths and regions are scaled with it; exported SVG files keep the drawing&apos;s own units.</source>
+        <translation>绘图成为此大小的图片。图钉、路径和区域随之缩放；导出的 SVG 文件保留绘图自身的单位。</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>宽度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>高度(&amp;H)</translation>
     </message>
 </context>
 <context>
@@ -5782,6 +5843,14 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>图钉和路径已随之缩放。%1</translation>
+    </message>
+    <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>此图片不是 SVG 绘图：其像素是固定的。</translation>
+    </message>
+    <message>
+        <source>Change drawing size</source>
+        <translation>更改绘图大小</translation>
     </message>
 </context>
 <context>

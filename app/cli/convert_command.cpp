@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/cli/commands.h"
+#include "app/cli/size_argument.h"
 #include "app/cli/terminal.h"
 #include "app/session/run/output_set.h"
 #include "app/session/run/run_options.h"
@@ -11,7 +12,7 @@
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/same_file.h"
 #include "core/mesh/skin_file.h"
-#include "warp/image.h"
+#include "warp/drawn_picture.h"
 #include "warp/image_formats.h"
 
 namespace wend {
@@ -21,6 +22,7 @@ struct Conversion {
     std::string from, to;  // "-": standard output
     MeshWriteOptions options;
     Terminal& terminal;
+    DrawnSize drawn{};  // of a drawing
 
     /// The extension that decides the format of the output.
     std::string extension(const char* standard) const { return to == "-" ? standard : lowerExtension(to); }
@@ -81,7 +83,7 @@ void convertPicture(const Conversion& conversion, OutputSet& files) {
     if (!canWriteImage("picture" + extension))
         throw InputError(conversion.to, "is in no picture format that can be written");
     std::vector<std::string> notices;
-    const Image image = readImage(conversion.from, kMaxMegapixels, &notices);
+    const Image image = readImage(conversion.from, conversion.drawn, &notices);
     for (const std::string& notice : notices) conversion.terminal.warn(conversion.from + ": " + notice);
     conversion.tell(lostInPicture("picture" + extension, image));
     files.add(conversion.to, extension, [&](const std::string& file) { writeImage(file, image); });
@@ -94,9 +96,10 @@ ExitCode runConvert(const Arguments& arguments) {
         throw UsageError("two files are needed, the one to read and the one to write, not " +
                          std::to_string(arguments.files().size()));
     Terminal terminal(Terminal::Progress::Automatic, arguments.has("--quiet"));
-    const Conversion conversion{arguments.files()[0], arguments.files()[1],
-                                meshOptionsFrom(arguments.values()), terminal};
+    Conversion conversion{arguments.files()[0], arguments.files()[1], meshOptionsFrom(arguments.values()),
+                          terminal};
     Terminal::setFile(conversion.from);
+    conversion.drawn = sizeOfDrawing(arguments, conversion.from);
     requireOtherFiles(conversion);
     requirePlaces({conversion.to});
     OutputSet files;

@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/size_argument.h"
 #include "app/cli/terminal.h"
 #include "app/document/design.h"
 #include "app/document/domain.h"
@@ -139,6 +140,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     Input input = inputFrom(path, terminal);
     if (lowerExtension(path) == ".json" && arguments.has("--outline"))
         throw UsageError("--outline is for pictures");
+    drawInSize(arguments, input.folder, *input.project);
     readDomain(arguments, *input.project);
     RunOutputs outputs;
     outputs.mesh = {output};

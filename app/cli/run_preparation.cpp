@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "app/cli/size_argument.h"
 #include "app/document/edits/material_edits.h"
 #include "app/document/file/named_files.h"
 #include "app/document/project.h"
@@ -145,6 +146,7 @@ RunOptions runOptionsOf(const Arguments& arguments) {
 
 std::vector<std::string> takeLine(const Arguments& arguments, const std::string& path, RunOptions& options,
                                   Project& project) {
+    drawInSize(arguments, folderOf(path), project);
     override(project, arguments);
     if (options.solvers.space) divide(project.integration);
     paint(project, folderOf(path), arguments);

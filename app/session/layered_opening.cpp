@@ -57,7 +57,7 @@ void letSmallOnesRide(std::vector<PicturePart>& parts, const PartPictures& pictu
 
 }  // namespace
 
-std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& picture,
+std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& picture, const DrawnSize& drawn,
                                        std::vector<std::string>& notices) try {
     if (fileMetadata(picture)->layers.size() < 2) return {};
     std::vector<std::string> ofLayers;
@@ -72,7 +72,7 @@ std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& pic
         const auto blend = blendNamed(layer.blend);
         if (blend && *blend != BlendMode::Normal) part.blend = blend;
     }
-    letSmallOnesRide(parts, loadParts(parts, {}, {}, &ofLayers));
+    letSmallOnesRide(parts, loadParts(parts, {}, {}, &ofLayers, drawn));
     if (parts.size() < 2) return {};
     notices = std::move(ofLayers);  // instead of that it was flattened
     return parts;

@@ -21,6 +21,7 @@
 #include "core/mesh/plane_frame.h"
 #include "core/mesh/segments.h"
 #include "warp/convert.h"
+#include "warp/drawn_picture.h"
 #include "warp/outline.h"
 #include "warp/picture_format.h"
 
@@ -97,11 +98,13 @@ void beginElastic(Project& project) {
     designOf<2>(project).material.memory = std::numeric_limits<double>::infinity();
 }
 
-OpenedFile openPicture(const QString& path, bool evenIfBlank) {
+OpenedFile openPicture(const QString& path, bool evenIfBlank, const DrawnSize& drawn) {
     OpenedFile file;
     std::vector<std::string> notices;
-    auto picture = std::make_shared<const Image>(readImage(path.toStdString(), kMaxMegapixels, &notices));
-    std::vector<PicturePart> parts = partsOfLayers(path.toStdString(), *picture, notices);
+    auto picture = std::make_shared<const Image>(readImage(path.toStdString(), drawn, &notices));
+    const bool isSized = isDrawing(path.toStdString());
+    const DrawnSize size = isSized ? DrawnSize{picture->width, picture->height} : DrawnSize{};
+    std::vector<PicturePart> parts = partsOfLayers(path.toStdString(), *picture, size, notices);
     for (const std::string& notice : notices) file.warnings << said(notice);
     if (!evenIfBlank && isBlank(*picture))
         throw NothingToSee(path.toStdString(), "is transparent everywhere");
@@ -113,7 +116,7 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
     if (!parts.empty()) {
         domain.path.clear();
-        domain.size = {};
+        domain.size = size;
         domain.parts = std::move(parts);
         domain.outline = OutlineKind::Alpha;
     }
@@ -167,7 +170,7 @@ bool mayBeOpened(const QString& path) {
     }
 }
 
-OpenedFile openFile(const QString& path, bool evenIfBlank) {
+OpenedFile openFile(const QString& path, bool evenIfBlank, const DrawnSize& drawn) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
     if (hasExtension(path, QStringLiteral("*.wend")))
@@ -175,7 +178,7 @@ OpenedFile openFile(const QString& path, bool evenIfBlank) {
     else if (hasExtension(path, meshExtensions()))
         file = openMesh(absolutePath);
     else
-        file = openPicture(absolutePath, evenIfBlank);
+        file = openPicture(absolutePath, evenIfBlank, drawn);
     file.source = absolutePath;
     if (samplePaths().contains(absolutePath)) file.path.clear();  // samples are there to be changed and kept
     return file;

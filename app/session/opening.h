@@ -5,6 +5,7 @@
 
 #include "app/document/edits/recovery.h"
 #include "core/mesh/error.h"
+#include "warp/vector_drawing.h"
 
 namespace wend {
 
@@ -16,8 +17,8 @@ class NothingToSee : public InputError {
 
 /// Reads a project, a picture or a mesh, distinguished by the extension, and makes a project of it. A spatial
 /// mesh becomes a solid: tetrahedra are its mesh, a surface its boundary. Thread-safe. Throws InputError with
-/// advice, and NothingToSee for a blank picture unless `evenIfBlank`.
-OpenedFile openFile(const QString& path, bool evenIfBlank = false);
+/// advice, and NothingToSee for a blank picture unless `evenIfBlank`. A drawing is drawn in the size `drawn`.
+OpenedFile openFile(const QString& path, bool evenIfBlank = false, const DrawnSize& drawn = {});
 
 /// Reads several pictures as the parts of one, the first one in front, each at its place in its own picture.
 /// Throws as openFile(), and for files that are not pictures.

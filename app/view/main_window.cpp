@@ -263,6 +263,7 @@ void MainWindow::connectChoices() {
     connect(m_actions->applyMotion, &QAction::triggered, motion, &MotionChooser::ask);
     auto* pictures = new PictureKeeper(m_session.document(), *this);
     connect(m_actions->replacePicture, &QAction::triggered, pictures, &PictureKeeper::askReplace);
+    connect(m_actions->drawingSize, &QAction::triggered, pictures, &PictureKeeper::askSize);
     connect(pictures, &PictureKeeper::said, m_banner, &InfoBanner::tell);
     connect(motion, &MotionChooser::failed, this,
             [this](const QString& text) { m_banner->tell(Topic::Opening, text); });

@@ -132,6 +132,20 @@ parts() {
     optipng -quiet -o2 "$here/parts.png"
 }
 
+# A drawing at rest and bent, and a piece of the bent one eight times as large.
+drawing() {
+    cp fish.svg fish.wend "$work"
+    "$wend" run "$work/fish.wend" --image "$work/bent-fish.svg" --canvas fit --quiet
+    rsvg-convert -w 900 fish.svg -o "$work/rest.png"
+    rsvg-convert -w 900 "$work/bent-fish.svg" -o "$work/bent.png"
+    rsvg-convert -w 7200 "$work/bent-fish.svg" -o "$work/large.png"
+    convert "$work/large.png" -crop 900x580+5850+2750 +repage "$work/piece.png"
+    convert "$work/rest.png" "$work/bent.png" "$work/piece.png" -background "$paper" -gravity center +append +repage -flatten "$work/all.png"
+    finish "$work/all.png" 1500 drawing.png
+    convert "$here/drawing.png" +dither -colors 128 "$here/drawing.png"
+    optipng -quiet -o2 "$here/drawing.png"
+}
+
 # The walk that loops: eight of its poses side by side.
 walk() {
     "$wend" run "$samples/walker.wend" --frames "$work/walk_#.png" --count 9 --width 480 --quiet
@@ -159,5 +173,6 @@ material
 mesh
 bent
 parts
+drawing
 walk
 wing

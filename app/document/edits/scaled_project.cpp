@@ -8,7 +8,7 @@
 #include "app/document/file/named_files.h"
 #include "app/document/project.h"
 #include "core/mesh/error.h"
-#include "warp/image.h"
+#include "warp/drawn_picture.h"
 
 namespace wend {
 namespace {
@@ -77,7 +77,7 @@ std::string fitToPicture(Project& project, const std::string& folder) {
     if (domain.kind != DomainKind::Image || domain.size[0] == 0 || domain.path.empty()) return {};
     std::array<int, 2> now{};
     try {
-        const Image header = readImageHeader(pathIn(folder, domain.path));
+        const Image header = readImageHeader(pathIn(folder, domain.path), domain.size);
         now = {header.width, header.height};
     } catch (const InputError&) {
         return {};

@@ -24,6 +24,10 @@ constexpr std::array kOptions{
                .help = Options::tr("How fine the mesh is. More vertices bend more smoothly and take longer."),
                .undo = Options::tr("Change detail"),
                .step = 500}},
+    Option{"", "--size", Text, "", kAny, "", "", "run mesh convert",
+           "size at which an SVG drawing is drawn: a WIDTH, WIDTHxHEIGHT that it fits into, or PERCENT% of "
+           "its size "
+           "otherwise; what is in pixels is scaled with it"},
     Option{"domain.edge", "--edge", Number, "", kPositive, "pixels", "", "mesh",
            "length of the edges to aim at, instead of a number of vertices",
            Field{AT(domain.edge), &kFlat, Makes::Mesh}},

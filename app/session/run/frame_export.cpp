@@ -5,11 +5,14 @@
 #include <cmath>
 
 #include "app/document/domain.h"
+#include "app/document/file/named_files.h"
+#include "app/document/file/text_file.h"
 #include "app/document/project.h"
 #include "app/session/motion/velocity_probe.h"
 #include "app/session/run/layer_export.h"
 #include "app/session/run/run_options.h"
 #include "app/session/run/shape_file.h"
+#include "app/session/run/svg_export.h"
 #include "app/session/shape/depth.h"
 #include "app/session/shape/flat_shape.h"
 #include "core/mesh/error.h"
@@ -55,6 +58,10 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     if (flat->built->texture) m_blends = flat->built->texture->blends();
     m_levels = partLevels(document.domain().parts, *drawn, flat->time);
     m_depths = *CellDepths().of(document.depth(), drawn, m_levels);
+}
+
+bool FrameExport::hasDrawing() const {
+    return m_picture && wend::hasDrawing(domainOf(*m_project), folderOf(m_name));
 }
 
 double FrameExport::frameRate() const {
@@ -112,6 +119,12 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
     if (view.scale != 1) warp.restMargin = 0;  // in pixels of the picture in its own size
     requireDepth(path, options);
+    if (isSvgFile(path)) {
+        const std::string folder = folderOf(m_name);
+        requireDrawing(path, *m_project, folder, options);
+        SvgExport svg(*m_project, folder, watch.notice);
+        return writeTextFile(path, svg.text(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp));
+    }
     const bool hasChannels = getsPartChannels(path, *posed<2>(m_frame)->built);
     if (isLayeredFile(path) || hasChannels) {
         const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);

@@ -37,6 +37,8 @@ class FrameExport {
     /// Returns the frames of a sequence or film.
     FrameSpan span(bool loop) const;
     bool hasParts() const { return !m_levels.empty(); }
+    /// Returns whether the picture, or a part of it, is an SVG drawing whose paths can be written.
+    bool hasDrawing() const;
     /// Returns the number of vertices in a mesh file with this extension.
     int vertexCount(const std::string& extension) const;
 

@@ -9,11 +9,8 @@
 #include "warp/warp.h"
 
 namespace wend {
-namespace {
 
-/// Returns the pixels of the view in which cells are visible, with one more on every side; empty if there are
-/// none.
-PixelBox boxIn(const View& view, const Points<2>& pixels, const std::vector<Cell<2>>& cells) {
+PixelBox visibleBox(const View& view, const Points<2>& pixels, const std::vector<Cell<2>>& cells) {
     const Extent<2> extent = extentOf<2>(pixels, cells);
     const Vec<2> low = ((extent.low - view.origin) / view.scale).array().floor() - 1;
     const Vec<2> high = ((extent.high - view.origin) / view.scale).array().ceil() + 1;
@@ -26,26 +23,25 @@ PixelBox boxIn(const View& view, const Points<2>& pixels, const std::vector<Cell
     return box;
 }
 
-std::vector<Cell<2>> cellsOf(const SimplicialMesh<2>& mesh, const MeshPart& part) {
+std::vector<Cell<2>> partCells(const SimplicialMesh<2>& mesh, const MeshPart& part) {
     return {mesh.cells.begin() + part.firstCell, mesh.cells.begin() + part.endCell};
 }
 
-std::vector<float> depthsOf(const std::vector<float>& all, const MeshPart& part) {
+std::vector<float> partDepths(const std::vector<float>& all, const MeshPart& part) {
     if (all.empty()) return {};
     return {all.begin() + part.firstCell, all.begin() + part.endCell};
 }
 
-/// Returns one part, with the order of its own cells.
 LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& pixels, const View& view,
                         WarpOptions options) {
     const MeshPart& part = texture.drawn->parts[k];
     const Sheet& sheet = texture.sheets[k];
-    SimplicialMesh<2> mesh{texture.drawn->points.colwise() - sheet.at, cellsOf(*texture.drawn, part)};
-    const PixelBox box = boxIn(view, pixels, mesh.cells);
+    SimplicialMesh<2> mesh{texture.drawn->points.colwise() - sheet.at, partCells(*texture.drawn, part)};
+    const PixelBox box = visibleBox(view, pixels, mesh.cells);
     View own = view;
     own.origin += view.scale * Vec<2>(box.x, box.y);
     own.width = std::max(1, box.width), own.height = std::max(1, box.height);
-    options.depth = depthsOf(options.depth, part);
+    options.depth = partDepths(options.depth, part);
     options.blends.clear();
     options.restMargin = 0;
     options.outside = Outside::Transparent;
@@ -53,8 +49,6 @@ LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& 
     if (picture.data.empty()) throw Cancelled();
     return {part.name, std::move(picture), box.x, box.y, sheet.opacity, !sheet.hidden, sheet.blend};
 }
-
-}  // namespace
 
 bool isLayeredFile(const std::string& path) {
     return lowerExtension(path) == ".ora";
@@ -70,8 +64,8 @@ std::vector<LayerToWrite> stMapsOfParts(const Shape<2>& shape, const Points<2>& 
     const auto [width, height] = canvasSize(shape);
     std::vector<LayerToWrite> maps;
     for (const MeshPart& part : shape.texture->drawn->parts) {
-        const SimplicialMesh<2> own{rest.points, cellsOf(rest, part)};
-        maps.push_back({part.name, stMap(own, pixels, view, width, height, depthsOf(depth, part))});
+        const SimplicialMesh<2> own{rest.points, partCells(rest, part)};
+        maps.push_back({part.name, stMap(own, pixels, view, width, height, partDepths(depth, part))});
     }
     return maps;
 }

@@ -11,6 +11,18 @@ struct WarpOptions;
 /// Returns whether the name is that of an OpenRaster file, which gets every part as a layer.
 bool isLayeredFile(const std::string& path);
 
+/// Returns the pixels of the view in which cells are visible, with one more on every side; empty if there are
+/// none.
+PixelBox visibleBox(const View& view, const Points<2>& pixels, const std::vector<Cell<2>>& cells);
+
+/// Return the cells of a part, and its values of all that the cells have.
+std::vector<Cell<2>> partCells(const SimplicialMesh<2>& mesh, const MeshPart& part);
+std::vector<float> partDepths(const std::vector<float>& all, const MeshPart& part);
+
+/// Returns one part of a pose, with the order of its own cells, as large as its visible area in the view.
+LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& pixels, const View& view,
+                        WarpOptions options);
+
 /// Returns whether a picture of that name gets the parts of the shape, too, as the channels of an EXR file.
 bool getsPartChannels(const std::string& path, const Shape<2>& shape);
 

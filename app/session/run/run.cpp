@@ -22,6 +22,7 @@
 #include "app/session/run/run_options.h"
 #include "app/session/run/run_states.h"
 #include "app/session/run/shape_file.h"
+#include "app/session/run/svg_export.h"
 #include "app/session/shape/depth.h"
 #include "app/session/shape/held_border.h"
 #include "app/session/shape/material_picture.h"
@@ -465,6 +466,12 @@ class Run {
             writeLayeredExr(file, merged, layers, m_options.depth);
     }
 
+    void writeSvg(const std::string& file, double time, const Points<2>& pixels, const View& view) {
+        if (!m_svg) m_svg.emplace(m_project, folderOf(m_path), m_watch.notice);
+        const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
+        writeTextFile(file, m_svg->text(m_shape, pixels, levels, view, warpOptions(time, {})));
+    }
+
     /// Throws Cancelled.
     void writePicture(const std::string& file, const WarpedPicture& picture) const {
         writeWarped(file, picture, m_options.depth, m_options.lossy);
@@ -492,6 +499,7 @@ class Run {
         for (std::size_t k = 0; k < outputs.image.size(); ++k) {
             const double done = static_cast<double>(k);
             m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
+                if (isSvgFile(file)) return writeSvg(file, time, pixels, view);
                 if (isLayeredFile(file) || getsPartChannels(file, m_shape))
                     return writeLayers(file, time, pixels, view);
                 writePicture(file, warped(time, pixels, view, warping(done / count, (done + 1) / count)));
@@ -524,7 +532,7 @@ class Run {
         const int number = m_frame++;
         bool hasPictures = !m_options.outputs.films.empty(), hasAnimations = false;
         for (const std::string& pattern : m_options.outputs.frames) {
-            if (Dim == 2 && canWriteImage(pattern))
+            if (Dim == 2 && (canWriteImage(pattern) || isSvgFile(pattern)))
                 hasPictures = true;
             else if (isAnimation(pattern))
                 hasAnimations = true;
@@ -595,8 +603,7 @@ class Run {
                 number, pixels, canvasView(canvasSize(m_shape), shape, m_options.canvas.forFrames()), {});
         if (!m_waiting) {
             const FileNames films = m_options.outputs.filmFiles();
-            m_waiting.emplace(films.empty() ? *std::ranges::find_if(m_options.outputs.frames, canWriteImage)
-                                            : films.front());
+            m_waiting.emplace(films.empty() ? m_options.outputs.numberedFrames().front() : films.front());
             m_allFrames = shape;
         }
         m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
@@ -617,9 +624,16 @@ class Run {
 
     void writePictureFrames(int number, const Points<2>& pixels, const View& view,
                             const std::function<void(double)>& progress) {
-        const WarpedPicture picture = warped(frameTime(number), pixels, view, progress);
         m_canvas = view;
-        for (const std::string& pattern : m_options.outputs.numberedFrames())
+        const FileNames numbered = m_options.outputs.numberedFrames();
+        for (const std::string& pattern : numbered)
+            if (isSvgFile(pattern))
+                m_files.add(frameName(pattern, number), "", [&](const std::string& file) {
+                    writeSvg(file, frameTime(number), pixels, view);
+                });
+        if (m_options.outputs.filmFiles().empty() && std::ranges::none_of(numbered, canWriteImage)) return;
+        const WarpedPicture picture = warped(frameTime(number), pixels, view, progress);
+        for (const std::string& pattern : numbered)
             if (canWriteImage(pattern))
                 m_files.add(frameName(pattern, number), "",
                             [&](const std::string& file) { writePicture(file, picture); });
@@ -696,6 +710,7 @@ class Run {
     PoseFaults<Dim> m_faults;  // of the pose at the end
     OutputSet m_files;
     FilmOutputs m_films{m_files, filmOptions()};
+    std::optional<SvgExport> m_svg;  // made with the first SVG file
 };
 
 /// A shape that ends before its cycle has none of its frames.
@@ -719,7 +734,10 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     requirePossible(project, options.outputs);
     requireSpan(project, options);
     for (const FileNames* pictures : {&options.outputs.image, &options.outputs.frames})
-        for (const std::string& file : *pictures) requireDepth(file, options);
+        for (const std::string& file : *pictures) {
+            requireDepth(file, options);
+            requireDrawing(file, project, folderOf(path), options);
+        }
     if (watch.progress) watch.progress("reading", 0);
     const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
     requireNothingOutside(project, options);

@@ -12,6 +12,7 @@
 #include "app/session/run/rig_files.h"
 #include "app/session/run/run.h"
 #include "app/session/run/shape_file.h"
+#include "app/session/run/svg_export.h"
 #include "app/session/shape/material_picture.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -54,7 +55,7 @@ void requireFilm(const Project& project, const std::string& path) {
 }
 
 void requireFrames(const Project& project, const std::string& path) {
-    const bool pictures = canWriteImage(path);
+    const bool pictures = canWriteImage(path) || isSvgFile(path);
     if (!isAnimation(path) && path.find('#') == std::string::npos)
         throw InputError(path, std::string("the name of a sequence needs #### in the place of the number") +
                                    (filmFormatOf(path) ? "; for a film take --film" : ""));
@@ -130,7 +131,7 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     };
     for (const std::string& path : outputs.image) {
         requirePicture(project, path);
-        if (path != "-" && !canWriteImage(path) && !isLayeredFile(path))
+        if (path != "-" && !canWriteImage(path) && !isLayeredFile(path) && !isSvgFile(path))
             throw InputError(path, "is in no picture format that can be written");
     }
     for (const std::string& path : outputs.mesh)

@@ -15,6 +15,7 @@
 #include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/planar_mesher.h"
+#include "warp/drawn_picture.h"
 #include "warp/outline.h"
 
 namespace wend {
@@ -76,12 +77,13 @@ bool isInOutline(const Outline& outline, const Vec<2>& p) {
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
                                          std::vector<std::string>* notices) {
     if (!domain.parts.empty()) {
-        const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, notices);
+        const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, notices, domain.size);
         return std::make_shared<const Image>(flattened(pictures.sheets, pictures.width, pictures.height));
     }
     const std::string& file = domain.kind == DomainKind::Image ? domain.path : domain.texture;
     if (file.empty() || domain.kind == DomainKind::Surface) return nullptr;
-    return std::make_shared<const Image>(readImage(pathIn(folder, file), kMaxMegapixels, notices));
+    const DrawnSize size = domain.kind == DomainKind::Image ? domain.size : DrawnSize{};
+    return std::make_shared<const Image>(readImage(pathIn(folder, file), size, notices));
 }
 
 Outline domainOutline(const Domain& domain, const Image& picture) {

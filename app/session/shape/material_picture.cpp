@@ -13,6 +13,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "warp/convert.h"
+#include "warp/drawn_picture.h"
 
 namespace wend {
 namespace {
@@ -203,12 +204,12 @@ PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest) 
 
 PictureFrame pictureFrame(const Domain& domain, const std::string& folder) {
     if (!domain.parts.empty()) {
-        const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, nullptr);
+        const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, nullptr, domain.size);
         return pictureFrame(pictures.width, pictures.height, {});
     }
     const std::string path = pathIn(folder, domain.path);
     if (domain.kind != DomainKind::Image) return pictureFrame(0, 0, readMesh<2>(path));
-    const Image header = readImageHeader(path);
+    const Image header = readImageHeader(path, domain.size);
     return pictureFrame(header.width, header.height, {});
 }
 

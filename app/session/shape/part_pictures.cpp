@@ -6,6 +6,7 @@
 
 #include "app/document/file/named_files.h"
 #include "core/mesh/error.h"
+#include "warp/drawn_picture.h"
 #include "warp/layered_file.h"
 #include "warp/picture_metadata.h"
 
@@ -21,16 +22,15 @@ struct LayersOfFile {
 /// Reads pictures of parts, each file's list of layers once.
 class PartReader {
   public:
-    PartReader(const std::string& folder, std::vector<std::string>* notices)
-        : m_folder(folder), m_notices(notices) {}
+    PartReader(const std::string& folder, const DrawnSize& drawn, std::vector<std::string>* notices)
+        : m_folder(folder), m_drawn(drawn), m_notices(notices) {}
 
     std::shared_ptr<const Image> read(const PicturePart& part) {
         const std::string path = pathIn(m_folder, part.path);
-        if (part.layer.empty())
-            return std::make_shared<const Image>(readImage(path, kMaxMegapixels, m_notices));
+        if (part.layer.empty()) return std::make_shared<const Image>(readImage(path, m_drawn, m_notices));
         const LayersOfFile& file = layersOf(path);
         const PictureLayer& layer = named(file, path, part.layer);
-        auto picture = std::make_shared<const Image>(readLayer(path, part.layer, m_notices));
+        auto picture = std::make_shared<const Image>(readLayer(path, part.layer, m_drawn, m_notices));
         if (m_notices) tellOf(layer, path, part.blend.has_value());
         return picture;
     }
@@ -38,7 +38,7 @@ class PartReader {
     const LayersOfFile& layersOf(const std::string& path) {
         const auto [found, isNew] = m_files.try_emplace(path);
         if (!isNew) return found->second;
-        const Image header = readImageHeader(path);
+        const Image header = readImageHeader(path, m_drawn);
         found->second = {header.width, header.height, fileMetadata(header)->layers};
         return found->second;
     }
@@ -74,6 +74,7 @@ class PartReader {
     }
 
     const std::string& m_folder;
+    DrawnSize m_drawn;
     std::vector<std::string>* m_notices;
     std::map<std::string, LayersOfFile> m_files;
 };
@@ -149,7 +150,7 @@ class SheetMaker {
         };
         std::vector<PartSource>& sources = m_pictures.sources;
         if (const auto read = in(sources); read != sources.end()) return read->picture;
-        const auto known = in(m_known.sources);
+        const auto known = m_known.drawn == m_pictures.drawn ? in(m_known.sources) : m_known.sources.end();
         sources.push_back(
             known != m_known.sources.end() ? *known : PartSource{part.path, part.layer, m_reader.read(part)});
         return sources.back().picture;
@@ -187,12 +188,13 @@ class SheetMaker {
 }  // namespace
 
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
-                       const PartPictures& known, std::vector<std::string>* notices,
+                       const PartPictures& known, std::vector<std::string>* notices, const DrawnSize& drawn,
                        const std::stop_token& stop) {
     PartPictures pictures;
     pictures.parts = parts;
+    pictures.drawn = drawn;
     pictures.sheets.resize(parts.size());
-    PartReader reader(folder, notices);
+    PartReader reader(folder, drawn, notices);
     SheetMaker(pictures, known, reader, notices, stop).make();
     takeCanvas(reader, folder, pictures);
     if (notices) tellOfProfiles(pictures.sheets, *notices);

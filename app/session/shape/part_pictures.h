@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/shape/part_cut.h"
+#include "warp/vector_drawing.h"
 
 namespace wend {
 
@@ -30,14 +31,16 @@ struct PartPictures {
     std::vector<PicturePart> parts;
     std::vector<Sheet> sheets;  // of each
     int width = 0, height = 0;  // of the files with layers, or of all sheets together
+    DrawnSize drawn{};          // of drawings
     std::vector<PartSource> sources;
     std::vector<PartCut> cuts;
 };
 
 /// Reads the pictures of parts and makes the cuts, except those that `known` has. Notices are those of
-/// reading, and name blend modes that are not shown. Throws InputError that names the file, and Cancelled.
+/// reading, and name blend modes that are not shown. Drawings are drawn in the size `drawn`. Throws
+/// InputError that names the file, and Cancelled.
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
-                       const PartPictures& known, std::vector<std::string>* notices,
+                       const PartPictures& known, std::vector<std::string>* notices, const DrawnSize& drawn,
                        const std::stop_token& stop = {});
 
 /// Returns the parts without what takes time and is visible in motion only: the filled grounds behind cuts.

@@ -47,7 +47,8 @@ class PartedShape {
         : m_domain(domain), m_design(design), m_folder(folder), m_cache(cache) {}
 
     Shape<2> make(std::stop_token stop) {
-        m_cache.pictures = loadParts(m_domain.parts, m_folder, m_cache.pictures, &m_shape.notices, stop);
+        m_cache.pictures =
+            loadParts(m_domain.parts, m_folder, m_cache.pictures, &m_shape.notices, m_domain.size, stop);
         findOutlines();
         shareVertices();
         meshParts(stop);

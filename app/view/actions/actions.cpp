@@ -47,6 +47,11 @@ void Actions::makeFile() {
              tr("Bend another picture of the same proportions in the place of this one; pins and "
                 "motions stay, and are scaled if it is larger or smaller")},
             {});
+    drawingSize =
+        add("drawingSize",
+            {tr("&Drawing Size…"),
+             tr("Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it")},
+            {});
     exportPicture = add("exportPicture", {tr("&Picture…"), tr("Write the bent picture at its full size")},
                         QKeySequence(tr("Ctrl+E")), "export");
     exportFilm =
@@ -220,7 +225,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     file->addMenu(recent.get());
     file->addMenu(samples.get());
     file->addSeparator();
-    file->addActions({save, saveAs, replacePicture});
+    file->addActions({save, saveAs, replacePicture, drawingSize});
     file->addSeparator();
     file->addMenu(exports.get());
     file->addSeparator();
@@ -283,6 +288,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportFrames, has, why);
     enable(exportFilm, has && (hasPicture || isSolid), has ? noPicture : why);
     enable(replacePicture, has && hasPicture && !isSolid, has ? noPicture : why);
+    enable(drawingSize, has && hasPicture && !isSolid, has ? noPicture : why);
     for (QAction* action : {exportStMap, makePart}) enable(action, has && hasPicture, has ? noPicture : why);
     const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // exports the shown view
     setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);

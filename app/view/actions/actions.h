@@ -22,7 +22,7 @@ class Actions : public ActionMaker {
   public:
     Actions(QUndoStack& undo, Toolbox& tools, QObject* parent);
 
-    QAction *open, *save, *saveAs, *replacePicture, *closeFile, *quit;
+    QAction *open, *save, *saveAs, *replacePicture, *drawingSize, *closeFile, *quit;
     QAction *exportPicture, *exportMesh, *exportFilm, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove, *makePart;
     QAction *selectTool, *pinTool, *lassoTool;  // tools that others return to, or begin with

@@ -14,6 +14,7 @@
 #include "app/session/run/layer_export.h"
 #include "app/session/run/run_options.h"
 #include "app/session/run/shape_file.h"
+#include "app/session/run/svg_export.h"
 #include "app/view/export/answer.h"
 #include "app/view/export/export_formats.h"
 #include "core/mesh/error.h"
@@ -146,7 +147,7 @@ bool ExportForm::isFilm() const {
 
 bool ExportForm::isPicture() const {
     const std::string file = "picture" + extension().toStdString();
-    return kind() == ExportKind::Film || canWriteImage(file) || isLayeredFile(file);
+    return kind() == ExportKind::Film || canWriteImage(file) || isLayeredFile(file) || isSvgFile(file);
 }
 
 OptionField* ExportForm::field(const char* flag) const {
@@ -163,6 +164,7 @@ bool ExportForm::takes(const std::string& flag) const {
     if (flag == "--width") return false;  // it follows from the scale
     if (flag == "--webp") return extension() == QStringLiteral(".webp");
     if (isLayeredFile(file) && (flag == "--depth" || flag == "--outside")) return false;
+    if (isSvgFile(file) && (flag == "--depth" || flag == "--outside" || flag == "--filter")) return false;
     if (flag == "--depth" && isFilm()) return false;
     if (flag == "--depth" || flag == "--outside" || flag == "--filter")
         return isPicture() && kind() != ExportKind::StMap;

@@ -69,19 +69,19 @@ QString missingFilmProgram(const QString& extension) {
 }
 
 QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
-    const bool hasParts = shape.hasParts();
-    if (kind == ExportKind::Picture)
-        return hasParts
-                   ? kPictures + Formats{{QCoreApplication::translate("ExportFormats", "Layers (OpenRaster)"),
-                                          QStringLiteral(".ora")}}
-                   : kPictures;
+    Formats pictures = kPictures;
+    if (shape.hasDrawing()) pictures << ExportFormat{QStringLiteral("SVG"), QStringLiteral(".svg")};
+    if (kind == ExportKind::Picture && shape.hasParts())
+        pictures << ExportFormat{QCoreApplication::translate("ExportFormats", "Layers (OpenRaster)"),
+                                 QStringLiteral(".ora")};
+    if (kind == ExportKind::Picture) return pictures;
     if (kind == ExportKind::StMap) return kMaps;
     if (kind == ExportKind::Film) return pictureFilms();
     const bool solid = shape.dimension() == 3;
     const bool film = kind == ExportKind::Frames;
     Formats meshes = meshFormats(solid, film);
     if (kind == ExportKind::Mesh) putOwnFirst(meshes, shape);
-    return film && shape.picture() ? kPictures + meshes + rigs() : meshes;
+    return film && shape.picture() ? pictures + meshes + rigs() : meshes;
 }
 
 }  // namespace wend

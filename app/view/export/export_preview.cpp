@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/session/run/layer_export.h"
+#include "app/session/run/svg_export.h"
 #include "app/session/shape/shape.h"
 #include "app/view/canvas/ground.h"
 #include "app/view/canvas/render_thread.h"
@@ -39,7 +40,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
     QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
     const std::string file = "picture" + request.extension;
     const FilmFormatFacts* film = request.kind == ExportKind::Film ? filmFormatOf(file) : nullptr;
-    if (film ? film->alpha : holdsAlpha(file) || isLayeredFile(file)) return warped;
+    if (film ? film->alpha : holdsAlpha(file) || isLayeredFile(file) || isSvgFile(file)) return warped;
     QImage opaque(warped.size(), QImage::Format_RGB32);
     opaque.fill(Qt::white);
     QPainter(&opaque).drawImage(0, 0, warped);
@@ -85,7 +86,7 @@ QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Scree
     if (request.kind == ExportKind::StMap)
         image = mapPreview(shape, request);
     else if (request.kind == ExportKind::Film || canWriteImage("picture" + request.extension) ||
-             isLayeredFile("picture" + request.extension))
+             isLayeredFile("picture" + request.extension) || isSvgFile("picture" + request.extension))
         image = picturePreview(shape, *picture, request, std::move(stop));
     else if (shape.dimension() == 2)
         image = meshPreview(shape, picture, request);

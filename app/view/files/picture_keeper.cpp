@@ -5,6 +5,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/edits/document.h"
+#include "app/document/edits/drawing_size.h"
 #include "app/document/edits/scaled_project.h"
 #include "app/document/file/named_files.h"
 #include "app/document/in_background.h"
@@ -13,6 +14,7 @@
 #include "app/session/opening.h"
 #include "app/session/preferences.h"
 #include "app/session/shape/flat_shape.h"
+#include "app/view/files/drawing_size_dialog.h"
 #include "app/view/files/project_watch.h"
 #include "core/mesh/error.h"
 #include "warp/image.h"
@@ -120,6 +122,28 @@ void PictureKeeper::replace(const QString& path) {
     exchange(next, tr("Replace picture"), false);
 }
 
+void PictureKeeper::askSize() {
+    if (m_document.isEmpty()) return;
+    const auto tell = [this](const QString& text) { emit said(Topic::Picture, text, {}); };
+    const std::string folder = m_document.folder().toStdString();
+    try {
+        if (drawingIn(m_document.domain(), folder).empty())
+            return tell(tr("This picture is no SVG drawing: its pixels are what it has."));
+        const DrawnSize now = drawnSize(m_document.domain(), folder);
+        DrawingSizeDialog dialog(now, &m_window);
+        if (dialog.exec() == QDialog::Accepted && dialog.size() != now) redraw(dialog.size());
+    } catch (const std::exception& error) {
+        tell(tr("The picture cannot be read. %1").arg(wend::said(error)));
+    }
+}
+
+void PictureKeeper::redraw(const DrawnSize& size) {
+    Project next = *m_document.project();
+    next.domain.size = size;
+    ++next.domain.readings;
+    exchange(next, tr("Change drawing size"), true);
+}
+
 /// Reads the picture of a project that is to follow, and changes to it. `mayDiffer`: it stays as it is if the
 /// proportions of the pictures differ.
 void PictureKeeper::exchange(const Project& next, const QString& name, bool mayDiffer) {
@@ -135,7 +159,8 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
         const auto was = m_document.picture();
         Project fitted = next;
         QString told;
-        if (was && reading.picture && next.domain.kind == DomainKind::Image && next.domain.parts.empty()) {
+        const bool isSized = next.domain.parts.empty() || next.domain.size != before->domain.size;
+        if (was && reading.picture && next.domain.kind == DomainKind::Image && isSized) {
             const double factor =
                 factorBetween({was->width, was->height}, {reading.picture->width, reading.picture->height});
             const QString sizes = tr("It has %1 × %2 pixels, and the picture before had %3 × %4.")

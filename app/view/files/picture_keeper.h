@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/view/notices/info_banner.h"
+#include "warp/vector_drawing.h"
 
 class QWidget;
 
@@ -25,6 +26,10 @@ class PictureKeeper : public QObject {
     void askReplace();
     /// Does so in the background. Pins, paths and regions are scaled if the sizes differ.
     void replace(const QString& path);
+    /// Asks for the width at which the document's drawing is drawn.
+    void askSize();
+    /// Draws the document's drawing in another size, in an undo step. Pins, paths and regions are scaled.
+    void redraw(const DrawnSize& size);
     /// Reads the pictures of the document again, in an undo step.
     void reload();
 

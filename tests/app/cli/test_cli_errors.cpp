@@ -271,6 +271,9 @@ void TestCliErrors::badInput_data() {
                             << "p.wend: is not valid JSON: line 3";
     row("unknown kind", kDisc + ", 'handles': [{'at': {'points': [[1, 2]]}, 'motion': [{'kind': 'jump'}]}]",
         "p.wend: handles[0].motion[0].kind: unknown value");
+    row("no drawing", kDisc, "no.svg: the project's picture is no SVG drawing", {"--image", "no.svg"});
+    row("size of pixels", kDisc, "disc.png: is no SVG drawing: --size is for these",
+        {"--image", "no.png", "--size", "900"});
     row("phi", kDisc + ", 'material': {'phi': 3}",
         "p.wend: material.phi: phi = 3 is outside ]0, 2.677945045]");
     row("B", kStrip + ", 'material': {'cells': {'B': [[1, 2, 2, 1]]}}",

@@ -40,6 +40,8 @@ class TestTakenOver : public QObject {
     void otherProportionsAreRefused();
     void aPictureOfAnotherSizeIsFittedWhenOpened();
     void oldProjectsStayAsTheyAre();
+    void drawingsHaveAnySize_data();
+    void drawingsHaveAnySize();
     void motionOfAnotherProject();
     void exportChoicesBelongToTheDocument();
     void groupsBecomePins();
@@ -175,6 +177,42 @@ void TestTakenOver::oldProjectsStayAsTheyAre() {
     QVERIFY(open(project));
     document().save(project);
     QCOMPARE(readTextFile(project.toStdString()), before);
+}
+
+void TestTakenOver::drawingsHaveAnySize_data() {
+    QTest::addColumn<QByteArray>("shapes");
+    QTest::addColumn<int>("parts");
+    const QByteArray disc = "<circle cx='20' cy='20' r='12'/>",
+                     eye = "<rect x='24' y='12' width='8' height='8'/>";
+    QTest::newRow("one sheet") << QByteArray("<g>" + disc + eye + "</g>") << 0;
+    QTest::newRow("parts") << QByteArray("<g id='body'>" + disc + "</g><g id='eye'>" + eye + "</g>") << 2;
+}
+
+/// Pins are at the same places of the drawing, at once and when the project is opened again.
+void TestTakenOver::drawingsHaveAnySize() {
+    QFETCH(QByteArray, shapes);
+    QFETCH(int, parts);
+    const QString path = m_folder->filePath("drawing.svg");
+    writeTextFile(path.toStdString(), "<svg xmlns='http://www.w3.org/2000/svg' width='40' height='40'>" +
+                                          shapes.toStdString() + "</svg>");
+    QVERIFY(open(path));
+    QCOMPARE(int(document().domain().parts.size()), parts);
+    QCOMPARE(document().domain().size, (DrawnSize{1040, 1040}));  // 26 for 1
+    addPin(document(), {520, 520}, "middle");
+    pictures().redraw({400, 400});
+    QVERIFY(
+        QTest::qWaitFor([&] { return document().picture() && document().picture()->width == 400; }, 20000));
+    const auto placed = [&] {
+        return std::get<std::vector<Vec<2>>>(document().design<2>().handles[0].at)[0];
+    };
+    QVERIFY((placed() - Vec<2>(200, 200)).norm() < 1e-9);
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
+    const QString project = m_folder->filePath("drawing.wend");
+    document().save(project);
+    QVERIFY(open(project));
+    QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
+    QVERIFY((placed() - Vec<2>(200, 200)).norm() < 1e-9);
 }
 
 void TestTakenOver::motionOfAnotherProject() {
