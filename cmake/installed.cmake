@@ -53,7 +53,7 @@ install(FILES ${words}/wend.fish DESTINATION share/fish/vendor_completions.d COM
 install(DIRECTORY ${resources}/samples/ DESTINATION share/wend/samples COMPONENT program
     FILES_MATCHING PATTERN art EXCLUDE PATTERN "*.wend" PATTERN "*.png" PATTERN "*.ora" PATTERN "*.obj" PATTERN "*.mtl")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/wend/manual COMPONENT program
-    FILES_MATCHING PATTERN "*.md" PATTERN "pictures/*.png" PATTERN "pictures/*.svg")
+    FILES_MATCHING PATTERN "*.md" PATTERN "pictures/*.png" PATTERN "pictures/*.svg" PATTERN "pictures/*.webp")
 install(FILES ${resources}/icons/wend.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT program)
 install(FILES ${resources}/wend.desktop DESTINATION share/applications COMPONENT program)
 install(FILES ${resources}/wend-mime.xml DESTINATION share/mime/packages RENAME wend.xml COMPONENT program)

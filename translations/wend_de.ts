@@ -159,6 +159,98 @@
         <source>hides pins and overlays</source>
         <translation>blendet Pins und Überlagerungen aus</translation>
     </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Auf, Ab</translation>
+    </message>
+    <message>
+        <source>choose a pin</source>
+        <translation>wählen einen Pin</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>show another time</source>
+        <translation>zeigen eine andere Zeit</translation>
+    </message>
+    <message>
+        <source>Alt+Left, Alt+Right</source>
+        <translation>Alt+Links, Alt+Rechts</translation>
+    </message>
+    <message>
+        <source>move the chosen bars or keys</source>
+        <translation>verschieben die gewählten Balken oder Schlüsselposen</translation>
+    </message>
+    <message>
+        <source>Shift-click, or a frame</source>
+        <translation>Umschalt-Klick oder ein Rahmen</translation>
+    </message>
+    <message>
+        <source>chooses several</source>
+        <translation>wählt mehrere</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>opens their easing curve</source>
+        <translation>öffnet deren Easing-Kurve</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Strg+C, Strg+V</translation>
+    </message>
+    <message>
+        <source>copy keys, paste them at the time shown</source>
+        <translation>kopieren Schlüsselposen und fügen sie zur gezeigten Zeit ein</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Strg+Umschalt+V</translation>
+    </message>
+    <message>
+        <source>pastes them mirrored</source>
+        <translation>fügt sie gespiegelt ein</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>removes them</source>
+        <translation>entfernt sie</translation>
+    </message>
+    <message>
+        <source>I, O</source>
+        <translation>I, O</translation>
+    </message>
+    <message>
+        <source>begin and end the cycle here</source>
+        <translation>beginnen und beenden hier den Zyklus</translation>
+    </message>
+    <message>
+        <source>Shift-drag the numbers</source>
+        <translation>Zahlen mit Umschalt ziehen</translation>
+    </message>
+    <message>
+        <source>marks the cycle</source>
+        <translation>markiert den Zyklus</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Umschalt+M</translation>
+    </message>
+    <message>
+        <source>adds a marker</source>
+        <translation>setzt eine Marke</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -3867,6 +3959,72 @@
     <message>
         <source>&amp;Height</source>
         <translation>&amp;Höhe</translation>
+    <name>wend::EaseEditor</name>
+    <message>
+        <source>Easing Curve</source>
+        <translation>Easing-Kurve</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;start</source>
+        <translation>Tempo am &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;end</source>
+        <translation>Tempo am &amp;Ende</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>In percent of the speed of an even move: at 0 % the pin stops there.</source>
+        <translation>In Prozent des Tempos einer gleichmäßigen Bewegung: Bei 0 % steht der Pin dort still.</translation>
+    </message>
+    <message>
+        <source>Speed at the start</source>
+        <translation>Tempo am Anfang</translation>
+    </message>
+    <message>
+        <source>Speed at the end</source>
+        <translation>Tempo am Ende</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>The pin stays where it was, and goes on from there afterwards.</source>
+        <translation>Der Pin bleibt, wo er war, und geht danach von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Choose a bar or a key in the tracks.</source>
+        <translation>Einen Balken oder eine Schlüsselpose in den Spuren wählen.</translation>
+    </message>
+    <message>
+        <source>Rotations and scalings have one of the four easings.</source>
+        <translation>Drehungen und Skalierungen haben eines der vier Easings.</translation>
+    </message>
+    <message>
+        <source>1 motion</source>
+        <translation>1 Bewegung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n motions</source>
+        <translation>
+            <numerusform>%n Bewegung</numerusform>
+            <numerusform>%n Bewegungen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::EasePlot</name>
+    <message>
+        <source>Easing curve</source>
+        <translation>Easing-Kurve</translation>
+    </message>
+    <message>
+        <source>How far the pin has come over time. Drag the two handles up or down; Left and Right choose one, Up and Down move it.</source>
+        <translation>Wie weit der Pin im Lauf der Zeit gekommen ist. Die beiden Griffe auf oder ab ziehen; Links und Rechts wählen einen, Auf und Ab bewegen ihn.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4852,21 @@
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::KeyPoseStrip</name>
+    <message>
+        <source>Key poses</source>
+        <translation>Schlüsselposen</translation>
+    </message>
+    <message>
+        <source>The shape at the key poses of all pins: a click goes there</source>
+        <translation>Die Form in den Schlüsselposen aller Pins: Ein Klick geht dorthin</translation>
+    </message>
+    <message>
+        <source>Key pose at %1</source>
+        <translation>Schlüsselpose: %1</translation>
     </message>
 </context>
 <context>
@@ -7711,6 +7884,10 @@
         <source>seconds</source>
         <translation>Sekunden</translation>
     </message>
+    <message>
+        <source>Show Key &amp;Poses</source>
+        <translation>Schlüssel&amp;posen zeigen</translation>
+    </message>
 </context>
 <context>
     <name>wend::TimeScale</name>
@@ -7998,6 +8175,14 @@
     <message>
         <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
         <translation>Nichts ändert sich: Wo ein Pin beginnt, ist er in Ruhe, und Drehungen behalten ihren Verlauf.</translation>
+    </message>
+    <message>
+        <source>Easing Curve</source>
+        <translation>Easing-Kurve</translation>
+    </message>
+    <message>
+        <source>Easing C&amp;urve…</source>
+        <translation>Easing-K&amp;urve …</translation>
     </message>
 </context>
 <context>

@@ -159,6 +159,98 @@
         <source>hides pins and overlays</source>
         <translation>oculta alfileres y superposiciones</translation>
     </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Pistas</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Arriba, Abajo</translation>
+    </message>
+    <message>
+        <source>choose a pin</source>
+        <translation>eligen un alfiler</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Izquierda, Derecha</translation>
+    </message>
+    <message>
+        <source>show another time</source>
+        <translation>muestran otro momento</translation>
+    </message>
+    <message>
+        <source>Alt+Left, Alt+Right</source>
+        <translation>Alt+Izquierda, Alt+Derecha</translation>
+    </message>
+    <message>
+        <source>move the chosen bars or keys</source>
+        <translation>mueven las barras o claves elegidas</translation>
+    </message>
+    <message>
+        <source>Shift-click, or a frame</source>
+        <translation>Mayús+clic, o un marco</translation>
+    </message>
+    <message>
+        <source>chooses several</source>
+        <translation>elige varias</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>opens their easing curve</source>
+        <translation>abre su curva de suavizado</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Ctrl+C, Ctrl+V</translation>
+    </message>
+    <message>
+        <source>copy keys, paste them at the time shown</source>
+        <translation>copian claves y las pegan en el momento mostrado</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Mayús+V</translation>
+    </message>
+    <message>
+        <source>pastes them mirrored</source>
+        <translation>las pega reflejadas</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>removes them</source>
+        <translation>los quita</translation>
+    </message>
+    <message>
+        <source>I, O</source>
+        <translation>I, O</translation>
+    </message>
+    <message>
+        <source>begin and end the cycle here</source>
+        <translation>empiezan y terminan aquí el ciclo</translation>
+    </message>
+    <message>
+        <source>Shift-drag the numbers</source>
+        <translation>Arrastrar los números con Mayús</translation>
+    </message>
+    <message>
+        <source>marks the cycle</source>
+        <translation>marca el ciclo</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Mayús+M</translation>
+    </message>
+    <message>
+        <source>adds a marker</source>
+        <translation>añade una marca</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -3867,6 +3959,72 @@
     <message>
         <source>&amp;Height</source>
         <translation>Alt&amp;ura</translation>
+    <name>wend::EaseEditor</name>
+    <message>
+        <source>Easing Curve</source>
+        <translation>Curva de suavizado</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;start</source>
+        <translation>Velocidad al &amp;principio</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;end</source>
+        <translation>Velocidad al &amp;final</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>In percent of the speed of an even move: at 0 % the pin stops there.</source>
+        <translation>En porcentaje de la velocidad de un movimiento uniforme: con 0 % el alfiler se detiene ahí.</translation>
+    </message>
+    <message>
+        <source>Speed at the start</source>
+        <translation>Velocidad al principio</translation>
+    </message>
+    <message>
+        <source>Speed at the end</source>
+        <translation>Velocidad al final</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Mantener</translation>
+    </message>
+    <message>
+        <source>The pin stays where it was, and goes on from there afterwards.</source>
+        <translation>El alfiler se queda donde estaba y después sigue desde ahí.</translation>
+    </message>
+    <message>
+        <source>Choose a bar or a key in the tracks.</source>
+        <translation>Elija una barra o una clave en las pistas.</translation>
+    </message>
+    <message>
+        <source>Rotations and scalings have one of the four easings.</source>
+        <translation>Los giros y escalados tienen uno de los cuatro suavizados.</translation>
+    </message>
+    <message>
+        <source>1 motion</source>
+        <translation>1 movimiento</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n motions</source>
+        <translation>
+            <numerusform>%n movimiento</numerusform>
+            <numerusform>%n movimientos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::EasePlot</name>
+    <message>
+        <source>Easing curve</source>
+        <translation>Curva de suavizado</translation>
+    </message>
+    <message>
+        <source>How far the pin has come over time. Drag the two handles up or down; Left and Right choose one, Up and Down move it.</source>
+        <translation>Hasta dónde ha llegado el alfiler a lo largo del tiempo. Arrastre las dos asas arriba o abajo; Izquierda y Derecha eligen una, Arriba y Abajo la mueven.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4852,21 @@
     <message>
         <source>Close this message</source>
         <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>wend::KeyPoseStrip</name>
+    <message>
+        <source>Key poses</source>
+        <translation>Poses clave</translation>
+    </message>
+    <message>
+        <source>The shape at the key poses of all pins: a click goes there</source>
+        <translation>La forma en las poses clave de todos los alfileres: un clic va allí</translation>
+    </message>
+    <message>
+        <source>Key pose at %1</source>
+        <translation>Pose clave: %1</translation>
     </message>
 </context>
 <context>
@@ -7711,6 +7884,10 @@
         <source>seconds</source>
         <translation>segundos</translation>
     </message>
+    <message>
+        <source>Show Key &amp;Poses</source>
+        <translation>Mostrar las &amp;poses clave</translation>
+    </message>
 </context>
 <context>
     <name>wend::TimeScale</name>
@@ -7998,6 +8175,14 @@
     <message>
         <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
         <translation>Nada cambia: donde un pin empieza está en reposo, y las rotaciones conservan su curso.</translation>
+    </message>
+    <message>
+        <source>Easing Curve</source>
+        <translation>Curva de suavizado</translation>
+    </message>
+    <message>
+        <source>Easing C&amp;urve…</source>
+        <translation>C&amp;urva de suavizado…</translation>
     </message>
 </context>
 <context>

@@ -159,6 +159,98 @@
         <source>hides pins and overlays</source>
         <translation>masque épingles et incrustations</translation>
     </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Pistes</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Haut, Bas</translation>
+    </message>
+    <message>
+        <source>choose a pin</source>
+        <translation>choisissent une épingle</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>show another time</source>
+        <translation>montrent un autre instant</translation>
+    </message>
+    <message>
+        <source>Alt+Left, Alt+Right</source>
+        <translation>Alt+Gauche, Alt+Droite</translation>
+    </message>
+    <message>
+        <source>move the chosen bars or keys</source>
+        <translation>déplacent les barres ou les clés choisies</translation>
+    </message>
+    <message>
+        <source>Shift-click, or a frame</source>
+        <translation>Maj+clic, ou un cadre</translation>
+    </message>
+    <message>
+        <source>chooses several</source>
+        <translation>en choisit plusieurs</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>opens their easing curve</source>
+        <translation>ouvre leur courbe de lissage</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Ctrl+C, Ctrl+V</translation>
+    </message>
+    <message>
+        <source>copy keys, paste them at the time shown</source>
+        <translation>copient des clés et les collent à l’instant montré</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Maj+V</translation>
+    </message>
+    <message>
+        <source>pastes them mirrored</source>
+        <translation>les colle en miroir</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>removes them</source>
+        <translation>les supprime</translation>
+    </message>
+    <message>
+        <source>I, O</source>
+        <translation>I, O</translation>
+    </message>
+    <message>
+        <source>begin and end the cycle here</source>
+        <translation>commencent et terminent ici le cycle</translation>
+    </message>
+    <message>
+        <source>Shift-drag the numbers</source>
+        <translation>Glisser les chiffres avec Maj</translation>
+    </message>
+    <message>
+        <source>marks the cycle</source>
+        <translation>marque le cycle</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Maj+M</translation>
+    </message>
+    <message>
+        <source>adds a marker</source>
+        <translation>ajoute un repère</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -3867,6 +3959,72 @@
     <message>
         <source>&amp;Height</source>
         <translation>&amp;Hauteur</translation>
+    <name>wend::EaseEditor</name>
+    <message>
+        <source>Easing Curve</source>
+        <translation>Courbe de lissage</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;start</source>
+        <translation>Vitesse au &amp;début</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;end</source>
+        <translation>Vitesse à la &amp;fin</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>In percent of the speed of an even move: at 0 % the pin stops there.</source>
+        <translation>En pourcentage de la vitesse d’un mouvement régulier : à 0 %, l’épingle s’y arrête.</translation>
+    </message>
+    <message>
+        <source>Speed at the start</source>
+        <translation>Vitesse au début</translation>
+    </message>
+    <message>
+        <source>Speed at the end</source>
+        <translation>Vitesse à la fin</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Tenir</translation>
+    </message>
+    <message>
+        <source>The pin stays where it was, and goes on from there afterwards.</source>
+        <translation>L’épingle reste où elle était, et repart de là ensuite.</translation>
+    </message>
+    <message>
+        <source>Choose a bar or a key in the tracks.</source>
+        <translation>Choisissez une barre ou une clé dans les pistes.</translation>
+    </message>
+    <message>
+        <source>Rotations and scalings have one of the four easings.</source>
+        <translation>Les rotations et mises à l’échelle ont l’un des quatre lissages.</translation>
+    </message>
+    <message>
+        <source>1 motion</source>
+        <translation>1 mouvement</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n motions</source>
+        <translation>
+            <numerusform>%n mouvement</numerusform>
+            <numerusform>%n mouvements</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::EasePlot</name>
+    <message>
+        <source>Easing curve</source>
+        <translation>Courbe de lissage</translation>
+    </message>
+    <message>
+        <source>How far the pin has come over time. Drag the two handles up or down; Left and Right choose one, Up and Down move it.</source>
+        <translation>Le chemin parcouru par l’épingle au fil du temps. Glissez les deux poignées vers le haut ou le bas ; Gauche et Droite en choisissent une, Haut et Bas la déplacent.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4852,21 @@
     <message>
         <source>Close this message</source>
         <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>wend::KeyPoseStrip</name>
+    <message>
+        <source>Key poses</source>
+        <translation>Poses clés</translation>
+    </message>
+    <message>
+        <source>The shape at the key poses of all pins: a click goes there</source>
+        <translation>La forme aux poses clés de toutes les épingles : un clic y va</translation>
+    </message>
+    <message>
+        <source>Key pose at %1</source>
+        <translation>Pose clé : %1</translation>
     </message>
 </context>
 <context>
@@ -7711,6 +7884,10 @@
         <source>seconds</source>
         <translation>secondes</translation>
     </message>
+    <message>
+        <source>Show Key &amp;Poses</source>
+        <translation>Montrer les &amp;poses clés</translation>
+    </message>
 </context>
 <context>
     <name>wend::TimeScale</name>
@@ -7998,6 +8175,14 @@
     <message>
         <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
         <translation>Rien ne change : là où une épingle commence, elle est au repos, et les rotations gardent leur cours.</translation>
+    </message>
+    <message>
+        <source>Easing Curve</source>
+        <translation>Courbe de lissage</translation>
+    </message>
+    <message>
+        <source>Easing C&amp;urve…</source>
+        <translation>Co&amp;urbe de lissage…</translation>
     </message>
 </context>
 <context>

@@ -159,6 +159,98 @@
         <source>hides pins and overlays</source>
         <translation>ピンとオーバーレイを隠す</translation>
     </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>上、下</translation>
+    </message>
+    <message>
+        <source>choose a pin</source>
+        <translation>ピンを選ぶ</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>左、右</translation>
+    </message>
+    <message>
+        <source>show another time</source>
+        <translation>別の時刻を表示</translation>
+    </message>
+    <message>
+        <source>Alt+Left, Alt+Right</source>
+        <translation>Alt + 左、Alt + 右</translation>
+    </message>
+    <message>
+        <source>move the chosen bars or keys</source>
+        <translation>選択中のバーまたはキーを動かす</translation>
+    </message>
+    <message>
+        <source>Shift-click, or a frame</source>
+        <translation>Shift + クリック、または枠</translation>
+    </message>
+    <message>
+        <source>chooses several</source>
+        <translation>複数を選択</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>opens their easing curve</source>
+        <translation>そのイージング曲線を開く</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Ctrl + C、Ctrl + V</translation>
+    </message>
+    <message>
+        <source>copy keys, paste them at the time shown</source>
+        <translation>キーをコピーし、表示中の時刻に貼り付ける</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl + Shift + V</translation>
+    </message>
+    <message>
+        <source>pastes them mirrored</source>
+        <translation>ミラーして貼り付ける</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>removes them</source>
+        <translation>削除する</translation>
+    </message>
+    <message>
+        <source>I, O</source>
+        <translation>I、O</translation>
+    </message>
+    <message>
+        <source>begin and end the cycle here</source>
+        <translation>ここでサイクルを開始、終了</translation>
+    </message>
+    <message>
+        <source>Shift-drag the numbers</source>
+        <translation>Shift を押して数字をドラッグ</translation>
+    </message>
+    <message>
+        <source>marks the cycle</source>
+        <translation>サイクルを指定</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift + M</translation>
+    </message>
+    <message>
+        <source>adds a marker</source>
+        <translation>マーカーを追加</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -3864,6 +3956,71 @@
     <message>
         <source>&amp;Height</source>
         <translation>高さ(&amp;H)</translation>
+    <name>wend::EaseEditor</name>
+    <message>
+        <source>Easing Curve</source>
+        <translation>イージング曲線</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;start</source>
+        <translation>開始時の速さ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;end</source>
+        <translation>終了時の速さ(&amp;E)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>In percent of the speed of an even move: at 0 % the pin stops there.</source>
+        <translation>一定の速さに対する割合。0 % ではそこで止まります。</translation>
+    </message>
+    <message>
+        <source>Speed at the start</source>
+        <translation>開始時の速さ</translation>
+    </message>
+    <message>
+        <source>Speed at the end</source>
+        <translation>終了時の速さ</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保つ</translation>
+    </message>
+    <message>
+        <source>The pin stays where it was, and goes on from there afterwards.</source>
+        <translation>ピンはその場にとどまり、その後そこから動きます。</translation>
+    </message>
+    <message>
+        <source>Choose a bar or a key in the tracks.</source>
+        <translation>トラックでバーまたはキーを選んでください。</translation>
+    </message>
+    <message>
+        <source>Rotations and scalings have one of the four easings.</source>
+        <translation>回転と拡大縮小は 4 つのイージングのどれかです。</translation>
+    </message>
+    <message>
+        <source>1 motion</source>
+        <translation>1 個のモーション</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n motions</source>
+        <translation>
+            <numerusform>%n 個のモーション</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::EasePlot</name>
+    <message>
+        <source>Easing curve</source>
+        <translation>イージング曲線</translation>
+    </message>
+    <message>
+        <source>How far the pin has come over time. Drag the two handles up or down; Left and Right choose one, Up and Down move it.</source>
+        <translation>時間に対してピンが進んだ割合。2 つのハンドルを上下にドラッグ。左右キーで選び、上下キーで動かします。</translation>
     </message>
 </context>
 <context>
@@ -4687,6 +4844,21 @@
     <message>
         <source>Close this message</source>
         <translation>このメッセージを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>wend::KeyPoseStrip</name>
+    <message>
+        <source>Key poses</source>
+        <translation>キーポーズ</translation>
+    </message>
+    <message>
+        <source>The shape at the key poses of all pins: a click goes there</source>
+        <translation>すべてのピンのキーポーズでの形。クリックでそこへ移動</translation>
+    </message>
+    <message>
+        <source>Key pose at %1</source>
+        <translation>キーポーズ：%1</translation>
     </message>
 </context>
 <context>
@@ -7697,6 +7869,10 @@
         <source>seconds</source>
         <translation>秒</translation>
     </message>
+    <message>
+        <source>Show Key &amp;Poses</source>
+        <translation>キーポーズを表示(&amp;P)</translation>
+    </message>
 </context>
 <context>
     <name>wend::TimeScale</name>
@@ -7984,6 +8160,14 @@
     <message>
         <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
         <translation>変更はありません。ピンの始まりは静止状態で、回転の経過は変わりません。</translation>
+    </message>
+    <message>
+        <source>Easing Curve</source>
+        <translation>イージング曲線</translation>
+    </message>
+    <message>
+        <source>Easing C&amp;urve…</source>
+        <translation>イージング曲線(&amp;U)…</translation>
     </message>
 </context>
 <context>

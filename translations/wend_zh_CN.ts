@@ -159,6 +159,98 @@
         <source>hides pins and overlays</source>
         <translation>隐藏图钉和叠加层</translation>
     </message>
+    <message>
+        <source>Tracks</source>
+        <translation>轨道</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>上、下</translation>
+    </message>
+    <message>
+        <source>choose a pin</source>
+        <translation>选择图钉</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>左、右</translation>
+    </message>
+    <message>
+        <source>show another time</source>
+        <translation>显示别的时间</translation>
+    </message>
+    <message>
+        <source>Alt+Left, Alt+Right</source>
+        <translation>Alt+左、Alt+右</translation>
+    </message>
+    <message>
+        <source>move the chosen bars or keys</source>
+        <translation>移动所选的条或关键姿势</translation>
+    </message>
+    <message>
+        <source>Shift-click, or a frame</source>
+        <translation>按住 Shift 单击，或框选</translation>
+    </message>
+    <message>
+        <source>chooses several</source>
+        <translation>选择多个</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>opens their easing curve</source>
+        <translation>打开其缓动曲线</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Ctrl+C、Ctrl+V</translation>
+    </message>
+    <message>
+        <source>copy keys, paste them at the time shown</source>
+        <translation>复制关键姿势，粘贴到所示时间</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>pastes them mirrored</source>
+        <translation>镜像粘贴</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>removes them</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>I, O</source>
+        <translation>I、O</translation>
+    </message>
+    <message>
+        <source>begin and end the cycle here</source>
+        <translation>在此开始、结束循环段</translation>
+    </message>
+    <message>
+        <source>Shift-drag the numbers</source>
+        <translation>按住 Shift 拖动数字</translation>
+    </message>
+    <message>
+        <source>marks the cycle</source>
+        <translation>标出循环段</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>adds a marker</source>
+        <translation>添加标记</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -3864,6 +3956,71 @@
     <message>
         <source>&amp;Height</source>
         <translation>高度(&amp;H)</translation>
+    <name>wend::EaseEditor</name>
+    <message>
+        <source>Easing Curve</source>
+        <translation>缓动曲线</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;start</source>
+        <translation>开始时的速度(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Speed at the &amp;end</source>
+        <translation>结束时的速度(&amp;E)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>In percent of the speed of an even move: at 0 % the pin stops there.</source>
+        <translation>占匀速移动速度的百分比：为 0 % 时图钉在该处停住。</translation>
+    </message>
+    <message>
+        <source>Speed at the start</source>
+        <translation>开始时的速度</translation>
+    </message>
+    <message>
+        <source>Speed at the end</source>
+        <translation>结束时的速度</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>The pin stays where it was, and goes on from there afterwards.</source>
+        <translation>图钉停在原处，之后从那里继续。</translation>
+    </message>
+    <message>
+        <source>Choose a bar or a key in the tracks.</source>
+        <translation>请在轨道中选择一个条或关键姿势。</translation>
+    </message>
+    <message>
+        <source>Rotations and scalings have one of the four easings.</source>
+        <translation>旋转和缩放只有四种缓动之一。</translation>
+    </message>
+    <message>
+        <source>1 motion</source>
+        <translation>1 个动作</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n motions</source>
+        <translation>
+            <numerusform>%n 个动作</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::EasePlot</name>
+    <message>
+        <source>Easing curve</source>
+        <translation>缓动曲线</translation>
+    </message>
+    <message>
+        <source>How far the pin has come over time. Drag the two handles up or down; Left and Right choose one, Up and Down move it.</source>
+        <translation>图钉随时间走过的路程。上下拖动两个手柄；左右键选择手柄，上下键移动它。</translation>
     </message>
 </context>
 <context>
@@ -4687,6 +4844,21 @@
     <message>
         <source>Close this message</source>
         <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>wend::KeyPoseStrip</name>
+    <message>
+        <source>Key poses</source>
+        <translation>关键姿势</translation>
+    </message>
+    <message>
+        <source>The shape at the key poses of all pins: a click goes there</source>
+        <translation>所有图钉关键姿势处的形状：单击即可转到该处</translation>
+    </message>
+    <message>
+        <source>Key pose at %1</source>
+        <translation>关键姿势：%1</translation>
     </message>
 </context>
 <context>
@@ -7697,6 +7869,10 @@
         <source>seconds</source>
         <translation>秒</translation>
     </message>
+    <message>
+        <source>Show Key &amp;Poses</source>
+        <translation>显示关键姿势(&amp;P)</translation>
+    </message>
 </context>
 <context>
     <name>wend::TimeScale</name>
@@ -7984,6 +8160,14 @@
     <message>
         <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
         <translation>没有变化：图钉开始处处于静止，旋转保持原样。</translation>
+    </message>
+    <message>
+        <source>Easing Curve</source>
+        <translation>缓动曲线</translation>
+    </message>
+    <message>
+        <source>Easing C&amp;urve…</source>
+        <translation>缓动曲线(&amp;U)…</translation>
     </message>
 </context>
 <context>

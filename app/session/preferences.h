@@ -38,6 +38,7 @@ inline const Preference<int> mapOpacity{QStringLiteral("mapOpacity"), 65};  // p
 inline const Preference<bool> mapSmooth{QStringLiteral("mapSmooth")};
 inline const Preference<bool> propertiesShown{QStringLiteral("properties"), true};
 inline const Preference<bool> rulerInFrames{QStringLiteral("ruler/frames")};
+inline const Preference<bool> keyPosesShown{QStringLiteral("ruler/poses"), true};
 inline const Preference<bool> soundHeard{QStringLiteral("ruler/sound"), true};
 inline const Preference<QString> folder{QStringLiteral("folder")};  // of the last file that was chosen
 inline const Preference<QStringList> recentFiles{QStringLiteral("recent")};

@@ -113,7 +113,9 @@ MainWindow::MainWindow(QWidget* parent)
     connectView();
     new ViewLooks({m_session, *m_actions, *m_properties, *m_canvas, *m_compare, *m_solids}, this);
     connect(&m_session.playback(), &Playback::endChanged, this, &MainWindow::showSelection);
-    new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks}, this);
+    new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks, *m_canvas,
+                      [this] { return m_solids->canvas(); }},
+                     this);
     connect(new SpaceTap(*this), &SpaceTap::tapped, m_actions->play, &QAction::trigger);
     connectHelp();
     connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);

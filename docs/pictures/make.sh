@@ -155,6 +155,33 @@ walk() {
     optipng -quiet -o2 "$here/walk.png"
 }
 
+# film PROJECT NAME WIDTH [options]: a WebP film
+film() {
+    project=$1 name=$2 width=$3
+    shift 3
+    "$wend" run "$project" --film "$here/$name.webp" --webp lossy --width "$width" --outside "$paper" --quiet "$@"
+}
+
+# sheet NAME PATTERN: pictures side by side
+sheet() {
+    name=$1
+    shift
+    convert "$@" -background "$paper" +repage +append +repage -flatten "$work/all.png"
+    finish "$work/all.png" 1800 "$name.png"
+    convert "$here/$name.png" +dither -colors 96 "$here/$name.png"
+    optipng -quiet -o2 "$here/$name.png"
+}
+
+# Films, and sheets of their poses: the walk; a wave and a nod, recorded in the window over each other.
+films() {
+    film "$samples/walker.wend" walk 320 --loop --fps 16
+    python3 character.py "$work/character.ora"
+    cp wave.wend "$work"
+    film "$work/wave.wend" wave 240 --fps 12 --canvas=-90,0,570,640
+    "$wend" run "$work/wave.wend" --frames "$work/wave_#.png" --count 8 --canvas=-90,0,570,640 --width 300 --quiet
+    sheet wave "$work"/wave_*.png
+}
+
 # The grid at a wing's root, at rest and moved.
 wing() {
     python3 wing.py "$work"
@@ -175,4 +202,5 @@ bent
 parts
 drawing
 walk
+films
 wing

@@ -13,7 +13,7 @@ server=$!
 trap 'kill $program $server 2>/dev/null; rm -rf "$scratch" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
-# NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, clicks at CLICKS (x,y …), drags along DRAG (x y x y), takes a picture
+# NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, clicks at CLICKS (x,y …), sends the keys in THEN, drags along DRAG (x y x y), takes a picture
 # of it; dark if DARK says so, SCALE times as large
 shot() {
     local name=$1
@@ -42,6 +42,10 @@ shot() {
         sleep 0.3
         xdotool click 1
         sleep 0.7
+    done
+    for key in $THEN; do
+        xdotool key "$key"
+        sleep 1
     done
     if [ -n "$DRAG" ]; then
         local from_x from_y to_x to_y
@@ -94,6 +98,7 @@ json.dump(project, open(sys.argv[3], "w"))
 END
 WAIT=12 KEYS="ctrl+4 shift+n" DRAG="600 858 600 858" shot film.png "$scratch/film.wend"
 WAIT=12 KEYS="ctrl+4" DRAG="520 690 520 690" shot keys.png "$root/resources/samples/walker.wend"
+WAIT=12 KEYS="ctrl+4" CLICKS="390,780" THEN="e" DRAG="1018 420 1018 316" shot easing.png "$root/resources/samples/walker.wend"
 WAIT=10 KEYS="ctrl+4 p" CLICKS="580,620 610,500" DRAG="700 450 780 470" shot pen.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+5 c" DRAG="310 380 880 800" shot export.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"

@@ -173,7 +173,7 @@ def main(folder, api=None, module=None):
         pages.append(Page(f"notebook-{name[:-6]}.html", text))
     own = [os.path.join(docs, "pictures", name) for name in os.listdir(docs + "/pictures")]
     for name in own + [one for page in pages for one in page.pictures]:
-        if name.endswith((".png", ".svg")):
+        if name.endswith((".png", ".svg", ".webp")):
             shutil.copy(name, folder + "/pictures")
     for name in (here + "/style.css", here + "/search.js", here + "/../../resources/icons/wend.svg"):
         shutil.copy(name, folder)

@@ -77,4 +77,16 @@ std::vector<KeyId> pasteKeys(ShapeSession& session, std::vector<CopiedKey> copie
     return pasted;
 }
 
+void easeMotions(ShapeSession& session, const std::vector<MotionId>& motions, const Progress& progress,
+                 const QString& step, const QString& mergeKey) {
+    Document& document = session.document();
+    session.playback().setPlaying(false);
+    if (document.dimension() == 2)
+        document.changeDesign(
+            step, withProgress<2>(document.design<2>(), motions, progress, startsOf<2>(session)), mergeKey);
+    else
+        document.changeDesign(
+            step, withProgress<3>(document.design<3>(), motions, progress, startsOf<3>(session)), mergeKey);
+}
+
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/document/edits/key_edits.h"
+#include "app/document/edits/progress.h"
 
 namespace wend {
 
@@ -20,5 +21,8 @@ std::vector<CopiedKey> forSelected(const ShapeSession& session, const std::vecto
 /// pin's time, where it is at rest, are left out with a notice. Returns the keys that there are now.
 std::vector<KeyId> pasteKeys(ShapeSession& session, std::vector<CopiedKey> copies, double time,
                              const QString& step);
+/// Gives motions another progress in one undo step; see withProgress().
+void easeMotions(ShapeSession& session, const std::vector<MotionId>& motions, const Progress& progress,
+                 const QString& step, const QString& mergeKey = {});
 
 }  // namespace wend

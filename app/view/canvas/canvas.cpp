@@ -251,15 +251,19 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 }
 
 QImage ShapeCanvas::smallView(const QSize& size) const {
-    const auto frame = m_session.frame<2>();
-    if (!frame || !m_picture || m_viewport.looks().standIn) return {};  // owner of the plan
+    const auto small = smallRequest(m_session.frame<2>(), size);
+    return small && m_picture ? RenderThread::render(*small) : QImage();
+}
+
+std::optional<RenderRequest> ShapeCanvas::smallRequest(const PosedPtr<2>& frame, const QSize& size) const {
+    if (!frame || !m_session.frame() || m_viewport.looks().standIn) return {};  // owner of the plan
     RenderRequest small = request(Filter::Ewa);
     small.frame = frame;
     small.mesh = small.map = small.allOfPicture = false;
     small.ratio = 1;
     small.size = size;
     small.view.fit(boxOf(frame->pose), size, 0);
-    return RenderThread::render(small);
+    return small;
 }
 
 void ShapeCanvas::render() {

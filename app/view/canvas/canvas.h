@@ -37,6 +37,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     bool isSettled() const;
     /// Returns the whole shape as large as fits, without overlays; null before there is one.
     QImage smallView(const QSize& size) const;
+    /// Returns how another frame is drawn like this; nothing before there is a picture for it.
+    std::optional<RenderRequest> smallRequest(const PosedPtr<2>& frame, const QSize& size) const;
 
     // ToolSurface
     ShapeSession& session() override { return m_session; }

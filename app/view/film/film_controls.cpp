@@ -1,6 +1,7 @@
 #include "app/view/film/film_controls.h"
 
 #include <QApplication>
+#include <QSlider>
 #include <QToolButton>
 #include <utility>
 
@@ -9,6 +10,9 @@
 #include "app/session/settle_step.h"
 #include "app/view/actions/actions.h"
 #include "app/view/actions/toolbox.h"
+#include "app/view/film/key_pose_strip.h"
+#include "app/view/film/pose_drawing.h"
+#include "app/view/film/sound_track.h"
 #include "app/view/film/time_strip.h"
 #include "app/view/film/track_view.h"
 
@@ -22,6 +26,10 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     connectTime();
     connect(&m_parts.strip, &TimeStrip::wayChanged, &m_parts.tracks,
             [strip = &m_parts.strip, tracks = &m_parts.tracks] { tracks->setWay(strip->way()); });
+    m_parts.tracks.poses().setDrawing(new PoseDrawing(m_parts.picture, m_parts.solid, this));
+    connect(m_parts.strip.slider(), &QSlider::valueChanged, this, [this, &playback] {
+        if (m_parts.strip.slider()->isSliderDown()) m_parts.tracks.sound().scrub(playback.time());
+    });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
     connect(&m_parts.session.document(), &Document::projectChanged, this, &FilmControls::takeCycle);
     connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::takeCycle);

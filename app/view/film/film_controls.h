@@ -1,11 +1,14 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 namespace wend {
 
 class Actions;
+class ShapeCanvas;
 class ShapeSession;
+class SolidCanvas;
 class TimeStrip;
 class Toolbox;
 class TrackView;
@@ -21,6 +24,8 @@ class FilmControls : public QObject {
         const Toolbox& tools;
         TimeStrip& strip;
         TrackView& tracks;
+        const ShapeCanvas& picture;
+        std::function<SolidCanvas*()> solid;  // the view of solids, null before the first one
     };
     FilmControls(const Parts& parts, QObject* parent);
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "app/document/edits/film_edits.h"
 #include "app/session/preferences.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr int kLoudnessRate = 8000;  // samples per second of the loudness
 constexpr int kPeriodSamples = static_cast<int>(kLoudnessRate * SoundTrack::kPeriod);
 constexpr double kMostDrift = 0.25;  // seconds between sound and picture
+constexpr double kPiece = 0.12;      // seconds of sound while scrubbing
+constexpr int kPieceLimit = 2000;    // milliseconds after which a player that hangs is ended
 
 /// The file as ffmpeg's protocol for files, which nothing in a name can be mistaken for.
 QString fileWord(const QString& path) {
@@ -46,6 +49,9 @@ SoundTrack::SoundTrack(ShapeSession& session, QObject* parent)
     m_player.setStandardErrorFile(QProcess::nullDevice());
     connect(&m_decoder, &QProcess::readyReadStandardOutput, this, &SoundTrack::read);
     connect(&m_decoder, &QProcess::finished, this, &SoundTrack::endDecoding);
+    connect(&m_player, &QProcess::finished, this, &SoundTrack::endPiece);
+    m_pieceLimit.setSingleShot(true);
+    connect(&m_pieceLimit, &QTimer::timeout, &m_player, &QProcess::kill);
     connect(&session.document(), &Document::projectChanged, this, &SoundTrack::takeProject);
     connect(&session.document(), &Document::opened, this, &SoundTrack::takeProject);
     connect(&session.playback(), &Playback::playingChanged, this,
@@ -120,18 +126,44 @@ void SoundTrack::endDecoding() {
 
 void SoundTrack::play() {
     stop();
-    const QString program = programNamed("ffplay");
-    if (!m_heard || !hasFile() || program.isEmpty()) return;
+    if (!m_heard || !hasFile()) return;
     m_from = m_session.playback().time();
-    QStringList words = {QStringLiteral("-nodisp"),       QStringLiteral("-autoexit"), QStringLiteral("-v"),
-                         QStringLiteral("quiet"),         QStringLiteral("-vn"),       QStringLiteral("-ss"),
-                         QString::number(m_from, 'f', 3), QStringLiteral("-i"),        fileWord(m_file)};
+    QStringList more;
     if (const double speed = m_session.playback().speed(); speed != 1)  // a filter halves at most
-        words << QStringLiteral("-af")
-              << (speed < 0.5 ? QStringLiteral("atempo=0.5,atempo=%1").arg(2 * speed)
-                              : QStringLiteral("atempo=%1").arg(speed));
-    m_player.start(program, words);
+        more << QStringLiteral("-af")
+             << (speed < 0.5 ? QStringLiteral("atempo=0.5,atempo=%1").arg(2 * speed)
+                             : QStringLiteral("atempo=%1").arg(speed));
+    start(m_from, more);
     m_since.start();
+}
+
+void SoundTrack::start(double from, QStringList more) {
+    const QString program = programNamed("ffplay");
+    if (program.isEmpty()) return;
+    const QStringList words = {
+        QStringLiteral("-nodisp"),     QStringLiteral("-autoexit"), QStringLiteral("-v"),
+        QStringLiteral("quiet"),       QStringLiteral("-vn"),       QStringLiteral("-ss"),
+        QString::number(from, 'f', 3), QStringLiteral("-i"),        fileWord(m_file)};
+    m_player.start(program, words + more);
+}
+
+void SoundTrack::scrub(double time) {
+    if (!m_heard || !hasFile() || m_session.playback().isPlaying()) return;
+    if (m_player.state() == QProcess::NotRunning)
+        playPiece(time);
+    else
+        m_nextPiece = time;
+}
+
+void SoundTrack::playPiece(double time) {
+    m_nextPiece.reset();
+    start(time, {QStringLiteral("-t"), QString::number(kPiece)});
+    m_pieceLimit.start(kPieceLimit);
+}
+
+void SoundTrack::endPiece() {
+    m_pieceLimit.stop();
+    if (const auto next = std::exchange(m_nextPiece, std::nullopt)) playPiece(*next);
 }
 
 /// After a loop or a pause of the computation, the sound begins anew.
@@ -143,6 +175,8 @@ void SoundTrack::follow(double time) {
 }
 
 void SoundTrack::stop() {
+    m_nextPiece.reset();
+    m_pieceLimit.stop();
     endProcess(m_player);
     m_since.invalidate();
 }

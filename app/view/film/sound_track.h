@@ -4,6 +4,9 @@
 #include <QObject>
 #include <QProcess>
 #include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <optional>
 #include <vector>
 
 #include "app/session/shape_session.h"
@@ -11,7 +14,8 @@
 namespace wend {
 
 /// The sound of the film: its loudness, decoded by the program ffmpeg through a pipe, and the sound itself,
-/// which the program ffplay makes while the film plays. Without these programs the film is silent.
+/// which the program ffplay makes while the film plays, or in short pieces while another time is shown by
+/// dragging. Without these programs the film is silent.
 class SoundTrack : public QObject {
     Q_OBJECT
 
@@ -26,6 +30,9 @@ class SoundTrack : public QObject {
     bool hasFile() const { return !m_file.isEmpty(); }
     bool isHeard() const { return m_heard; }
     void setHeard(bool heard);
+    /// Lets a short piece be heard that begins at a time, after the one that is heard now; of several times
+    /// meanwhile, at the last one.
+    void scrub(double time);
 
   signals:
     void changed();
@@ -36,6 +43,9 @@ class SoundTrack : public QObject {
     void read();
     void endDecoding();
     void play();
+    void playPiece(double time);
+    void endPiece();
+    void start(double from, QStringList more);
     void follow(double time);
     void stop();
 
@@ -45,6 +55,8 @@ class SoundTrack : public QObject {
     std::vector<float> m_peaks;
     QByteArray m_rest;      // samples of a period that is not complete
     QElapsedTimer m_since;  // the player was started
+    std::optional<double> m_nextPiece;
+    QTimer m_pieceLimit;
     double m_from = 0;
     bool m_heard;
 };

@@ -13,6 +13,7 @@
 #include "app/document/edits/film_edits.h"
 #include "app/document/edits/setting_edits.h"
 #include "app/panels/look/theme.h"
+#include "app/session/preferences.h"
 #include "app/view/film/sound_track.h"
 #include "app/view/film/time_scale.h"
 
@@ -139,7 +140,9 @@ void TimeRuler::mouseMoveEvent(QMouseEvent* event) {
     m_now = snapped(event->position().x());
     if (m_drag == Drag::Time) {
         m_session.playback().setPlaying(false);
+        const bool moves = m_session.playback().time() != m_now;
         m_session.playback().setTime(m_now);
+        if (moves) m_sound.scrub(m_now);
     }
     update();
 }
@@ -201,6 +204,12 @@ void TimeRuler::contextMenuEvent(QContextMenuEvent* event) {
     if (m_scale.end() <= 0 || m_drag != Drag::None) return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    QAction* poses = menu->addAction(tr("Show Key &Poses"), this, [this](bool shown) {
+        preferences::keyPosesShown.set(shown);
+        emit rowsChanged();
+    });
+    poses->setCheckable(true);
+    poses->setChecked(preferences::keyPosesShown.value());
     QAction* frames = menu->addAction(tr("&Count Frames"), &m_scale, &TimeScale::setCountsFrames);
     frames->setCheckable(true);
     frames->setChecked(m_scale.countsFrames());

@@ -99,6 +99,7 @@ void TrackView::choose(std::vector<MotionId> bars) {
     for (const MotionId& bar : m_chosen) pins.push_back(bar.handle);
     m_session.selection().set(std::move(pins));
     viewport()->update();
+    emit choiceChanged();
 }
 
 /// Returns the chosen bars whose pins are not locked.
@@ -134,6 +135,7 @@ void TrackView::mousePressEvent(QMouseEvent* event) {
     else
         m_band = Band{at, at, m_chosen, m_keys};
     viewport()->update();
+    emit choiceChanged();
 }
 
 void TrackView::grab(const Bar& bar, Part part, double at, bool alone) {
@@ -233,6 +235,7 @@ void TrackView::fillMenu(QMenu& menu, const Bar& bar) {
         action->setCheckable(true);
         action->setChecked(bar.ease == ease);
     }
+    addEaseEditor(menu);
     menu.addSeparator();
     menu.addAction(tr("&Straighten"), this, [this] {
         change(tr("Straighten"), straightened(m_session.document().design(), changeable()));
@@ -303,6 +306,7 @@ void TrackView::keyPressEvent(QKeyEvent* event) {
     const auto& bars = m_rows[static_cast<std::size_t>(next)].bars;
     m_keys.clear();
     m_chosen.assign(bars.begin(), bars.begin() + (bars.empty() ? 0 : 1));
+    emit choiceChanged();
 }
 
 /// Shows the time of a key, or the name and times of a bar.
@@ -323,10 +327,12 @@ bool TrackView::viewportEvent(QEvent* event) {
         QToolTip::showText(help->globalPos(),
                            tr("Holds from %1 to %2").arg(m_scale->text(time.start), m_scale->text(time.end)));
     else
-        QToolTip::showText(help->globalPos(),
-                           tr("%1: %2 to %3, %4")
-                               .arg(hit->first.kind, m_scale->text(time.start), m_scale->text(time.end),
-                                    withoutKey(easeName(hit->first.ease)).toLower()));
+        QToolTip::showText(
+            help->globalPos(),
+            tr("%1: %2 to %3, %4")
+                .arg(hit->first.kind, m_scale->text(time.start), m_scale->text(time.end),
+                     (hit->first.ease ? withoutKey(easeName(*hit->first.ease)) : tr("Easing Curve"))
+                         .toLower()));
     return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/document/design.h"
 #include "app/session/pins/key_poses.h"
+#include "app/view/film/ease_editor.h"
 #include "app/view/film/time_ruler.h"
 #include "app/view/film/time_scale.h"
 #include "app/view/film/track_view.h"
@@ -61,6 +62,7 @@ void TrackView::chooseKeys(std::vector<KeyId> keys) {
     for (const KeyId& key : m_keys) pins.push_back(key.handle);
     m_session.selection().set(std::move(pins));
     viewport()->update();
+    emit choiceChanged();
 }
 
 /// Returns the chosen keys whose pins are not locked.
@@ -183,8 +185,56 @@ void TrackView::addEasings(QMenu& menu, const KeyId& key) {
     }
 }
 
+std::vector<MotionId> TrackView::easedMotions() const {
+    return m_keys.empty() ? changeable() : motionsBetween(m_session.document().design(), changeableKeys());
+}
+
+std::optional<ShownProgress> TrackView::shownEase() const {
+    const auto motions = easedMotions();
+    if (motions.empty()) return {};
+    return shownProgress(m_session.document().design(), motions.front());
+}
+
+void TrackView::setProgress(const Progress& progress, const QString& mergeKey) {
+    if (const auto motions = easedMotions(); !motions.empty())
+        easeMotions(m_session, motions, progress, tr("Change easing"), mergeKey);
+}
+
+void TrackView::holdChosen() {
+    const AnyDesign& design = m_session.document().design();
+    std::vector<KeyId> keys;
+    for (const MotionId& id : easedMotions())
+        keys.push_back({id.handle, wend::timeOf(design, id.handle, id.motion).start});
+    if (!keys.empty()) changeKeys(tr("Hold"), withKeysHeld(design, keys));
+}
+
+/// Opens the curve beside the tracks, or brings it back.
+void TrackView::editEase() {
+    auto* editor = findChild<EaseEditor*>();
+    if (!editor) {
+        editor = new EaseEditor(*this);
+        editor->adjustSize();
+        constexpr int kFrame = 40;  // pixels, of the window's title
+        const QPoint corner = mapToGlobal(QPoint(width(), 0));
+        editor->move(corner - QPoint(editor->width() + kFrame, editor->height() + kFrame));
+    }
+    editor->show();
+    editor->raise();
+    editor->activateWindow();
+}
+
+/// The curve is that of the tracks: it goes with them.
+void TrackView::hideEvent(QHideEvent*) {
+    if (auto* editor = findChild<EaseEditor*>()) editor->hide();
+}
+
+void TrackView::addEaseEditor(QMenu& menu) {
+    menu.addAction(tr("Easing C&urve…") + QStringLiteral("\tE"), this, &TrackView::editEase);
+}
+
 void TrackView::fillMenu(QMenu& menu, const KeyId& key) {
     addEasings(menu, key);
+    addEaseEditor(menu);
     menu.addSeparator();
     menu.addAction(tr("&Hold to the Next"), this, [this] {
         changeKeys(tr("Hold"), withKeysHeld(m_session.document().design(), changeableKeys()));
@@ -213,7 +263,7 @@ bool TrackView::takesKey(const QKeyEvent& event) const {
         return event.modifiers() == modifiers && event.key() == key;
     };
     constexpr auto kBoth = Qt::ControlModifier | Qt::ShiftModifier;
-    return (chosen && (is({}, Qt::Key_Delete) || is(Qt::ControlModifier, Qt::Key_C))) ||
+    return (chosen && (is({}, Qt::Key_Delete) || is({}, Qt::Key_E) || is(Qt::ControlModifier, Qt::Key_C))) ||
            (!m_copied.empty() && (is(Qt::ControlModifier, Qt::Key_V) || is(kBoth, Qt::Key_V))) ||
            (end() > 0 && (is({}, Qt::Key_I) || is({}, Qt::Key_O) || is(Qt::ShiftModifier, Qt::Key_M)));
 }
@@ -223,6 +273,9 @@ bool TrackView::keyCommand(const QKeyEvent& event) {
     switch (event.key()) {
         case Qt::Key_Delete:
             removeChosen();
+            break;
+        case Qt::Key_E:
+            editEase();
             break;
         case Qt::Key_C:
             copyChosen();

@@ -90,12 +90,10 @@ void TrackView::paintBar(QPainter& painter, const Bar& bar, const QColor& colour
     QColor soft = colour;
     soft.setAlphaF(0.45F);
     QLinearGradient fill(box.topLeft(), box.topRight());
-    const bool in = bar.ease == Ease::In || bar.ease == Ease::InOut;
-    const bool out = bar.ease == Ease::Out || bar.ease == Ease::InOut;
-    fill.setColorAt(0, in ? soft : colour);
+    fill.setColorAt(0, bar.slow.start ? soft : colour);
     fill.setColorAt(0.4, colour);
     fill.setColorAt(0.6, colour);
-    fill.setColorAt(1, out ? soft : colour);
+    fill.setColorAt(1, bar.slow.end ? soft : colour);
     painter.setPen(chosen ? QPen(theme.accentText, 2) : QPen(colour.darker(130), 1));
     painter.setBrush(fill);
     painter.drawRoundedRect(box, 4, 4);

@@ -6,6 +6,8 @@
 
 #include "app/document/design.h"
 #include "app/panels/look/marks.h"
+#include "app/session/preferences.h"
+#include "app/view/film/key_pose_strip.h"
 #include "app/view/film/sound_track.h"
 #include "app/view/film/time_ruler.h"
 #include "app/view/film/time_scale.h"
@@ -18,10 +20,17 @@ template <int Dim>
 QString kindOf(const Motion<Dim>& motion) {
     if (std::holds_alternative<Rotate<Dim>>(motion.kind)) return TrackView::tr("Rotate");
     const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
-    if (!curve) return TrackView::tr("Move");
+    if (!curve || straightProgress<Dim>(motion)) return TrackView::tr("Move");
     const bool stays = std::all_of(curve->points.begin(), curve->points.end(),
                                    [&](const Vec<Dim>& p) { return p == curve->points.front(); });
     return stays && curve->scale != 1 ? TrackView::tr("Scale") : TrackView::tr("Path");
+}
+
+/// Returns the easing of a motion; nothing if it has a curve of its own.
+template <int Dim>
+std::optional<Ease> easeOf(const Motion<Dim>& motion) {
+    const auto straight = straightProgress<Dim>(motion);
+    return straight ? easeOf(*straight) : motion.ease;
 }
 
 }  // namespace
@@ -31,7 +40,8 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_scale(new TimeScale(session, this)),
       m_sound(new SoundTrack(session, this)),
-      m_ruler(new TimeRuler(session, *m_scale, *m_sound, viewport())) {
+      m_ruler(new TimeRuler(session, *m_scale, *m_sound, viewport())),
+      m_poses(new KeyPoseStrip(session, *m_scale, viewport())) {
     setObjectName(QStringLiteral("trackView"));
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -72,8 +82,9 @@ void TrackView::takeProject() {
                     for (const auto& motion : handle.motions)
                         row.bars.push_back({{h, static_cast<int>(row.bars.size())},
                                             {motion.start, motion.end},
-                                            motion.ease,
-                                            kindOf(motion)});
+                                            slowSidesOf(motion),
+                                            kindOf(motion),
+                                            easeOf(motion)});
                     m_rows.push_back(std::move(row));
                 }
             },
@@ -88,10 +99,14 @@ void TrackView::takeProject() {
     });
     arrange();
     viewport()->update();
+    emit choiceChanged();
 }
 
 void TrackView::arrange() {
-    m_ruler->setGeometry(0, 0, viewport()->width(), m_ruler->rows());
+    const int above = showsPoses() ? KeyPoseStrip::kHeight : 0;
+    m_poses->setGeometry(0, 0, viewport()->width(), KeyPoseStrip::kHeight);
+    m_poses->setVisible(above > 0);
+    m_ruler->setGeometry(0, above, viewport()->width(), m_ruler->rows());
     m_ruler->setVisible(end() > 0);
     const int whole = end() > 0 ? static_cast<int>(kRowHeight * static_cast<double>(m_rows.size())) : 0;
     const int room = static_cast<int>(viewport()->height() - top());
@@ -124,9 +139,21 @@ void TrackView::setWay(const QRect& way) {
     m_scale->setWay(way);
 }
 
-/// The height of the ruler.
+/// Where the rows begin, below the ruler.
 double TrackView::top() const {
-    return m_ruler->rows();
+    return m_ruler->y() + m_ruler->rows();
+}
+
+QSize TrackView::sizeHint() const {
+    const int poses = preferences::keyPosesShown.value() ? KeyPoseStrip::kHeight : 0;
+    return {400, int(22 + poses + kRowsAtFirst * kRowHeight)};
+}
+
+/// Leaves the pictures of key poses out where rows would lack room.
+bool TrackView::showsPoses() const {
+    constexpr int kRowsAtLeast = 2;
+    const int room = viewport()->height() - m_ruler->rows() - KeyPoseStrip::kHeight;
+    return end() > 0 && preferences::keyPosesShown.value() && room >= kRowsAtLeast * kRowHeight;
 }
 
 double TrackView::end() const {

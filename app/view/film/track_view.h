@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "app/document/edits/key_edits.h"
+#include "app/document/edits/progress.h"
 #include "app/session/shape_session.h"
 
 class QMenu;
 
 namespace wend {
 
+class KeyPoseStrip;
 class SoundTrack;
 class TimeRuler;
 class TimeScale;
@@ -34,13 +36,28 @@ class TrackView : public QAbstractScrollArea {
     QPointF keySpot(const KeyId& key) const;
     TimeScale& scale() const { return *m_scale; }
     TimeRuler& ruler() const { return *m_ruler; }
-    QSize sizeHint() const override { return {400, int(22 + kRowsAtFirst * kRowHeight)}; }
+    KeyPoseStrip& poses() const { return *m_poses; }
+    SoundTrack& sound() const { return *m_sound; }
+    /// Returns the motions whose easing is edited: the chosen bars, or the motions between the chosen keys.
+    std::vector<MotionId> easedMotions() const;
+    /// Returns the progress of the first of them.
+    std::optional<ShownProgress> shownEase() const;
+    /// Gives them another progress in one undo step; steps with the same key merge.
+    void setProgress(const Progress& progress, const QString& mergeKey = {});
+    /// Holds the pins during these motions.
+    void holdChosen();
+    QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {200, 80}; }
+
+  signals:
+    /// Emitted when other bars or keys are chosen, or these have changed.
+    void choiceChanged();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -56,8 +73,9 @@ class TrackView : public QAbstractScrollArea {
     enum class Part { Body, Start, End };
     struct Bar : MotionId {
         MotionTime time;
-        Ease ease = Ease::Linear;
+        SlowSides slow = {};
         QString kind = {};
+        std::optional<Ease> ease = Ease::Linear;  // none: a curve of its own
     };
     struct Row {
         QString name;
@@ -89,6 +107,7 @@ class TrackView : public QAbstractScrollArea {
 
     void takeProject();
     void arrange();
+    bool showsPoses() const;
     void showSelection();
     void showFirstMotion();
     void bringIntoView(int row);
@@ -120,6 +139,8 @@ class TrackView : public QAbstractScrollArea {
     void fillMenu(QMenu& menu, const Bar& bar);
     void fillMenu(QMenu& menu, const KeyId& key);
     void addEasings(QMenu& menu, const KeyId& key);
+    void addEaseEditor(QMenu& menu);
+    void editEase();
     void removeChosen();
     void removeKeys();
     void changeKeys(const QString& what, AnyDesign after);
@@ -149,6 +170,7 @@ class TrackView : public QAbstractScrollArea {
     TimeScale* m_scale;
     SoundTrack* m_sound;
     TimeRuler* m_ruler;
+    KeyPoseStrip* m_poses;
     std::vector<Row> m_rows;
     std::vector<MotionId> m_chosen;  // by clicks and frames; bars or keys
     std::vector<KeyId> m_keys;

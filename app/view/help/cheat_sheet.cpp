@@ -96,10 +96,35 @@ Group pointer(int dimension) {
     return group;
 }
 
+/// The keys of the tracks, which belong to no menu of the window.
+Group tracks() {
+    const auto say = [](const char* text) { return QCoreApplication::translate("CheatSheet", text); };
+    Group group{say(QT_TRANSLATE_NOOP("CheatSheet", "Tracks")), {}};
+    const auto add = [&](const char* does, const char* what) { group.rows << row(say(does), say(what)); };
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Up, Down"), QT_TRANSLATE_NOOP("CheatSheet", "choose a pin"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Left, Right"), QT_TRANSLATE_NOOP("CheatSheet", "show another time"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Alt+Left, Alt+Right"),
+        QT_TRANSLATE_NOOP("CheatSheet", "move the chosen bars or keys"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Shift-click, or a frame"),
+        QT_TRANSLATE_NOOP("CheatSheet", "chooses several"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "E"), QT_TRANSLATE_NOOP("CheatSheet", "opens their easing curve"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Ctrl+C, Ctrl+V"),
+        QT_TRANSLATE_NOOP("CheatSheet", "copy keys, paste them at the time shown"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Ctrl+Shift+V"),
+        QT_TRANSLATE_NOOP("CheatSheet", "pastes them mirrored"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Del"), QT_TRANSLATE_NOOP("CheatSheet", "removes them"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "I, O"),
+        QT_TRANSLATE_NOOP("CheatSheet", "begin and end the cycle here"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Shift-drag the numbers"),
+        QT_TRANSLATE_NOOP("CheatSheet", "marks the cycle"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Shift+M"), QT_TRANSLATE_NOOP("CheatSheet", "adds a marker"));
+    return group;
+}
+
 }  // namespace
 
 QString CheatSheet::text(const QMenuBar& menus, int dimension) {
-    QList<Group> groups = {pointer(dimension)};
+    QList<Group> groups = {pointer(dimension), tracks()};
     for (const QAction* menu : menus.actions()) {
         if (!menu->isVisible() || !menu->menu()) continue;
         Group group{plain(menu->text()), {}};

@@ -167,6 +167,9 @@ ManualWindow::ManualWindow(QWidget* parent)
     m_pages->setOpenLinks(false);
     connect(m_pages, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
         const QUrl target = m_pages->source().resolved(link);
+        if (target.fileName().endsWith(QStringLiteral(".webp")))  // a film: another program shows it
+            return static_cast<void>(
+                QDesktopServices::openUrl(QUrl::fromLocalFile(picturePath(target.fileName()))));
         target.scheme() == QStringLiteral("qrc") ? m_pages->setSource(target)
                                                  : static_cast<void>(QDesktopServices::openUrl(target));
     });
