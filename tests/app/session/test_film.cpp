@@ -570,12 +570,12 @@ void TestFilm::menuOfABar() {
     QList<QAction*> actions;
     for (QAction* action : menu->actions())
         if (!action->isSeparator()) actions << action;
-    QCOMPARE(actions.size(), 7);
+    QCOMPARE(actions.size(), 8);
     QVERIFY(actions[0]->isChecked());
     actions[3]->trigger();
     QCOMPARE(designOf<3>(project()).handles[1].motions[0].ease, Ease::InOut);
     QCOMPARE(designOf<3>(project()).handles[0].motions[0].ease, Ease::Linear);
-    actions[6]->trigger();
+    actions[7]->trigger();
     QCOMPARE(motions(1), std::size_t(0));
     QCOMPARE(motions(0), std::size_t(1));
     menu->close();
