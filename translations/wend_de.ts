@@ -810,6 +810,26 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 hat %2 × %3 Pixel, und das Projekt wurde für %4 × %5 gemacht: Pins und Wege bleiben, wo sie sind</translation>
     </message>
+    <message>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>HDF5-Dateien brauchen wend-hdf5, das neben dem Programm fehlt: es wird gebaut, wo libhdf5-dev installiert ist</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>die HDF5-Bibliothek scheitert daran: die Datei ist vielleicht beschädigt</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>ist keine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>die Körper %1 und %2 berühren sich entlang einer Fläche, deren Dreiecke nicht zueinander passen (bei %3): geben Sie beiden dort dieselben Dreiecke, oder lassen Sie einen Spalt</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>die Körper %1 und %2 berühren sich entlang einer Kante oder in einem Punkt (bei %3): geben Sie beiden dort dieselben Dreiecke, oder lassen Sie einen Spalt</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>

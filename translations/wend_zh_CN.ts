@@ -810,6 +810,26 @@
         <source>%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where they are</source>
         <translation>%1 为 %2 × %3 像素，而项目是为 %4 × %5 制作的：图钉和路径保持原位</translation>
     </message>
+    <message>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>HDF5 文件需要 wend-hdf5，但程序旁没有它：在安装了 libhdf5-dev 的环境中会构建它</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>HDF5 库无法处理它：文件可能已损坏</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>不是 HDF5 文件</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>实体 %1 和 %2 沿三角形不匹配的面相接触（%3 附近）：请让两者在该处使用相同的三角形，或留出间隙</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>实体 %1 和 %2 沿边或在一点相接触（%3 附近）：请让两者在该处使用相同的三角形，或留出间隙</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
