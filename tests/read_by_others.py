@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Has other programs read what Wend writes: every mesh format, version and encoding, with and without values
 and border, of a mesh in the plane, of tetrahedra and of a filled surface. Compares points, cells, values and
-groups. Needs meshio, VTK and gmsh (Debian: python3-meshio python3-vtk9 gmsh); not part of ./test.
+groups. Then sends a vocabulary of cells and groups through every pair of formats. Needs meshio, VTK, h5py, netCDF4
+and gmsh (Debian: python3-meshio python3-vtk9 python3-h5py python3-netcdf4 gmsh); not part of ./test.
 
     tests/read_by_others.py [WEND]        (build/release/wend)
 
@@ -12,6 +13,7 @@ import io
 import itertools
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -309,6 +311,162 @@ def whole(folder):
             print(label, f"FAILED: {str(error).strip()[:300]}")
 
 
+VOCABULARY = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+3 11 "steel core"
+3 12 "rubber part"
+2 21 "fixed end"
+1 31 "wall"
+$EndPhysicalNames
+"""
+# What a format holds: cells of space, polygons of four corners, lines; names of groups, of surfaces alone or all.
+TARGETS = {".msh": "shqln", ".inp": "shqln", ".med": "shqln", ".cgns": "shqln", ".exo": "shqln", ".xdmf": "shqln",
+           ".bdf": "shql", ".mesh": "shql", ".avs": "shql", ".vtu": "shql", ".vtk": "shql", ".node": "sl",
+           ".vtp": "ql", ".ply": "ql", ".off": "ql", ".obj": "qln", ".stl": "n"}
+
+
+def vocabulary(folder, solid):
+    """Two hexahedra, two wedges and a pyramid with a quadrilateral and a line at them, in named groups; or the faces
+    of two of these hexahedra."""
+    points = [(x, y, z) for x in range(4) for z in (0, 1) for y in (0, 1)] + [(3.7, 0.5, 0.5)]
+    at = lambda x, y, z: 4 * x + 2 * z + y
+    box = [at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)]
+    prism = lambda a, b, c: [at(*p[:1], y, p[1]) for y in (1, 0) for p in (a, b, c)]
+    if solid:
+        cells = [(5, 11, box), (5, 12, [v + 4 for v in box]), (6, 12, prism((2, 0), (3, 0), (3, 1))),
+                 (6, 12, prism((2, 0), (3, 1), (2, 1))), (7, 11, [at(3, 0, 0), at(3, 1, 0), at(3, 1, 1), at(3, 0, 1), 16]),
+                 (3, 21, [at(0, 0, 0), at(0, 1, 0), at(0, 1, 1), at(0, 0, 1)]), (1, 31, [at(0, 0, 0), at(1, 0, 0)])]
+    else:
+        points = points[:8]
+        faces = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6))
+        cells = [(3, 21, [box[k] for k in face]) for face in faces] + \
+                [(2, 21, [box[3], box[0], box[4]]), (2, 21, [box[3], box[4], box[7]]), (1, 31, [box[0], box[1]])]
+    text = VOCABULARY + f"$Nodes\n{len(points)}\n" + "".join(
+        f"{k + 1} {x} {y} {z}\n" for k, (x, y, z) in enumerate(points)) + f"$EndNodes\n$Elements\n{len(cells)}\n"
+    for k, (kind, tag, nodes) in enumerate(cells):
+        text += f"{k + 1} {kind} 2 {tag} {tag} " + " ".join(str(v + 1) for v in nodes) + "\n"
+    (folder / "vocabulary.msh").write_text(text + "$EndElements\n")
+
+
+def places(points, nodes):
+    return frozenset(tuple(np.round(points[v], 6)) for v in nodes)
+
+
+def found_by_vtk(path):
+    """All cells of a file by the places of their corners, and the names of its groups where VTK tells them."""
+    reader = {".cgns": vtk.vtkCGNSReader, ".exo": vtk.vtkExodusIIReader, ".vtp": vtk.vtkXMLPolyDataReader,
+              ".obj": vtk.vtkOBJReader, ".ply": vtk.vtkPLYReader, **VTK_READERS}[path.suffix]()
+    errors, names, grids = [], None, []
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
+    reader.SetFileName(str(path))
+    if path.suffix == ".cgns":
+        reader.UpdateInformation()
+        reader.SetLoadBndPatch(True)
+    if path.suffix == ".exo":
+        reader.UpdateInformation()
+        for kind in (reader.ELEM_BLOCK, reader.SIDE_SET):
+            for k in range(reader.GetNumberOfObjects(kind)):
+                reader.SetObjectStatus(kind, k, 1)
+        names = {reader.GetObjectName(kind, k).split(" ID:")[0].removeprefix("Unnamed block").strip()
+                 for kind in (reader.ELEM_BLOCK, reader.SIDE_SET) for k in range(reader.GetNumberOfObjects(kind))}
+    reader.Update()
+    # VTK takes lines beside cells of space for such cells, and misses their values in CGNS files.
+    assert not errors or path.suffix == ".cgns", "VTK reports an error"
+    output = reader.GetOutputDataObject(0)
+    if output.IsA("vtkMultiBlockDataSet"):
+        walk = output.NewIterator()
+        walk.InitTraversal()
+        while not walk.IsDoneWithTraversal():
+            grids.append(walk.GetCurrentDataObject())
+            walk.GoToNextItem()
+    else:
+        grids = [output]
+    cells = set()
+    for grid in grids:
+        for c in range(grid.GetNumberOfCells()):
+            ids = grid.GetCell(c).GetPointIds()
+            nodes = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+            cells.add(frozenset(tuple(np.round(grid.GetPoint(v), 6)) for v in nodes))
+    return cells, names
+
+
+def found_by_meshio(path):
+    if path.suffix == ".inp":  # this meshio knows no pyramids of Abaqus: they become lines that are left out
+        blocks = path.read_text().split("*ELEMENT, ")
+        path.write_text("*ELEMENT, ".join(
+            block if not block.startswith("TYPE=C3D5") else "TYPE=T3D2\n" + re.sub(r"(?m)^(\d+, \d+, \d+),.*$", r"\1", block.split("\n", 1)[1])
+            for block in blocks))
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        mesh = meshio.read(path)
+    names = None
+    if path.suffix == ".msh":
+        names = set(mesh.field_data)
+    if path.suffix == ".xdmf":
+        names = set(mesh.field_data)
+    if path.suffix == ".med":
+        names = {name for all in mesh.cell_tags.values() for name in all}
+    if path.suffix == ".inp":
+        names = {name.strip('"') for name in mesh.cell_sets}
+    return {places(mesh.points, nodes) for block in mesh.cells for nodes in block.data}, names
+
+
+def found(path):
+    if path.suffix in (".vtu", ".vtk", ".vtp", ".avs", ".cgns", ".exo", ".obj", ".ply"):
+        return found_by_vtk(path)
+    if path.suffix == ".off":  # few programs read more than triangles
+        lines = [line.split() for line in path.read_text().splitlines() if line.strip()]
+        count = int(lines[1][0])
+        points = np.array(lines[2:2 + count], float)
+        return {places(points, map(int, line[1:1 + int(line[0])])) for line in lines[2 + count:]}, None
+    return found_by_meshio(path)
+
+
+def matrix(folder, solid):
+    """Every format into every other: cells that both hold, and names of groups, arrive."""
+    global failures
+    vocabulary(folder, solid)
+    done = subprocess.run([WEND, "convert", "vocabulary.msh", "a.vtu"], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    everything, _ = found_by_vtk(folder / "a.vtu")
+    kinds = {"line": lambda c: len(c) == 2, "quad": lambda c: len(c) == 4 and len({p[0] for p in c}) == 1,
+             "solid": lambda c: len(c) > 4}
+    formats = [f for f, holds in TARGETS.items() if ("s" in holds) == solid or not solid and f != ".node"]
+    print(f"\n{'cells of space' if solid else 'a surface'}: rows are read, columns written")
+    print(" " * 7 + "".join(f"{f:>7}" for f in formats))
+    for source in formats:
+        row = f"{source:7}"
+        first = subprocess.run([WEND, "convert", "vocabulary.msh", "from" + source], cwd=folder, capture_output=True, text=True)
+        for target in formats:
+            result = "ok"
+            try:
+                assert first.returncode == 0, first.stderr
+                done = subprocess.run([WEND, "convert", "from" + source, "to" + target], cwd=folder, capture_output=True, text=True)
+                assert done.returncode == 0, done.stderr
+                cells, names = found(folder / ("to" + (".ele" if target == ".node" else target)))
+                holds = set(TARGETS[source]) & set(TARGETS[target])
+                for cell in everything:
+                    whole = ("l" in holds if len(cell) == 2 else len(cell) == 3 or "q" in holds and (len(cell) == 4 or "h" in holds))
+                    if target == ".inp" and len(cell) == 5:  # this meshio knows no pyramids of Abaqus
+                        continue
+                    if target in (".cgns", ".ply") and len(cell) == 2:  # VTK reads no lines of these
+                        continue
+                    if whole and target != ".node":
+                        assert cell in cells, f"a cell of {len(cell)} nodes is missing"
+                if "n" in holds and names is not None:
+                    wanted = {"steel core", "rubber part", "fixed end", "wall"} if solid else {"fixed end"} | ({"wall"} if "l" in holds else set())
+                    wanted = {n.replace(" ", "_") for n in wanted} if ".obj" in (source, target) else wanted
+                    assert wanted <= names, f"names {sorted(names)}"
+            except (Exception, SystemExit) as error:  # meshio leaves the program
+                failures += 1
+                result = "FAILED"
+                print(f"{source} to {target}: {str(error).strip()[:200]}", file=sys.stderr)
+            row += f"{result:>7}"
+        print(row)
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -348,6 +506,8 @@ def main():
             check(folder, which, wanted, options, "a.mesh", [by_meshio], border=asked or flat or made, **what)
             check(folder, which, wanted, options, "a.inp", [by_meshio], border=asked or flat or made, **what)
         whole(folder)
+        matrix(folder, True)
+        matrix(folder, False)
     print("all read as written" if failures == 0 else f"{failures} FAILED")
     return 1 if failures else 0
 

@@ -933,6 +933,24 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>ihr &lt;%1&gt; wird weggelassen</translation>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>HDF5-Dateien brauchen wend-hdf5, das neben dem Programm fehlt: es wird gebaut, wo libhdf5-dev installiert ist</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>die HDF5-Bibliothek scheitert daran: die Datei ist vielleicht beschädigt</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>ist keine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>die Körper %1 und %2 berühren sich entlang einer Fläche, deren Dreiecke nicht zueinander passen (bei %3): geben Sie beiden dort dieselben Dreiecke, oder lassen Sie einen Spalt</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>die Körper %1 und %2 berühren sich entlang einer Kante oder in einem Punkt (bei %3): geben Sie beiden dort dieselben Dreiecke, oder lassen Sie einen Spalt</translation>
     </message>
 </context>
 <context>

@@ -933,6 +933,24 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>se omite su &lt;%1&gt;</translation>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>los archivos HDF5 necesitan wend-hdf5, que falta junto al programa: se compila donde está instalado libhdf5-dev</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>la biblioteca HDF5 falla con él: puede que el archivo esté dañado</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>no es un archivo HDF5</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>los cuerpos %1 y %2 se tocan a lo largo de una cara cuyos triángulos no coinciden (cerca de %3): dé a ambos los mismos triángulos allí o deje un hueco</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>los cuerpos %1 y %2 se tocan a lo largo de una arista o en un punto (cerca de %3): dé a ambos los mismos triángulos allí o deje un hueco</translation>
     </message>
 </context>
 <context>

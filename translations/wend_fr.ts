@@ -933,6 +933,24 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>son &lt;%1&gt; est omis</translation>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>les fichiers HDF5 nécessitent wend-hdf5, qui manque à côté du programme : il est compilé là où libhdf5-dev est installé</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>la bibliothèque HDF5 échoue : le fichier est peut-être endommagé</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>n’est pas un fichier HDF5</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>les corps %1 et %2 se touchent le long d’une face dont les triangles ne correspondent pas (près de %3) : donnez-leur les mêmes triangles à cet endroit ou laissez un espace</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>les corps %1 et %2 se touchent le long d’une arête ou en un point (près de %3) : donnez-leur les mêmes triangles à cet endroit ou laissez un espace</translation>
     </message>
 </context>
 <context>

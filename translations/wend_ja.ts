@@ -933,6 +933,24 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>&lt;%1&gt; は省かれます</translation>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>HDF5 ファイルには wend-hdf5 が必要ですが、プログラムと同じ場所にありません: libhdf5-dev がある環境でビルドされます</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>HDF5 ライブラリで処理できません: ファイルが壊れている可能性があります</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>HDF5 ファイルではありません</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>立体 %1 と %2 は三角形の一致しない面で接しています（%3 付近）: そこで両方に同じ三角形を与えるか、隙間を空けてください</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>立体 %1 と %2 は辺または点で接しています（%3 付近）: そこで両方に同じ三角形を与えるか、隙間を空けてください</translation>
     </message>
 </context>
 <context>

@@ -933,6 +933,24 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>其 &lt;%1&gt; 已略去</translation>
+        <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
+        <translation>HDF5 文件需要 wend-hdf5，但程序旁没有它：在安装了 libhdf5-dev 的环境中会构建它</translation>
+    </message>
+    <message>
+        <source>the HDF5 library fails on it: the file may be damaged</source>
+        <translation>HDF5 库无法处理它：文件可能已损坏</translation>
+    </message>
+    <message>
+        <source>is no HDF5 file</source>
+        <translation>不是 HDF5 文件</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both the same triangles there or leave a gap</source>
+        <translation>实体 %1 和 %2 沿三角形不匹配的面相接触（%3 附近）：请让两者在该处使用相同的三角形，或留出间隙</translation>
+    </message>
+    <message>
+        <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
+        <translation>实体 %1 和 %2 沿边或在一点相接触（%3 附近）：请让两者在该处使用相同的三角形，或留出间隙</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,7 @@
 #include "core/mesh/child_link.h"
 #include "core/mesh/child_parts.h"
 #include "core/mesh/error.h"
-#include "core/meshing/helper_program.h"
+#include "core/mesh/helper_program.h"
 #include "warp/picture_protocol.h"
 #include "warp/picture_source.h"
 

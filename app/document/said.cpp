@@ -147,6 +147,11 @@ constexpr const char* kSentences[] = {
                       "%1: its points have four coordinates; only points in space, which have three, are "
                       "read"),
     QT_TRANSLATE_NOOP("Core", "holds tetrahedra, but the project is in the plane"),
+    QT_TRANSLATE_NOOP("Core",
+                      "HDF5 files need wend-hdf5, which is missing beside the program: it is built where "
+                      "libhdf5-dev is installed"),
+    QT_TRANSLATE_NOOP("Core", "the HDF5 library fails on it: the file may be damaged"),
+    QT_TRANSLATE_NOOP("Core", "is no HDF5 file"),
     QT_TRANSLATE_NOOP("Core", "holds no tetrahedra, but the project is in space"),
     // Surfaces and volume meshes.
     QT_TRANSLATE_NOOP("Core", "the surface has no triangle"),
@@ -174,6 +179,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1 edges of more than two triangles (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 pair of triangles that intersect (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 pairs of triangles that intersect (first: %2)"),
+    QT_TRANSLATE_NOOP("Core",
+                      "bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both "
+                      "the same triangles there or leave a gap"),
+    QT_TRANSLATE_NOOP("Core",
+                      "bodies %1 and %2 touch along an edge or at a point (near %3): give both the same "
+                      "triangles there or leave a gap"),
     QT_TRANSLATE_NOOP("Core", "%1 triangle without area (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 triangles without area (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 duplicate triangle (first: %2)"),

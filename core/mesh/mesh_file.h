@@ -39,7 +39,8 @@ struct MeshFile {
     std::vector<int> cellOfTriangle, cellOfTetrahedron;  // which of `cells` each was split from
     std::vector<MeshGroup> groups;
     std::vector<MeshField> fileFields;  // of the file as a whole
-    std::vector<std::string> notices;   // what was in the file and is not in here, each as "its 3 cameras"
+    int polyhedra = 0;  // of the file, which tetrahedra around a vertex within stand for in `cells`
+    std::vector<std::string> notices;  // what was in the file and is not in here, each as "its 3 cameras"
     /// The bytes of a file whose format holds far more than a mesh (Abaqus, Nastran): written in the same
     /// format, it is this file with other points. `deckFormat` is its first extension.
     std::shared_ptr<const std::string> deck;
@@ -59,7 +60,8 @@ struct MeshFile {
 /// first use. OBJ texture coordinates become one per vertex; where corners of a vertex differ (a seam), the
 /// first counts. Tags of cells are groups and the fields "ref" (Medit), "physical" and "entity" (Gmsh),
 /// "attribute" (TetGen). Polygons, hexahedra, wedges and pyramids are split inside (see finishCells); nodes
-/// between the corners of a cell belong to no triangle or tetrahedron. Polyhedra are errors.
+/// between the corners of a cell belong to no triangle or tetrahedron. Polyhedra of OpenFOAM become
+/// tetrahedra around vertices behind the file's own; elsewhere they are errors.
 MeshFile readMeshFile(const std::string& path, MeshNeeds needs = MeshNeeds::Cells);
 
 /// Writes to a temporary file beside `path` and renames it, so that no partial file remains. Throws

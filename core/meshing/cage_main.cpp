@@ -6,9 +6,9 @@
 
 #include <new>
 
+#include "core/mesh/helper_program.h"
 #include "core/meshing/cage_fitter.h"
 #include "core/meshing/cage_protocol.h"
-#include "core/meshing/helper_program.h"
 
 namespace {
 

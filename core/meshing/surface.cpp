@@ -5,6 +5,7 @@
 
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/surface_holes.h"
+#include "core/meshing/touching_bodies.h"
 
 namespace wend {
 namespace {
@@ -102,6 +103,9 @@ bool SurfaceProblems::boundsVolume() const {
            openEdges.empty() && intersecting.empty() && !flat;
 }
 
+/// The most pairs of bodies in a summary.
+constexpr std::size_t kMostNamed = 3;
+
 std::string SurfaceProblems::summary() const {
     std::string list;
     const auto first = [](const std::vector<int>& ids) {
@@ -119,7 +123,10 @@ std::string SurfaceProblems::summary() const {
     append(list, counted(openEdges.size(), "open edge|s", firstPair(openEdges)));
     append(list, counted(nonManifoldEdges.size(), "edge|s of more than two triangles",
                          firstPair(nonManifoldEdges)));
-    append(list, counted(intersecting.size(), "pair|s of triangles that intersect", firstPair(intersecting)));
+    std::size_t crossing = intersecting.size();
+    for (const TouchingBodies& one : touching) crossing -= static_cast<std::size_t>(one.pairs);
+    append(list, counted(crossing, "pair|s of triangles that intersect", firstPair(intersecting)));
+    for (std::size_t i = 0; i < std::min(touching.size(), kMostNamed); ++i) append(list, textOf(touching[i]));
     append(list, counted(degenerate.size(), "triangle|s without area", first(degenerate)));
     append(list, counted(duplicate.size(), "duplicate triangle|s", first(duplicate)));
     append(list, counted(misoriented.size(), "edge|s where the orientation changes", firstPair(misoriented)));

@@ -18,6 +18,14 @@ struct Surface {
     int triangleCount() const { return static_cast<int>(triangles.size()); }
 };
 
+/// Two connected components of a surface that touch, numbered from 1 in the order of their first triangles.
+struct TouchingBodies {
+    int first, second;
+    bool alongAFace;  // else along an edge or at a point
+    Vec<3> place;     // where they do
+    int pairs;        // of triangles that touch
+};
+
 /// Lists everything that prevents a surface from bounding a volume, so that it can be counted, shown and
 /// saved.
 struct SurfaceProblems {
@@ -32,9 +40,10 @@ struct SurfaceProblems {
     std::vector<std::array<int, 2>>
         misoriented;  // edges that both neighbours run through in the same direction
     std::vector<std::array<int, 2>>
-        intersecting;            // pairs of triangles that cross; at most `limit` are listed
-    int coincidentVertices = 0;  // vertices at the place of an earlier one
-    bool flat = false;           // all points in one plane
+        intersecting;                      // pairs of triangles that cross; at most `limit` are listed
+    std::vector<TouchingBodies> touching;  // whose triangles are among these, and do not cross
+    int coincidentVertices = 0;            // vertices at the place of an earlier one
+    bool flat = false;                     // all points in one plane
 
     /// Returns whether TetGen accepts the surface, which must be closed and free of crossings; orientation
     /// does not matter.

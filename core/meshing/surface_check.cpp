@@ -11,6 +11,7 @@
 
 #include "core/mesh/error.h"
 #include "core/meshing/surface_edges.h"
+#include "core/meshing/touching_bodies.h"
 
 namespace wend {
 namespace {
@@ -240,6 +241,7 @@ SurfaceProblems checkSurface(const Surface& surface, int limit, const std::stop_
     problems.flat = liesInAPlane(surface);
     checkEdges(surface, canonical, usable, problems);
     if (limit > 0) findCrossings(surface, canonical, usable, limit, stop, problems);
+    problems.touching = touchingBodies(surface, problems.intersecting);
     return problems;
 }
 

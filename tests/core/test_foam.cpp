@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <numbers>
 
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
@@ -23,6 +24,7 @@ class TestFoam : public QObject {
     void cellsAndPatches_data();
     void cellsAndPatches();
     void kindsOfCells();
+    void polyhedra();
     void pointsAreReplaced_data();
     void pointsAreReplaced();
     void zonesAreGroups();
@@ -100,6 +102,16 @@ Faces facesOf(const std::vector<int>& n) {
     if (n.size() == 6) places = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
     if (n.size() == 8)
         places = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    if (n.size() > 8) {  // a prism
+        const int corners = static_cast<int>(n.size()) / 2;
+        places.resize(2);
+        for (int k = 0; k < corners; ++k) {
+            const int next = (k + 1) % corners;
+            places[0].push_back(corners - 1 - k);
+            places[1].push_back(corners + k);
+            places.push_back({k, next, corners + next, corners + k});
+        }
+    }
     for (auto& face : places)
         for (int& place : face) place = n[static_cast<std::size_t>(place)];
     return places;
@@ -295,6 +307,51 @@ void TestFoam::kindsOfCells() {
         sum += volume;
     }
     QVERIFY(std::abs(sum - expected) < 1e-12);
+}
+
+/// Two hexagonal prisms, one on the other, on a third one of five corners: filled by tetrahedra around
+/// vertices within, which neighbours share; the case gets its own points back alone.
+void TestFoam::polyhedra() {
+    Points<3> p(3, 23);
+    std::vector<std::vector<int>> cells{
+        {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17}, {}};
+    for (int v = 0; v < 18; ++v) {
+        const double angle = std::numbers::pi * (v % 6) / 3;
+        p.col(v) << std::cos(angle), std::sin(angle), v / 6;
+    }
+    for (int k = 0; k < 5; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 5;
+        p.col(18 + k) << 5 + std::cos(angle), std::sin(angle), 0;
+        cells[2].push_back(18 + k);
+    }
+    Points<3> all(3, 28);
+    all << p, p.rightCols(5);
+    all.row(2).tail(5).array() += 1;
+    for (int k = 23; k < 28; ++k) cells[2].push_back(k);
+    const double hexagon = 1.5 * std::sqrt(3.0), pentagon = 2.5 * std::sin(2 * std::numbers::pi / 5);
+    std::filesystem::remove_all(folder());
+    for (const auto& [name, text] : caseOf(all, cells, {}, [](const Vec<3>&) { return "all"; }).files)
+        put(name, text);
+    MeshFile file = readMeshFile(points());
+    QCOMPARE(file.polyhedra, 3);
+    QCOMPARE(file.points.cols(), Eigen::Index(28 + 3 + 5));  // the middles of cells, and of five faces
+    double sum = 0;
+    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points<3>(file.points), cell);
+    QVERIFY(std::abs(sum - 2 * hexagon - pentagon) < 1e-12);
+    const auto mesh = meshFrom<3>(file);  // throws where facets do not meet
+    std::size_t outer = 0;
+    for (const auto& facet : facetsOf<3>(mesh)) outer += !facet.interior();
+    QCOMPARE(outer, file.triangles.size());
+    QCOMPARE(file.groups.size(), std::size_t(1));
+    QCOMPARE(file.groups[0].cells.size(),
+             std::size_t(2 * 6 + 12 + 2 * 5 + 5));  // split faces have a triangle per corner
+    QCOMPARE(lostInFile("a.vtu", file, {}),
+             std::string("the name of 1 group is not in a VTU (ParaView) file; 3 polyhedra are "
+                         "written as tetrahedra around a vertex within"));
+    file.points.row(0).array() += 0.25;
+    writeMeshFile(points(), file);
+    const MeshFile back = readMeshFile(points());
+    QVERIFY((back.points.leftCols(28).array() == file.points.leftCols(28).array()).all());
 }
 
 void TestFoam::pointsAreReplaced_data() {

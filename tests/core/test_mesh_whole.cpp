@@ -303,6 +303,21 @@ class TestMeshWhole : public QObject {
         QCOMPARE(twice.tetrahedra.size(), std::size_t(1));
         QCOMPARE(twice.groups.size(), std::size_t(2));
     }
+    /// Lines and points of an OBJ file belong to the groups that they follow, as faces do.
+    void groupsOfObj() {
+        const samples::Folder folder;
+        const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng skin wall\nf 1 2 3\ng wall\nl 1 2\np 3\n";
+        const MeshFile file = readMeshFile(folder.put("a.obj", text));
+        const auto groups = groupsOf(file, true);
+        QCOMPARE(groups.size(), std::size_t(4));
+        QCOMPARE(groups.at({1, "wall"}), (std::vector<std::vector<int>>{{0, 1}}));
+        QCOMPARE(groups.at({0, "wall"}), (std::vector<std::vector<int>>{{2}}));
+        MeshFile blanks = file;
+        for (MeshGroup& group : blanks.groups)
+            if (group.name == "skin") group.name = "the skin";
+        QCOMPARE(lostInFile("a.obj", blanks, {}),
+                 std::string("the name of 1 group is changed to what the format allows"));
+    }
     void solidsOfStl() {
         const samples::Folder folder;
         const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 ",

@@ -250,6 +250,17 @@ void TestVolumeMesher::badSurfaces_data() {
     QTest::newRow("duplicate") << changed([](Surface& s) { s.triangles.push_back(s.triangles[0]); })
                                << "duplicate";
     QTest::newRow("shells that cross") << joined(kBox, box({3, 0.2, 0.2}, {5, 0.8, 0.8})) << "intersect";
+    QTest::newRow("bodies that touch")
+        << joined(kBox, box({4, 0, 0}, {6, 1, 1}, 3))
+        << "volume: bodies 1 and 2 touch along a face whose triangles do not match "
+           "(near 4 ";
+    QTest::newRow("a small face on a large one") << joined(kBox, box({4, 0.25, 0.25}, {6, 0.75, 0.75}, 3))
+                                                 << "volume: bodies 1 and 2 touch along a face";
+    QTest::newRow("an edge on an edge") << joined(kBox, box({4, 1, 0}, {6, 2, 1}, 3))
+                                        << "bodies 1 and 2 touch along an edge or at a point (near 4 0.9";
+    QTest::newRow("three bodies") << joined(joined(kBox, box({4, 0, 0}, {6, 1, 1}, 3)),
+                                            box({1, 1, 0}, {2, 2, 1}, 3))
+                                  << "bodies 1 and 3 touch along a face";
     QTest::newRow("flat") << changed([](Surface& s) { s.points.row(2).setZero(); }) << "one plane";
     QTest::newRow("moebius") << moebius(24) << "open edges";
     QTest::newRow("pushed through itself")

@@ -199,6 +199,9 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     addPairs("open edges", found.openEdges, true);
     addPairs("edges of more than two triangles", found.nonManifoldEdges, false);
     addPairs("pairs of triangles that intersect", found.intersecting, true);
+    std::vector<std::array<int, 2>> touching;
+    for (const TouchingBodies& one : found.touching) touching.push_back({one.first, one.second});
+    addPairs("bodies that touch where their triangles do not match", touching, false);
     add("triangles without area", found.degenerate);
     add("duplicate triangles", found.duplicate);
     if (!found.shared.empty())

@@ -68,7 +68,8 @@ class AbaqusReader {
         addCells();
         addSets();
         for (const auto& [type, count] : m_noCells)
-            m_file.notices.push_back(std::to_string(count) + " elements of the type " + type);
+            m_file.notices.push_back(std::to_string(count) + (count == 1 ? " element" : " elements") +
+                                     " of the type " + type);
         if (!m_passed.empty()) m_file.notices.push_back("its keywords " + m_passed);
         finishCells(m_file, [this](int cell) {
             return m_scanner.placeOf(m_elements[static_cast<std::size_t>(cell)].offset);
@@ -260,6 +261,7 @@ class AbaqusReader {
             for (const auto number : members)
                 if (const auto found = cells.find(number); found != cells.end())
                     byDimension[m_file.cells.dimension(found->second)].push_back(found->second);
+            if (byDimension.empty()) m_file.notices.push_back("its empty set " + inQuotes(name));
             for (auto& [dimension, list] : byDimension)
                 addGroup({name, dimension, 0, std::move(list), {}, false});
         }
@@ -268,6 +270,7 @@ class AbaqusReader {
             for (const auto number : members)
                 if (const auto found = m_nodes.find(number); found != m_nodes.end())
                     group.vertices.push_back(found->second);
+            if (group.vertices.empty()) m_file.notices.push_back("its empty set " + inQuotes(name));
             if (!group.vertices.empty()) addGroup(std::move(group));
         }
     }

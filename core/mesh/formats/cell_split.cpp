@@ -78,6 +78,9 @@ std::vector<double> spread(const MeshField& field, const std::vector<int>& cellO
 void finishFields(MeshFile& file) {
     const auto& cellOf = isVolume(file) ? file.cellOfTetrahedron : file.cellOfTriangle;
     for (MeshField& field : file.fields) {
+        if (field.type < Scalar::Float32 &&
+            std::ranges::any_of(field.values, [](double value) { return std::isnan(value); }))
+            field.type = Scalar::Float64;  // no whole number tells that there is no value
         if (!field.perCell) continue;
         field.ofCells = std::move(field.values);
         if (field.ofCells.size() ==

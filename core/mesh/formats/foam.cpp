@@ -3,9 +3,12 @@
 
 #include <zlib.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -55,6 +58,7 @@ class PolyMesh {
         readFaces(file.points.cols());
         addCells(file);
         addPatches(file);
+        addInner(file);
         addZones(file);
         file.deck = std::make_shared<const std::string>(m_points);
         file.deckFormat = ".foam";
@@ -97,10 +101,13 @@ class PolyMesh {
         InwardFace own(m_faces[face].begin(), m_faces[face].end());
         if (owns) std::ranges::reverse(own);
         m_cells[static_cast<std::size_t>(cell)].push_back(std::move(own));
+        m_facesOf.resize(m_cells.size());
+        m_facesOf[static_cast<std::size_t>(cell)].push_back(face);
     }
 
-    void addCells(MeshFile& file) const {
+    void addCells(MeshFile& file) {
         for (std::size_t c = 0; c < m_cells.size(); ++c) {
+            m_first.push_back(file.cells.size());
             const auto& faces = m_cells[c];
             const auto triangles = std::ranges::count(faces, 3U, &InwardFace::size),
                        quads = std::ranges::count(faces, 4U, &InwardFace::size);
@@ -117,9 +124,9 @@ class PolyMesh {
             else if (is(0, 6))
                 addPrism(c, 4, CellKind::Hexahedron, file);
             else
-                failAt(c, "is a polyhedron of " + std::to_string(faces.size()) +
-                              " faces: hexahedra, wedges, pyramids and tetrahedra are read");
+                addPolyhedron(c, file);
         }
+        m_first.push_back(file.cells.size());
     }
     [[noreturn]] void failAt(std::size_t cell, const std::string& what) const {
         throw InputError(pathOf("faces"), "cell " + std::to_string(cell) + " " + what);
@@ -148,8 +155,88 @@ class PolyMesh {
         file.cells.add(kind, nodes);
     }
 
+    /// Adds a vertex that the case does not have, and returns its number.
+    int addVertex(const Eigen::Vector3d& place, const MeshFile& file) {
+        m_inner.push_back(place);
+        return static_cast<int>(file.points.cols()) + static_cast<int>(m_inner.size()) - 1;
+    }
+    Eigen::Vector3d pointOf(int vertex, const MeshFile& file) const {
+        const auto count = static_cast<int>(file.points.cols());
+        return vertex < count ? Eigen::Vector3d(file.points.col(vertex))
+                              : m_inner[static_cast<std::size_t>(vertex - count)];
+    }
+    /// Returns the triangles of a face as its cells on both sides have them: a quadrilateral's from its
+    /// vertex of the smallest number, as splitCell does, and those around a vertex within of more corners.
+    std::vector<std::array<int, 3>> split(std::size_t face, InwardFace corners, const MeshFile& file) {
+        if (corners.size() <= 4) {
+            std::ranges::rotate(corners, std::ranges::min_element(corners));
+            std::vector<std::array<int, 3>> triangles{{corners[0], corners[1], corners[2]}};
+            if (corners.size() == 4) triangles.push_back({corners[0], corners[2], corners[3]});
+            return triangles;
+        }
+        auto [centre, isNew] = m_centres.try_emplace(face, 0);
+        if (isNew) {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (const int v : corners) sum += file.points.col(v);
+            centre->second = addVertex(sum / static_cast<double>(corners.size()), file);
+        }
+        std::vector<std::array<int, 3>> triangles;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            triangles.push_back({corners[k], corners[(k + 1) % corners.size()], centre->second});
+        return triangles;
+    }
+    /// Throws InputError unless every edge of a cell has a face on both sides.
+    void requireClosed(std::size_t c) const {
+        std::set<std::array<int, 2>> sides;
+        bool isClosed = true;
+        for (const InwardFace& face : m_cells[c])
+            for (std::size_t k = 0; k < face.size(); ++k)
+                isClosed = sides.insert({face[k], face[(k + 1) % face.size()]}).second && isClosed;
+        for (const auto& [a, b] : sides) isClosed = isClosed && sides.contains({b, a});
+        if (!isClosed) failAt(c, "has faces that do not close it");
+    }
+    /// Fills a polyhedron with tetrahedra between the triangles of its faces and a vertex within.
+    void addPolyhedron(std::size_t c, MeshFile& file) {
+        requireClosed(c);
+        std::set<int> corners;
+        for (const InwardFace& face : m_cells[c]) corners.insert(face.begin(), face.end());
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+        for (const int v : corners) centre += file.points.col(v) / static_cast<double>(corners.size());
+        std::vector<std::array<int, 3>> skin;
+        for (std::size_t k = 0; k < m_cells[c].size(); ++k)
+            for (const auto& triangle : split(m_facesOf[c][k], m_cells[c][k], file)) skin.push_back(triangle);
+        const int inner = addVertex(centre, file);
+        for (const auto& [a, b, d] : skin) {
+            const Eigen::Vector3d p = pointOf(a, file), q = pointOf(b, file), r = pointOf(d, file);
+            if (!((q - p).cross(r - p).dot(centre - p) > 0))
+                failAt(c, "is a polyhedron of " + std::to_string(m_cells[c].size()) +
+                              " faces that its middle does not see all of: it cannot be split");
+            file.cells.add(CellKind::Tetrahedron, std::array{a, b, d, inner});
+        }
+        ++file.polyhedra;
+    }
+    /// Puts the vertices within faces and polyhedra behind those of the case.
+    void addInner(MeshFile& file) const {
+        const Eigen::Index first = file.points.cols();
+        file.points.conservativeResize(3, first + std::ssize(m_inner));
+        for (std::size_t i = 0; i < m_inner.size(); ++i)
+            file.points.col(first + static_cast<Eigen::Index>(i)) = m_inner[i];
+    }
+
+    /// Adds a face of a patch to the cells, as a triangle for each of its parts if it was split.
+    void addFace(std::size_t f, MeshFile& file, MeshGroup& group) {
+        const InwardFace corners(m_faces[f].begin(), m_faces[f].end());
+        if (!m_centres.contains(f)) {
+            group.cells.push_back(file.cells.size());
+            return file.cells.addFace(corners);
+        }
+        for (const auto& triangle : split(f, corners, file)) {
+            group.cells.push_back(file.cells.size());
+            file.cells.addFace(triangle);
+        }
+    }
     /// The faces of every patch become a group of its name.
-    void addPatches(MeshFile& file) const {
+    void addPatches(MeshFile& file) {
         FoamText text(pathOf("boundary"), textOf("boundary"));
         const long patches = text.number();
         text.expect("(");
@@ -161,11 +248,7 @@ class PolyMesh {
             const long first = at("startFace"), count = at("nFaces");
             if (first < 0 || count < 0 || first + count > std::ssize(m_faces))
                 text.fail("patch " + group.name + " has faces that are not there");
-            for (long f = first; f < first + count; ++f) {
-                group.cells.push_back(file.cells.size());
-                const FaceVertices& face = m_faces[static_cast<std::size_t>(f)];
-                file.cells.addFace(std::vector<int>(face.begin(), face.end()));
-            }
+            for (long f = first; f < first + count; ++f) addFace(static_cast<std::size_t>(f), file, group);
             if (!group.cells.empty()) file.groups.push_back(std::move(group));
         }
     }
@@ -208,13 +291,16 @@ class PolyMesh {
                     continue;
                 }
                 if (text.next().starts_with("List")) text.word();
-                for (const long cell : text.numbers()) group.cells.push_back(static_cast<int>(cell));
+                for (const long cell : text.numbers()) {
+                    if (cell < 0 || cell >= std::ssize(m_cells))
+                        text.fail("zone " + group.name + " has cells that are not there");
+                    for (int own = m_first[static_cast<std::size_t>(cell)];
+                         own < m_first[static_cast<std::size_t>(cell) + 1]; ++own)
+                        group.cells.push_back(own);
+                }
                 text.expect(";");
             }
             std::ranges::sort(group.cells);
-            if (!group.cells.empty() &&
-                (group.cells.front() < 0 || group.cells.back() >= std::ssize(m_cells)))
-                text.fail("zone " + group.name + " has cells that are not there");
             if (!group.cells.empty()) file.groups.push_back(std::move(group));
         }
     }
@@ -223,6 +309,10 @@ class PolyMesh {
     std::string m_points;
     std::vector<FaceVertices> m_faces;
     std::vector<std::vector<InwardFace>> m_cells;
+    std::vector<std::vector<std::size_t>> m_facesOf;  // the numbers of the faces of each cell
+    std::vector<int> m_first;                         // of the file's cells that each is, and their end
+    std::map<std::size_t, int> m_centres;             // the vertices within faces
+    std::vector<Eigen::Vector3d> m_inner;             // vertices that the case does not have
 };
 
 }  // namespace

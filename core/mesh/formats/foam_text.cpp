@@ -229,9 +229,9 @@ Eigen::Matrix3Xd FoamText::points() {
     return list;
 }
 
-std::string FoamText::withPoints(const std::string& bytes, const Eigen::Matrix3Xd& points) {
+std::string FoamText::withPoints(const std::string& bytes, const Eigen::Matrix3Xd& all) {
     FoamText text("", bytes);
-    text.count();
+    const auto points = all.leftCols(std::min<Eigen::Index>(text.count(), all.cols()));
     text.expect("(");
     std::string out = bytes.substr(0, text.m_at);
     if (text.m_binary) {

@@ -197,7 +197,7 @@ class GmshReader {
         if (!whole) tags.push_back({"partition", true, 1, std::move(partition), {}, Scalar::Int32});
         m_file.fields.insert(m_file.fields.begin(), tags.begin(), tags.end());
     }
-    /// Those with a name that no element has are left out.
+    /// Those with a name that no element has are left out, and named.
     void takeGroups() {
         std::map<std::array<int, 2>, MeshGroup> groups;
         for (std::size_t e = 0; e < m_elements.size(); ++e)
@@ -210,6 +210,8 @@ class GmshReader {
             if (const auto name = m_names.find(key); name != m_names.end()) group.name = name->second;
             m_file.groups.push_back(std::move(group));
         }
+        for (const auto& [key, name] : m_names)
+            if (!groups.contains(key)) m_file.notices.push_back("its empty group " + inQuotes(name));
     }
     void passOver(const std::string& name, const std::string& end) {
         const auto at = m_scanner.bytes().find("\n" + end, m_scanner.offset());

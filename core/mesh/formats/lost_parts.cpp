@@ -139,6 +139,21 @@ bool isColour(const MeshField& field) {
     return !field.perCell && std::ranges::count(colours, field.name) > 0;
 }
 
+/// What the names of groups are like in a format: letters that become underscores, and the most bytes.
+struct NameRule {
+    std::string_view extension, replaced;
+    std::size_t longest;
+};
+constexpr NameRule kNameRules[] = {{".obj", " \t", 1000}, {".inp", ",\"=", 80}, {".med", "", 80}};
+
+/// Returns whether a file has another name for a group.
+bool changesName(const MeshFormat& format, const std::string& name) {
+    return std::ranges::any_of(kNameRules, [&](const NameRule& rule) {
+        return rule.extension == format.extensions.front() &&
+               (name.find_first_of(rule.replaced) != std::string::npos || name.size() > rule.longest);
+    });
+}
+
 /// Everything that is left out, as "3 lines".
 class Losses {
   public:
@@ -168,6 +183,10 @@ class Losses {
     void countCells() {
         std::map<CellKind, std::size_t> counts;
         for (const CellKind kind : m_bag.cells.kinds) ++counts[kind];
+        if (m_bag.polyhedra > 0)
+            m_changed.push_back(counted(static_cast<std::size_t>(m_bag.polyhedra), "polyhedron is written",
+                                        "polyhedra are written") +
+                                " as tetrahedra around a vertex within");
         for (const auto& [kind, count] : counts) {
             const CellKindFacts& facts = factsOf(kind);
             const Fate fate = fateOf(m_format, kind);
@@ -183,7 +202,7 @@ class Losses {
     }
     /// Lists the groups that are lost, and the names and numbers that are.
     void countGroups() {
-        std::size_t ofVertices = 0, names = 0, numbers = 0;
+        std::size_t ofVertices = 0, names = 0, numbers = 0, changed = 0;
         std::vector<std::string> lost;
         const std::vector<int> main = mainGroups(m_bag);
         const std::set<int> used(main.begin(), main.end());
@@ -197,10 +216,16 @@ class Losses {
                 lost.push_back(name);
             } else if (!group.name.empty() && !m_format.holdsNames(group)) {
                 ++names;
+            } else {
+                changed += !group.material && changesName(m_format, group.name);
             }
         }
         if (ofVertices > 0) m_lost.push_back(counted(ofVertices, "group of vertices", "groups of vertices"));
         if (numbers > 0) m_lost.push_back(counted(numbers, "group", "groups") + listed(lost));
+        if (changed > 0)
+            m_changed.push_back((changed == 1 ? "the name of 1 group is"
+                                              : "the names of " + std::to_string(changed) + " groups are") +
+                                " changed to what the format allows");
         if (names > 0)
             m_lost.push_back(names == 1 ? "the name of 1 group"
                                         : "the names of " + std::to_string(names) + " groups");

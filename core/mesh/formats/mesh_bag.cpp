@@ -155,6 +155,46 @@ void addGroupsOfFields(MeshFile& file) {
     addTagGroups(file, label->values, 2);
 }
 
+MeshFile inOrder(const MeshFile& mesh, const std::vector<int>& order) {
+    MeshFile bag = mesh;
+    bag.cells = {};
+    std::vector<int> newNumber(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        newNumber[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+        bag.cells.add(mesh.cells.kinds[static_cast<std::size_t>(order[i])], mesh.cells[order[i]]);
+    }
+    for (std::size_t f = 0; f < bag.fields.size(); ++f) {
+        const MeshField& field = mesh.fields[f];
+        if (!field.perCell) continue;
+        const auto width = static_cast<std::ptrdiff_t>(field.components);
+        bag.fields[f].ofCells.clear();
+        for (const int c : order) {
+            const auto first = field.ofCells.begin() + c * width;
+            bag.fields[f].ofCells.insert(bag.fields[f].ofCells.end(), first, first + width);
+        }
+    }
+    for (MeshGroup& group : bag.groups) {
+        for (int& c : group.cells) c = newNumber[static_cast<std::size_t>(c)];
+        std::ranges::sort(group.cells);
+    }
+    for (std::vector<int>* cellOf : {&bag.cellOfTriangle, &bag.cellOfTetrahedron})
+        for (int& c : *cellOf)
+            if (c >= 0) c = newNumber[static_cast<std::size_t>(c)];
+    return bag;
+}
+
+void nameGroup(const std::string& name, MeshGroup& group) {
+    constexpr std::size_t kLongest = 9;  // digits
+    const bool isNumber = !name.empty() && name.size() <= kLongest && name.front() != '0' &&
+                          name.find_first_not_of("0123456789") == std::string::npos;
+    group.name = isNumber ? std::string() : name;
+    group.tag = isNumber ? std::stol(name) : 0;
+}
+
+std::string groupName(const MeshGroup& group) {
+    return group.name.empty() ? std::to_string(group.tag) : group.name;
+}
+
 std::vector<int> mainGroups(const MeshFile& bag) {
     std::vector<int> main(static_cast<std::size_t>(bag.cells.size()), -1);
     for (const bool numbered : {true, false})

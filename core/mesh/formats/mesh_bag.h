@@ -28,6 +28,14 @@ MeshFile withBoundary(MeshFile mesh);
 /// called before finishCells.
 void addGroupsOfFields(MeshFile& file);
 
+/// Returns the bag with its cells in another order: the new cell i is the old order[i].
+MeshFile inOrder(const MeshFile& mesh, const std::vector<int>& order);
+
+/// Names a group as a format whose groups have names alone does: a name that is a number is one.
+void nameGroup(const std::string& name, MeshGroup& group);
+/// Returns the name of a group for such a format.
+std::string groupName(const MeshGroup& group);
+
 /// Returns for every cell the group that represents it where only one is possible: the first of those with a
 /// number, else the first; −1 if it has none.
 std::vector<int> mainGroups(const MeshFile& bag);

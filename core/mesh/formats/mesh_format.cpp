@@ -144,6 +144,18 @@ bool holdsAbaqus(CellKind kind) {
 bool holdsFoam(CellKind kind) {
     return holdsFaces(kind) || (kind >= kFirstOfSpace && linearKind(kind) == kind);
 }
+bool holdsMed(CellKind kind) {
+    return holdsGmsh(kind);
+}
+bool holdsCgns(CellKind kind) {
+    return holdsGmsh(kind);
+}
+bool holdsExodus(CellKind kind) {
+    return holdsGmsh(kind);
+}
+bool holdsXdmf(CellKind kind) {
+    return kind != CellKind::TriangleStrip;
+}
 bool holdsNastran(CellKind kind) {
     return holdsGmsh(kind) && kind != CellKind::Vertex && kind != CellKind::Line3 &&
            kind != CellKind::Quad9 && kind != CellKind::Wedge18 && kind != CellKind::Hexahedron27;
@@ -236,6 +248,26 @@ const std::vector<MeshFormat>& meshFormats() {
          printFoam,
          holdsFoam,
          All},
+        {{"MED (Salome)", {".med"}, 1, true, true, true, true}, "a ", readMed, printMed, holdsMed, Sets},
+        {{"CGNS", {".cgns"}, 1, true, true, true, true}, "a ", readCgns, printCgns, holdsCgns, Sets},
+        {{"Exodus", {".exo", ".e", ".ex2", ".g"}, 1, true, true, true, false},
+         "an ",
+         readExodus,
+         printExodus,
+         holdsExodus,
+         Sets,
+         false,
+         false,
+         true},
+        {{"XDMF", {".xdmf", ".xmf"}, 1, true, false, true, false},
+         "an ",
+         readXdmf,
+         printXdmf,
+         holdsXdmf,
+         Sets,
+         false,
+         false,
+         true},
         {{"AVS UCD", {".avs", ".ucd"}, 1, true, false, true, false},
          "an ",
          readUcd,

@@ -104,6 +104,10 @@ MeshFile readUcd(std::span<const MeshSource> files);
 MeshFile readAbaqus(std::span<const MeshSource> files);
 MeshFile readNastran(std::span<const MeshSource> files);
 MeshFile readFoam(std::span<const MeshSource> files);
+MeshFile readMed(std::span<const MeshSource> files);
+MeshFile readXdmf(std::span<const MeshSource> files);
+MeshFile readExodus(std::span<const MeshSource> files);
+MeshFile readCgns(std::span<const MeshSource> files);
 
 /// Printers: return the bytes of one file, or of one per extension in the format's order. Numbers read back
 /// as the same doubles, or as floats in the encodings that say so. Throw InputError for cells that the format
@@ -122,5 +126,9 @@ std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions& 
 std::vector<std::string> printAbaqus(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printNastran(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printFoam(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printMed(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printXdmf(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printExodus(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printCgns(const MeshFile& mesh, const MeshWriteOptions& options);
 
 }  // namespace wend::formats

@@ -75,14 +75,19 @@ class ObjReader {
     /// "g" names all groups that follow, the others one: names with blanks.
     void group(std::string_view keyword) {
         const bool material = keyword == "usemtl";
-        std::erase_if(m_current, [&](std::size_t g) { return m_groups[g].material == material; });
+        std::erase_if(m_current, [&](const auto& current) { return current.first == material; });
         while (!m_scanner.atLineEnd()) {
             const auto name = keyword == "g" ? m_scanner.word("a group") : trimmedLine();
-            const auto [entry, isNew] = m_known.try_emplace({material, std::string(name)}, m_groups.size());
-            if (isNew) m_groups.push_back({std::string(name), 2, 0, {}, {}, material});
-            m_current.push_back(entry->second);
+            m_current.emplace_back(material, std::string(name));
+            groupOf(m_current.back(), 2);
             if (keyword != "g") return m_scanner.seek(m_scanner.offset() - 1);
         }
+    }
+    /// Returns the group of that name for cells of a dimension.
+    MeshGroup& groupOf(const std::pair<bool, std::string>& key, int dimension) {
+        const auto [entry, isNew] = m_known.try_emplace({key, dimension}, m_groups.size());
+        if (isNew) m_groups.push_back({key.second, dimension, 0, {}, {}, key.first});
+        return m_groups[entry->second];
     }
     /// Returns the rest of the line, and moves the scanner behind its end.
     std::string_view trimmedLine() {
@@ -107,8 +112,11 @@ class ObjReader {
         m_kinds.push_back(kind);
         if (kind == 'f' && m_sizes.back() < 3) m_scanner.fail("a face needs three corners");
         if (kind == 'l' && m_sizes.back() < 2) m_scanner.fail("a line needs two points");
-        for (const std::size_t g : m_current)
-            if (kind == 'f') m_groups[g].cells.push_back(static_cast<int>(m_sizes.size()) - 1);
+        for (const auto& current : m_current)
+            groupOf(current, kind == 'f'   ? 2
+                             : kind == 'l' ? 1
+                                           : 0)
+                .cells.push_back(static_cast<int>(m_sizes.size()) - 1);
         m_hasTexture = m_hasTexture &&
                        (kind != 'f' || std::all_of(m_corners.begin() + static_cast<std::ptrdiff_t>(first),
                                                    m_corners.end(), [](auto& c) { return c.texture >= 0; }));
@@ -183,8 +191,9 @@ class ObjReader {
     std::vector<char> m_kinds;                    // and its keyword
     bool m_hasTexture = true;                     // all faces so far
     std::vector<MeshGroup> m_groups;
-    std::map<std::pair<bool, std::string>, std::size_t> m_known;  // by whether it is a material, and name
-    std::vector<std::size_t> m_current;                           // groups of the cells that follow
+    /// By whether it is a material, its name, and the dimension of its cells.
+    std::map<std::pair<std::pair<bool, std::string>, int>, std::size_t> m_known;
+    std::vector<std::pair<bool, std::string>> m_current;  // groups of the cells that follow
 };
 
 /// Returns colours from 0 to 1, or nothing.

@@ -34,4 +34,16 @@ class TextWriter {
     std::string m_text;
 };
 
+/// Returns a text as XML has it, in an attribute too.
+inline std::string asXml(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&' || c == '<' || c == '>' || c == '"')
+            result += "&#" + std::to_string(static_cast<int>(c)) + ";";
+        else
+            result += static_cast<unsigned char>(c) < ' ' ? '_' : c;
+    }
+    return result;
+}
+
 }  // namespace wend::formats

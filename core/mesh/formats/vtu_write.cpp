@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_writer.h"
 #include "core/mesh/formats/vtk_cells.h"
@@ -9,46 +10,6 @@
 
 namespace wend::formats {
 namespace {
-
-std::string asXml(const std::string& text) {
-    std::string result;
-    for (char c : text) {
-        if (c == '&' || c == '<' || c == '>' || c == '"')
-            result += "&#" + std::to_string(static_cast<int>(c)) + ";";
-        else
-            result += static_cast<unsigned char>(c) < ' ' ? '_' : c;
-    }
-    return result;
-}
-
-/// The bag with its cells in another order: the new cell i is the old order[i].
-MeshFile inOrder(const MeshFile& mesh, const std::vector<int>& order) {
-    MeshFile bag = mesh;
-    bag.cells = {};
-    std::vector<int> newNumber(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        newNumber[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-        bag.cells.add(mesh.cells.kinds[static_cast<std::size_t>(order[i])], mesh.cells[order[i]]);
-    }
-    for (std::size_t f = 0; f < bag.fields.size(); ++f) {
-        const MeshField& field = mesh.fields[f];
-        if (!field.perCell) continue;
-        const auto width = static_cast<std::ptrdiff_t>(field.components);
-        bag.fields[f].ofCells.clear();
-        for (const int c : order) {
-            const auto first = field.ofCells.begin() + c * width;
-            bag.fields[f].ofCells.insert(bag.fields[f].ofCells.end(), first, first + width);
-        }
-    }
-    for (MeshGroup& group : bag.groups) {
-        for (int& c : group.cells) c = newNumber[static_cast<std::size_t>(c)];
-        std::ranges::sort(group.cells);
-    }
-    for (std::vector<int>* cellOf : {&bag.cellOfTriangle, &bag.cellOfTetrahedron})
-        for (int& c : *cellOf)
-            if (c >= 0) c = newNumber[static_cast<std::size_t>(c)];
-    return bag;
-}
 
 class VtuPrinter {
   public:

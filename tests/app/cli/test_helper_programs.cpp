@@ -20,6 +20,7 @@ class TestHelperPrograms : public QObject {
     void diesWithTheProgram();
     void killedMesher_data();
     void killedMesher();
+    void missingHdf5();
 
   private:
     QProcessEnvironment environment(const QString& way) const;
@@ -108,6 +109,20 @@ void TestHelperPrograms::killedMesher() {
     QVERIFY2(said.contains("signal " + QByteArray::number(signal)), said.constData());
     QCOMPARE(listing(), before);
     QCOMPARE(readTextFile((path() + "/kept.vtu").toStdString()), std::string("old"));
+}
+
+/// A program that was copied alone still does all else.
+void TestHelperPrograms::missingHdf5() {
+    QTemporaryDir alone;
+    const QString program = alone.filePath(QStringLiteral("wend"));
+    QVERIFY(QFile::copy(QStringLiteral(WEND_BINARY), program));
+    put(alone.path(), "a.med", "\x89HDF\r\n\x1a\n and more");
+    const CliResult info =
+        runCli(alone.path(), {"info", "a.med"}, QProcessEnvironment::systemEnvironment(), program);
+    QCOMPARE(info.code, 3);
+    QCOMPARE(info.error,
+             QString("wend: a.med: HDF5 files need wend-hdf5, which is missing beside the program: it is "
+                     "built where libhdf5-dev is installed\n"));
 }
 
 QTEST_GUILESS_MAIN(TestHelperPrograms)

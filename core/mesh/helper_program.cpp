@@ -1,4 +1,4 @@
-#include "core/meshing/helper_program.h"
+#include "core/mesh/helper_program.h"
 
 #include <fcntl.h>
 #include <poll.h>

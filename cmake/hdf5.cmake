@@ -1,0 +1,13 @@
+# wend-hdf5, which reads and writes HDF5 files, is built where the library is; -DWEND_HDF5=ON insists on it, OFF leaves it out.
+set(WEND_HDF5 AUTO CACHE STRING "Build wend-hdf5 for MED, CGNS, XDMF and Exodus files: AUTO, ON or OFF")
+set_property(CACHE WEND_HDF5 PROPERTY STRINGS AUTO ON OFF)
+set(WEND_HAS_HDF5 OFF)
+if(WEND_HDF5 STREQUAL "ON")
+    find_package(HDF5Serial REQUIRED MODULE)
+elseif(WEND_HDF5 STREQUAL "AUTO")
+    find_package(HDF5Serial QUIET MODULE)
+endif()
+if(HDF5Serial_FOUND)
+    set(WEND_HAS_HDF5 ON)
+endif()
+message(STATUS "HDF5 files: ${WEND_HAS_HDF5}")
