@@ -11,8 +11,9 @@ namespace wend {
 struct View;
 struct WarpOptions;
 
-/// A picture for the screen: always RGBA8, with light of half and float files encoded as sRGB. Alpha keeps
-/// its association, so that warping it equals warping the original. This is the only conversion for display.
+/// A picture for the screen: RGBA of 8 bits, or of halves where the file has linear light (half and float),
+/// which is encoded as sRGB only after it has been warped and blended, as exports do that. Alpha keeps its
+/// association, so that warping it equals warping the original. This is the only conversion for display.
 class ScreenPicture {
   public:
     explicit ScreenPicture(const std::shared_ptr<const Image>& picture);

@@ -20,6 +20,8 @@
 #include "core/energy/distortion.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
+#include "warp/convert.h"
+#include "warp/coverage.h"
 #include "warp/warp.h"
 
 using namespace wend;
@@ -39,6 +41,7 @@ class TestCanvas : public QObject {
     void pictureIsWhatAnExportWrites();
     void everyDepthComesOutTheSame_data();
     void everyDepthComesOutTheSame();
+    void lightIsBlendedAsInExports();
     void mapColoursAreOrdered_data();
     void mapColoursAreOrdered();
     void cellsAreFilledOnce();
@@ -237,6 +240,36 @@ void TestCanvas::everyDepthComesOutTheSame() {
     for (int c = 0; c < 4; ++c) {
         const int expected = unassociated ? own[c] : associated[c];
         QVERIFY(std::abs(std::to_integer<int>(screen.image().data[c]) - expected) <= 1);
+    }
+}
+
+/// Two sheets of linear light, 0.8 over 0.1 by half: the screen shows the mean light, encoded, as the export
+/// has it, and not the mean of encoded numbers.
+void TestCanvas::lightIsBlendedAsInExports() {
+    for (const PixelType type : {PixelType::Half, PixelType::Float}) {
+        SimplicialMesh<2> rest;
+        rest.points.resize(2, 8);
+        rest.points << 0, 8, 8, 0, 8, 16, 16, 8, 0, 0, 8, 8, 0, 0, 8, 8;
+        rest.cells = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+        Image image{16, 8, 4, PixelType::Float, true, false, {}, {}};
+        image.makePixels();
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 16; ++x) {
+                const float alpha = x < 8 ? 1 : 0.5F, light = x < 8 ? 0.1F : 0.8F * alpha;
+                const std::array<float, 4> pixel{light, light, light, alpha};
+                std::memcpy(image.row(y) + 16 * x, pixel.data(), 16);
+            }
+        const ScreenPicture screen(std::make_shared<const Image>(converted(image, {type, 4, true, false})));
+        Points<2> pose = rest.points;
+        pose.rightCols(4).row(0).array() -= 8;  // over the first
+        View view;
+        view.width = 16, view.height = 8;
+        WarpOptions options;
+        options.plan = std::make_shared<const PaintingPlan>(rest, std::vector<float>{0, 0, 1, 1});
+        const QColor seen = screen.warped(rest, pose, view, options).pixelColor(4, 4);
+        const double light = 0.5 * 0.8 + 0.5 * 0.1, code = 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+        QVERIFY2(std::abs(seen.red() - 255 * code) <= 1.5, qPrintable(QString::number(seen.red())));
+        QCOMPARE(seen.alpha(), 255);
     }
 }
 
