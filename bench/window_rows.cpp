@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -30,6 +31,8 @@ namespace {
 
 constexpr QSize kWindow(1280, 800), kFineWindow(3840, 2160);
 constexpr double kRound = 3;  // seconds for the path of the hand, there and back
+constexpr double kFilm = 4;   // seconds of the film whose poses are moved
+constexpr int kPoses = 5;     // that are moved in it
 constexpr int kPictureWidth = 2400, kPictureHeight = 1500;
 
 /// The program's own, or one for the time of the rows; without a display it draws for itself, and no solids.
@@ -110,6 +113,36 @@ OpenedFile fileOf<3>(int vertices, double phi, const OwnSettings& settings) {
     return file;
 }
 
+/// Lets the right end and two points between the ends move in bars that overlap.
+template <int Dim>
+void addFilm(Project& project, bool elastic) {
+    Design<Dim>& design = designOf<Dim>(project);
+    endOf(project) = kFilm;
+    if (elastic) design.material.memory = std::numeric_limits<double>::infinity();
+    const Vec<Dim> middle(0.5 * kPictureWidth, 0.5 * kPictureHeight);
+    for (const double side : {-0.2, 0.2}) {
+        Handle<Dim> handle;
+        handle.name = side < 0 ? "first" : "second";
+        handle.at = std::vector<Vec<Dim>>{middle + Vec<Dim>(side * kPictureWidth, 0)};
+        design.handles.push_back(handle);
+    }
+    for (std::size_t i = 1; i < design.handles.size(); ++i) {
+        const double delay = 0.3 * static_cast<double>(i - 1);
+        for (int k = 0; k < 3; ++k) {
+            const double angle = 2.1 * k + static_cast<double>(i);
+            const Vec<Dim> by = 0.1 * kPictureHeight * Vec<Dim>(std::cos(angle), std::sin(angle));
+            design.handles[i].motions.push_back(
+                {Translate<Dim>{by}, delay + 1.1 * k, delay + 1.1 * (k + 1), Ease::InOut});
+        }
+    }
+}
+
+/// The times after a pose was set in a film, in milliseconds: until the shown shape is exact, and until all
+/// is.
+struct AfterRelease {
+    double shown = 0, whole = 0;
+};
+
 /// A window with the shape in it, and the hand.
 template <int Dim>
 class Stage {
@@ -139,6 +172,36 @@ class Stage {
     }
     void wait() {
         wait([this] { return settled(); });
+    }
+    /// Plays a film with motions that overlap, and sets a pose of the right end at a time.
+    void makeFilm(bool elastic) {
+        const auto film = copyOf(*session().document().project());
+        addFilm<Dim>(*film, elastic);
+        session().document().change({}, film);
+        m_window.tools().setMode(Mode::Animate);
+        wait();
+    }
+    AfterRelease pose(double time) {
+        session().playback().setTime(time);
+        wait();
+        const double reach = 0.05 * view().height();
+        m_hand->drag(
+            pin(), [reach](double t) { return QPointF(reach * std::min(1.0, 4 * t), -reach * t); }, 0.3,
+            m_stop);
+        QElapsedTimer clock;
+        clock.start();
+        m_tick.start(1);
+        AfterRelease times;
+        while (session().isBusy() || times.shown == 0) {
+            if (m_stop.stop_requested()) throw Cancelled();
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            const FramePtr frame = session().frame();
+            const bool exact = frame && !frame->live && !session().isStale();
+            if (exact && times.shown == 0) times.shown = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+        }
+        times.whole = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+        m_tick.stop();
+        return times;
     }
 
   private:
@@ -221,6 +284,24 @@ void addRow(int vertices, double phi, const QSize& size, const std::string& name
     recorder.add(row);
 }
 
+/// Adds the times after releases in a film: those of the whole motion as figures.
+void addFilmRow(int vertices, double phi, bool elastic, const std::string& name, BenchRecorder& recorder) {
+    Stage<2> stage(vertices, phi, kWindow, recorder.stop());
+    stage.makeFilm(elastic);
+    std::vector<double> shown, whole;
+    for (int i = 0; i < kPoses; ++i) {
+        const AfterRelease times = stage.pose(kFilm * (i + 0.5) / kPoses);
+        shown.push_back(times.shown);
+        whole.push_back(times.whole);
+    }
+    std::ranges::sort(shown);
+    std::ranges::sort(whole);
+    BenchRow row{"release to exact, film of 4 s, " + name, 0, {}, {}};
+    row.time = {1e-3 * shown[kPoses / 2], 1e-3 * shown.front(), 1e-3 * shown.back(), 0, kPoses};
+    row.figures = {{"whole motion, median (ms)", whole[kPoses / 2]}, {"longest (ms)", whole.back()}};
+    recorder.add(row);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -233,8 +314,12 @@ void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder,
     for (const auto& [name, vertices] : sizes) {
         addRow<Dim>(vertices, phi::kMetr, kWindow, name + ", 1280 × 800", seconds, recorder);
         addRow<Dim>(vertices, phi::kEquia, kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
-        if (Dim == 2)
+        if constexpr (Dim == 2) {
             addRow<Dim>(vertices, phi::kMetr, kFineWindow, name + ", 3840 × 2160", seconds, recorder);
+            addFilmRow(vertices, phi::kMetr, false, name, recorder);
+            addFilmRow(vertices, phi::kMetr, true, name + ", elastic", recorder);
+            addFilmRow(vertices, phi::kEquia, true, name + ", elastic, EQUIA", recorder);
+        }
     }
 }
 

@@ -288,8 +288,12 @@ void Deformer<Dim>::Integrator::emitFrames(double from, double to, const Nodal<D
         const double time = m_watch->frames[m_frame];
         Points<Dim> shape = method().at(time, endField ? *endField : none);
         project(time, shape);
-        unfold(time, shape, 2 * time < from + to ? state.normalized : m_next);
-        relaxFrame(time, shape);
+        const bool isEarly = 2 * time < from + to;
+        const Points<Dim>& near = isEarly ? state.normalized : m_next;
+        if (firstInverted(shape) < 0 || !leadElastic(isEarly ? from : to, near, time, shape)) {
+            unfold(time, shape, near);
+            relaxFrame(time, shape);
+        }
         State<Dim> frame;
         frame.time = time;
         frame.points = inDomain(shape);

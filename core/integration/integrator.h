@@ -75,6 +75,7 @@ struct Deformer<Dim>::Integrator {
     bool track(double from, double to, const Points<Dim>& start, Points<Dim>& result, double& error);
     bool relax(double from, double to, const Points<Dim>& start, Points<Dim>& result, double& error);
     void relaxFrame(double t, Points<Dim>& shape);
+    bool leadElastic(double from, const Points<Dim>& start, double to, Points<Dim>& shape);
     bool elasticVelocity(double t, Side side, Points<Dim>& velocity);
 
     // Steps

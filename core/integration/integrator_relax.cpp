@@ -205,6 +205,28 @@ void Deformer<Dim>::Integrator::relaxFrame(double t, Points<Dim>& shape) {
     m_failure = {};
 }
 
+/// Leads an elastic shape from an end of a step to a frame within it, in as many parts as it takes without a
+/// fold. Returns false, and leaves the shape, if there are too many, or for other motions.
+template <int Dim>
+bool Deformer<Dim>::Integrator::leadElastic(double from, const Points<Dim>& start, double to,
+                                            Points<Dim>& shape) {
+    constexpr int kMostParts = 16;
+    if (!std::isinf(m_memory)) return false;
+    m_solver->setStop({});
+    bool good = false;
+    for (int parts = 1; parts <= kMostParts && !good; parts *= 2) {
+        Points<Dim> led = start;
+        good = true;
+        for (int k = 1; k <= parts && good; ++k) {
+            const double t = std::lerp(from, to, double(k) / parts);
+            good = predict(t, led) && descend(t, led, kMinimumTolerance, kMostTracked).outcome.done();
+        }
+        if (good && firstInverted(led) < 0) shape = led;
+    }
+    m_failure = {};
+    return good;
+}
+
 /// Computes the velocity of an elastic shape, which moves with the derivative of the minimizer.
 template <int Dim>
 bool Deformer<Dim>::Integrator::elasticVelocity(double t, Side side, Points<Dim>& velocity) {
@@ -218,12 +240,14 @@ bool Deformer<Dim>::Integrator::elasticVelocity(double t, Side side, Points<Dim>
 template bool Deformer<2>::Integrator::springs();
 template bool Deformer<2>::Integrator::relax(double, double, const Points<2>&, Points<2>&, double&);
 template void Deformer<2>::Integrator::relaxFrame(double, Points<2>&);
+template bool Deformer<2>::Integrator::leadElastic(double, const Points<2>&, double, Points<2>&);
 template bool Deformer<2>::Integrator::elasticVelocity(double, Side, Points<2>&);
 template double Deformer<2>::Integrator::leastElasticStep() const;
 template Deformer<2>::Integrator::Relaxation Deformer<2>::Integrator::relaxation(double, Side) const;
 template bool Deformer<3>::Integrator::springs();
 template bool Deformer<3>::Integrator::relax(double, double, const Points<3>&, Points<3>&, double&);
 template void Deformer<3>::Integrator::relaxFrame(double, Points<3>&);
+template bool Deformer<3>::Integrator::leadElastic(double, const Points<3>&, double, Points<3>&);
 template bool Deformer<3>::Integrator::elasticVelocity(double, Side, Points<3>&);
 template double Deformer<3>::Integrator::leastElasticStep() const;
 template Deformer<3>::Integrator::Relaxation Deformer<3>::Integrator::relaxation(double, Side) const;

@@ -211,6 +211,41 @@ void framesAreMinima() {
     }
 }
 
+/// Single vertices that swing far within a step: between its ends no shape can be interpolated without folds,
+/// and the frames are the minima at their times all the same.
+void framesOfLongStepsAreMinima() {
+    const Bend<2> bend(24, 6, 4, 1.5, phi::kMetr);
+    const auto elastic = withMemory(*bend.material, kElastic);
+    const Vec<2> low = bend.mesh->points.rowwise().minCoeff(), high = bend.mesh->points.rowwise().maxCoeff();
+    std::vector<Handle<2>> handles;
+    for (const double share : {0.05, 0.35, 0.65, 0.95}) {
+        const Vec<2> place(std::lerp(low.x(), high.x(), share), 0.5 * (low.y() + high.y()));
+        Handle<2> handle;
+        handle.at = std::vector<Vec<2>>{place};
+        CurveMotion<2> wave;
+        wave.points = {place};
+        for (int k = 0; k < 4; ++k)
+            for (const double y : {1.0, 1.0, 0.0})
+                wave.points.push_back(place + Vec<2>(0, (k % 2 ? -y : y) * (share - 0.5)));
+        handle.motions = {{wave, 0, 1}};
+        handles.push_back(handle);
+    }
+    Deformer<2> deformer(bend.mesh, elastic, handles, {});
+    std::vector<State<2>> frames;
+    Deformer<2>::Watch watch;
+    for (int i = 1; i < 32; ++i) watch.frames.push_back(i / 32.0);
+    watch.onFrame = [&](const State<2>& frame) { frames.push_back(frame); };
+    QCOMPARE(deformer.advance(1, watch).outcome, Outcome::Done);
+    QCOMPARE(frames.size(), watch.frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (i > 0) QVERIFY(distance(frames[i - 1].points, frames[i].points) > 1e-3);
+        if (i % 5 != 2) continue;
+        Deformer<2> till(bend.mesh, elastic, handles, {});
+        QCOMPARE(till.advance(frames[i].time).outcome, Outcome::Done);
+        QVERIFY(distance(till.state().points, frames[i].points) < 1e-7);
+    }
+}
+
 /// The derivative of the minimizer, against differences of minima.
 void velocityIsTheDerivative() {
     const Bend<2> bend(24, 6, 4, 1.5, phi::kMetr);
@@ -449,6 +484,7 @@ class TestElastic : public QObject {
         closedPathsClose<3>(phi, static_cast<unsigned>(seed));
     }
     void frames() { framesAreMinima(); }
+    void framesOfLongSteps() { framesOfLongStepsAreMinima(); }
     void velocity() { velocityIsTheDerivative(); }
     void buckles() { bucklesAndComesBack(); }
     void snaps() { snapsAreReported(); }
