@@ -92,10 +92,6 @@
         <translation>setzt den Punkt, um den gedreht wird</translation>
     </message>
     <message>
-        <source>Alt-drag a pin</source>
-        <translation>Pin mit Alt ziehen</translation>
-    </message>
-    <message>
         <source>widens it to a circle</source>
         <translation>weitet ihn zu einem Kreis</translation>
     </message>
@@ -250,6 +246,8 @@
     <message>
         <source>adds a marker</source>
         <translation>setzt eine Marke</translation>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Einen Pin mit Strg+Umschalt ziehen</translation>
     </message>
 </context>
 <context>
@@ -1892,8 +1890,8 @@
         <translation>Umfahren, was ein eigenes Teil wird, bis dahin, wo es am Rest hängt; Esc bricht ab</translation>
     </message>
     <message>
-        <source>This picture has parts: choose Make a Part to cut another one out.</source>
-        <translation>Dieses Bild hat Teile: „Teil machen“ schneidet ein weiteres aus.</translation>
+        <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
+        <translation>Dieses Bild hat Teile: Wählen Sie in der Liste den, für den dieser Umriss ist, oder „Teil machen“, um noch einen auszuschneiden.</translation>
     </message>
 </context>
 <context>
@@ -2032,12 +2030,12 @@
         <translation>Punkt für Punkt dorthin klicken, wohin der gewählte Pin gehen soll; Ziehen setzt einen glatten Punkt</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
-        <translation>Ziehen für einen glatten Punkt: Umschalt in Schritten von 45°, Alt nur auf dieser Seite</translation>
-    </message>
-    <message>
         <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>Klicken für eine Ecke, ziehen für einen glatten Punkt, Umschalt in Schritten von 45°; Enter beendet, Rücktaste nimmt einen Punkt zurück, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only</source>
+        <translation>Ziehen macht einen glatten Punkt: Umschalt rastet auf 45° ein, mit Strg oder Alt bewegt sich nur diese Seite</translation>
     </message>
 </context>
 <context>
@@ -2086,14 +2084,6 @@
         <translation>Den Punkt ziehen dreht, mit Umschalt um je 15°, das Quadrat skaliert; Ziffern setzen die Zahl</translation>
     </message>
     <message>
-        <source>A point cannot rotate – Alt-drag to widen it</source>
-        <translation>Ein Punkt kann sich nicht drehen – mit Alt ziehen weitet ihn</translation>
-    </message>
-    <message>
-        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
-        <translation>Ziehen bewegt den Pin, mit Strg wird es aufgenommen, mit Alt weitet es ihn; Shift-Klick wählt weitere</translation>
-    </message>
-    <message>
         <source>%1: holds from %2 s</source>
         <translation>%1: hält ab %2 s</translation>
     </message>
@@ -2108,10 +2098,6 @@
     <message>
         <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
         <translation>Irgendwo ziehen skaliert, was gewählt ist, mit Strg wird es aufgenommen; Ziffern setzen die Zahl</translation>
-    </message>
-    <message>
-        <source>A point cannot scale – Alt-drag to widen it</source>
-        <translation>Ein Punkt lässt sich nicht skalieren – mit Alt ziehen weitet ihn</translation>
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
@@ -2148,6 +2134,18 @@
     <message>
         <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
         <translation>Umschalt hält die Richtung gerade; X, Y halten eine Achse fest, Ziffern geben den Betrag, Esc stellt die Form zurück</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, Shift-click to select more</source>
+        <translation>Ziehen bewegt den Pin, mit Strg wird es aufgenommen, mit Strg+Umschalt wird er weiter; Umschalt-Klick wählt weitere</translation>
+    </message>
+    <message>
+        <source>Drag to scale: the point becomes a small circle</source>
+        <translation>Ziehen skaliert: Der Punkt wird ein kleiner Kreis</translation>
+    </message>
+    <message>
+        <source>Drag to rotate: the point becomes a small circle, which holds its angle</source>
+        <translation>Ziehen dreht: Der Punkt wird ein kleiner Kreis, der seinen Winkel hält</translation>
     </message>
 </context>
 <context>
@@ -3488,10 +3486,6 @@
         <translation>Kurve ändern</translation>
     </message>
     <message>
-        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
-        <translation>Ein Punkt kann sich nicht drehen oder wachsen – mit Alt am Pin ziehen weitet ihn.</translation>
-    </message>
-    <message>
         <source>A point cannot rotate or grow: hold more vertices.</source>
         <translation>Ein Punkt kann sich nicht drehen oder wachsen: mehr Punkte greifen.</translation>
     </message>
@@ -3530,6 +3524,10 @@
     <message>
         <source>Change easing</source>
         <translation>Easing ändern</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – drag its ring, or give it a radius.</source>
+        <translation>Ein Punkt kann sich nicht drehen oder wachsen – ziehen Sie seinen Ring, oder geben Sie ihm einen Radius.</translation>
     </message>
 </context>
 <context>
@@ -5490,6 +5488,30 @@
         <source>No outline has been drawn.</source>
         <translation>Es ist kein Umriss gezeichnet.</translation>
     </message>
+    <message>
+        <source>Outline and detail of</source>
+        <translation>Umriss und Detail von</translation>
+    </message>
+    <message>
+        <source>Which part of the picture has the outline and detail below; all have the same unless one has its own. Choosing a part in the list of parts chooses it here.</source>
+        <translation>Welcher Teil des Bildes den Umriss und das Detail darunter hat; alle haben dieselben, wenn einer keine eigenen hat. Ein Teil, der in der Liste der Teile gewählt wird, ist es auch hier.</translation>
+    </message>
+    <message>
+        <source>As All Parts</source>
+        <translation>Wie alle Teile</translation>
+    </message>
+    <message>
+        <source>Gives this part the outline and detail of all parts again.</source>
+        <translation>Gibt diesem Teil wieder den Umriss und das Detail aller Teile.</translation>
+    </message>
+    <message>
+        <source>O&amp;f</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>Alle Teile</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -5832,6 +5854,73 @@
     <message>
         <source>Change blend mode</source>
         <translation>Mischmodus ändern</translation>
+    </message>
+    <message>
+        <source>So&amp;ft edge</source>
+        <translation>&amp;Weicher Rand</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>How wide the edge is along which the part was cut out. The colours of what is behind it are removed from it.</source>
+        <translation>Wie breit der Rand ist, an dem der Teil ausgeschnitten wurde. Die Farben dessen, was dahinter ist, werden aus ihm entfernt.</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>Weichen Rand ändern</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartOrderRow</name>
+    <message>
+        <source>In Front from Here</source>
+        <translation>Ab hier vorn</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is in front of all others; before, it stays where it is.</source>
+        <translation>Von der gezeigten Zeit an ist der Teil vor allen anderen; vorher bleibt er, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Behind from Here</source>
+        <translation>Ab hier hinten</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is behind all others; before, it stays where it is.</source>
+        <translation>Von der gezeigten Zeit an ist der Teil hinter allen anderen; vorher bleibt er, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
+        <source>Removes all changes of the order of this part.</source>
+        <translation>Entfernt alle Änderungen der Reihenfolge dieses Teils.</translation>
+    </message>
+    <message>
+        <source>Keep the order</source>
+        <translation>Reihenfolge beibehalten</translation>
+    </message>
+    <message>
+        <source>In front from here on</source>
+        <translation>Von hier an vorn</translation>
+    </message>
+    <message>
+        <source>Behind from here on</source>
+        <translation>Von hier an hinten</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Changes at %1</source>
+        <translation>Ändert sich bei %1</translation>
     </message>
 </context>
 <context>
@@ -6725,8 +6814,53 @@
         <translation>Ra&amp;dius</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
-        <translation>Wie weit der Pin die Form um sich hält: 0 hält einen Punkt, mehr einen Kreis, bei einem Körper eine Kugel. In den Einheiten der Form; bei einem Bild in dessen Pixeln. Den Pin mit Alt ziehen tut dasselbe.</translation>
+        <source>&amp;Holds its angle</source>
+        <translation>&amp;Hält seinen Winkel</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Dragging the pin with Ctrl and Shift does the same.</source>
+        <translation>Wie weit der Pin die Form um sich hält: 0 hält einen Punkt, mehr einen Kreis, in einem Körper eine Kugel. In der Einheit der Form, bei einem Bild in dessen Pixeln. Den Pin mit Strg und Umschalt zu ziehen bewirkt dasselbe.</translation>
+    </message>
+    <message>
+        <source>The pin keeps the angle that the picture has there now, as a small circle; without it, the picture turns freely around the pin.</source>
+        <translation>Der Pin behält als kleiner Kreis den Winkel, den das Bild dort jetzt hat; ohne das dreht sich das Bild frei um den Pin.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RidingOffer</name>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
+        <translation>
+            <numerusform>%n Teil hat keinen Pin und bleibt zurück: Soll er „%1“ folgen?</numerusform>
+            <numerusform>%n Teile haben keinen Pin und bleiben zurück: Sollen sie „%1“ folgen?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on what is beside them?</source>
+        <translation>
+            <numerusform>%n Teil hat keinen Pin und bleibt zurück: Soll er dem folgen, was neben ihm ist?</numerusform>
+            <numerusform>%n Teile haben keinen Pin und bleiben zurück: Sollen sie dem folgen, was neben ihnen ist?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let parts ride</source>
+        <translation>Teile folgen lassen</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>Folgen lassen</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>Ein Teil hat keinen Pin und bleibt zurück: Soll er „%1“ folgen?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>Ein Teil hat keinen Pin und bleibt zurück: Soll er dem folgen, was neben ihm ist?</translation>
+    </message>
+    <message>
+        <source>Let It Ride</source>
+        <translation>Folgen lassen</translation>
     </message>
 </context>
 <context>

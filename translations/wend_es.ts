@@ -92,10 +92,6 @@
         <translation>fija el punto en torno al que girar</translation>
     </message>
     <message>
-        <source>Alt-drag a pin</source>
-        <translation>Alt + arrastrar un alfiler</translation>
-    </message>
-    <message>
         <source>widens it to a circle</source>
         <translation>lo ensancha en un círculo</translation>
     </message>
@@ -250,6 +246,8 @@
     <message>
         <source>adds a marker</source>
         <translation>añade una marca</translation>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Mayús + arrastrar un alfiler</translation>
     </message>
 </context>
 <context>
@@ -1892,8 +1890,8 @@
         <translation>Marca lo que será una parte propia, hasta donde se une al resto; Esc cancela</translation>
     </message>
     <message>
-        <source>This picture has parts: choose Make a Part to cut another one out.</source>
-        <translation>Esta imagen tiene partes: elige «Crear una parte» para recortar otra.</translation>
+        <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
+        <translation>Esta imagen tiene partes: elija en la lista aquella para la que es este contorno, o Crear una parte para recortar otra.</translation>
     </message>
 </context>
 <context>
@@ -2032,12 +2030,12 @@
         <translation>Haga clic punto por punto donde deba ir el alfiler seleccionado; arrastre para un punto suave</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
-        <translation>Arrastre para un punto suave: Mayús en pasos de 45°, Alt solo de este lado</translation>
-    </message>
-    <message>
         <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>Clic para una esquina, arrastre para un punto suave, Mayús en pasos de 45°; Intro termina, Retroceso quita un punto, Esc abandona</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only</source>
+        <translation>Arrastre para un punto suave: Mayús ajusta a 45°, Ctrl o Alt mueve solo este lado</translation>
     </message>
 </context>
 <context>
@@ -2086,14 +2084,6 @@
         <translation>Arrastre el punto para rotar, con Mayús de 15° en 15°, o el cuadrado para escalar; las cifras fijan el valor</translation>
     </message>
     <message>
-        <source>A point cannot rotate – Alt-drag to widen it</source>
-        <translation>Un punto no puede rotar: arrastre con Alt para ensancharlo</translation>
-    </message>
-    <message>
-        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
-        <translation>Arrastre para mover el alfiler, con Ctrl para grabarlo, con Alt para ensancharlo; Mayús-clic selecciona más</translation>
-    </message>
-    <message>
         <source>%1: holds from %2 s</source>
         <translation>%1: sujeta desde %2 s</translation>
     </message>
@@ -2108,10 +2098,6 @@
     <message>
         <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
         <translation>Arrastre en cualquier lugar para escalar lo seleccionado, Ctrl lo graba; los dígitos fijan el número</translation>
-    </message>
-    <message>
-        <source>A point cannot scale – Alt-drag to widen it</source>
-        <translation>Un punto no se puede escalar: arrastre con Alt para ensancharlo</translation>
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
@@ -2148,6 +2134,18 @@
     <message>
         <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
         <translation>Mayús mantiene la línea recta; X, Y bloquean un eje, los números fijan el valor, Esc restablece la forma</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, Shift-click to select more</source>
+        <translation>Arrastre para mover el alfiler, con Ctrl para grabarlo, con Ctrl+Mayús para ensancharlo; Mayús+clic selecciona más</translation>
+    </message>
+    <message>
+        <source>Drag to scale: the point becomes a small circle</source>
+        <translation>Arrastre para escalar: el punto pasa a ser un círculo pequeño</translation>
+    </message>
+    <message>
+        <source>Drag to rotate: the point becomes a small circle, which holds its angle</source>
+        <translation>Arrastre para girar: el punto pasa a ser un círculo pequeño que mantiene su ángulo</translation>
     </message>
 </context>
 <context>
@@ -3508,10 +3506,6 @@
         <translation>Esca&amp;la</translation>
     </message>
     <message>
-        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
-        <translation>Un punto no puede rotar ni crecer: arrastre el alfiler con Alt para ensancharlo.</translation>
-    </message>
-    <message>
         <source>A point cannot rotate or grow: hold more vertices.</source>
         <translation>Un punto no puede rotar ni crecer: sujete más vértices.</translation>
     </message>
@@ -3530,6 +3524,10 @@
     <message>
         <source>Change easing</source>
         <translation>Cambiar el suavizado</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – drag its ring, or give it a radius.</source>
+        <translation>Un punto no puede girar ni crecer: arrastre su anillo o dele un radio.</translation>
     </message>
 </context>
 <context>
@@ -5490,6 +5488,30 @@
         <source>%1 vertices, %2 triangles</source>
         <translation>%1 vértices, %2 triángulos</translation>
     </message>
+    <message>
+        <source>Outline and detail of</source>
+        <translation>Contorno y detalle de</translation>
+    </message>
+    <message>
+        <source>Which part of the picture has the outline and detail below; all have the same unless one has its own. Choosing a part in the list of parts chooses it here.</source>
+        <translation>Qué parte de la imagen tiene el contorno y el detalle de abajo; todas tienen los mismos salvo que una tenga los suyos. Elegir una parte en la lista de partes la elige aquí.</translation>
+    </message>
+    <message>
+        <source>As All Parts</source>
+        <translation>Como todas las partes</translation>
+    </message>
+    <message>
+        <source>Gives this part the outline and detail of all parts again.</source>
+        <translation>Da de nuevo a esta parte el contorno y el detalle de todas.</translation>
+    </message>
+    <message>
+        <source>O&amp;f</source>
+        <translation>D&amp;e</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>Todas las partes</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -5832,6 +5854,73 @@
     <message>
         <source>Change blend mode</source>
         <translation>Cambiar modo de mezcla</translation>
+    </message>
+    <message>
+        <source>So&amp;ft edge</source>
+        <translation>Borde sua&amp;ve</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Borde suave</translation>
+    </message>
+    <message>
+        <source>How wide the edge is along which the part was cut out. The colours of what is behind it are removed from it.</source>
+        <translation>Qué ancho tiene el borde por el que se recortó la parte. Se le quitan los colores de lo que hay detrás.</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>Cambiar el borde suave</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartOrderRow</name>
+    <message>
+        <source>In Front from Here</source>
+        <translation>Delante desde aquí</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is in front of all others; before, it stays where it is.</source>
+        <translation>A partir del tiempo mostrado la parte está delante de todas; antes, sigue donde está.</translation>
+    </message>
+    <message>
+        <source>Behind from Here</source>
+        <translation>Detrás desde aquí</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is behind all others; before, it stays where it is.</source>
+        <translation>A partir del tiempo mostrado la parte está detrás de todas; antes, sigue donde está.</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nunca</translation>
+    </message>
+    <message>
+        <source>Removes all changes of the order of this part.</source>
+        <translation>Quita todos los cambios de orden de esta parte.</translation>
+    </message>
+    <message>
+        <source>Keep the order</source>
+        <translation>Mantener el orden</translation>
+    </message>
+    <message>
+        <source>In front from here on</source>
+        <translation>Delante de aquí en adelante</translation>
+    </message>
+    <message>
+        <source>Behind from here on</source>
+        <translation>Detrás de aquí en adelante</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Changes at %1</source>
+        <translation>Cambia en %1</translation>
     </message>
 </context>
 <context>
@@ -6725,8 +6814,53 @@
         <translation>Ra&amp;dio</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
-        <translation>Hasta dónde sujeta el alfiler la forma a su alrededor: 0 sujeta un punto, más un círculo, y en un sólido una bola. En las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
+        <source>&amp;Holds its angle</source>
+        <translation>&amp;Mantiene su ángulo</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Dragging the pin with Ctrl and Shift does the same.</source>
+        <translation>Hasta dónde sujeta el alfiler la forma a su alrededor: 0 sujeta un punto, más, un círculo o, en un sólido, una bola. En las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Ctrl y Mayús hace lo mismo.</translation>
+    </message>
+    <message>
+        <source>The pin keeps the angle that the picture has there now, as a small circle; without it, the picture turns freely around the pin.</source>
+        <translation>El alfiler mantiene, como un círculo pequeño, el ángulo que la imagen tiene ahí ahora; sin esto, la imagen gira libremente alrededor del alfiler.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RidingOffer</name>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
+        <translation>
+            <numerusform>%n parte no tiene alfiler y se queda atrás: ¿que siga a «%1»?</numerusform>
+            <numerusform>%n partes no tienen alfiler y se quedan atrás: ¿que sigan a «%1»?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on what is beside them?</source>
+        <translation>
+            <numerusform>%n parte no tiene alfiler y se queda atrás: ¿que siga a lo que tiene al lado?</numerusform>
+            <numerusform>%n partes no tienen alfiler y se quedan atrás: ¿que sigan a lo que tienen al lado?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let parts ride</source>
+        <translation>Hacer que las partes sigan</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>Que sigan</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>Una parte no tiene alfiler y se queda atrás: ¿que siga a «%1»?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>Una parte no tiene alfiler y se queda atrás: ¿que siga a lo que tiene al lado?</translation>
+    </message>
+    <message>
+        <source>Let It Ride</source>
+        <translation>Que siga</translation>
     </message>
 </context>
 <context>

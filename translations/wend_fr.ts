@@ -92,10 +92,6 @@
         <translation>fixe le point autour duquel tourner</translation>
     </message>
     <message>
-        <source>Alt-drag a pin</source>
-        <translation>Alt + tirer une épingle</translation>
-    </message>
-    <message>
         <source>widens it to a circle</source>
         <translation>l’élargit en cercle</translation>
     </message>
@@ -250,6 +246,8 @@
     <message>
         <source>adds a marker</source>
         <translation>ajoute un repère</translation>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Maj + glisser une épingle</translation>
     </message>
 </context>
 <context>
@@ -1892,8 +1890,8 @@
         <translation>Délimitez ce qui devient une partie à part, jusqu’à son attache au reste ; Échap annule</translation>
     </message>
     <message>
-        <source>This picture has parts: choose Make a Part to cut another one out.</source>
-        <translation>Cette image a des parties : choisissez « Créer une partie » pour en découper une autre.</translation>
+        <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
+        <translation>Cette image a des parties&#x202f;: choisissez dans la liste celle à laquelle ce contour est destiné, ou Créer une partie pour en découper une autre.</translation>
     </message>
 </context>
 <context>
@@ -2032,12 +2030,12 @@
         <translation>Cliquez point après point là où l’épingle sélectionnée doit aller ; tirez pour un point lisse</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
-        <translation>Glissez pour un point lisse&#x202f;: Maj par pas de 45°, Alt de ce côté seulement</translation>
-    </message>
-    <message>
         <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>Cliquez pour un angle, glissez pour un point lisse, Maj par pas de 45°&#x202f;; Entrée termine, Retour arrière retire un point, Échap abandonne</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only</source>
+        <translation>Glissez pour un point lisse&#x202f;: Maj aligne sur 45°, Ctrl ou Alt ne déplace que ce côté</translation>
     </message>
 </context>
 <context>
@@ -2086,14 +2084,6 @@
         <translation>Tirez le point pour faire pivoter, avec Maj par pas de 15°, ou le carré pour mettre à l’échelle&#x202f;; les chiffres fixent la valeur</translation>
     </message>
     <message>
-        <source>A point cannot rotate – Alt-drag to widen it</source>
-        <translation>Un point ne peut pas pivoter – tirez avec Alt pour l’élargir</translation>
-    </message>
-    <message>
-        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
-        <translation>Tirez pour déplacer l’épingle, avec Ctrl pour l’enregistrer, avec Alt pour l’élargir&#x202f;; Maj-clic en sélectionne d’autres</translation>
-    </message>
-    <message>
         <source>%1: holds from %2 s</source>
         <translation>%1&#x202f;: tient à partir de %2 s</translation>
     </message>
@@ -2108,10 +2098,6 @@
     <message>
         <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
         <translation>Tirez n’importe où pour redimensionner la sélection, Ctrl l’enregistre ; les chiffres fixent la valeur</translation>
-    </message>
-    <message>
-        <source>A point cannot scale – Alt-drag to widen it</source>
-        <translation>Un point ne peut pas être redimensionné – tirez avec Alt pour l’élargir</translation>
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
@@ -2148,6 +2134,18 @@
     <message>
         <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
         <translation>Maj garde une ligne droite&#x202f;; X, Y verrouillent un axe, les nombres fixent la valeur, Échap rétablit la forme</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, Shift-click to select more</source>
+        <translation>Glissez pour déplacer l’épingle, avec Ctrl pour l’enregistrer, avec Ctrl+Maj pour l’élargir&#x202f;; Maj-clic en sélectionne d’autres</translation>
+    </message>
+    <message>
+        <source>Drag to scale: the point becomes a small circle</source>
+        <translation>Glissez pour mettre à l’échelle&#x202f;: le point devient un petit cercle</translation>
+    </message>
+    <message>
+        <source>Drag to rotate: the point becomes a small circle, which holds its angle</source>
+        <translation>Glissez pour faire pivoter&#x202f;: le point devient un petit cercle qui garde son angle</translation>
     </message>
 </context>
 <context>
@@ -3508,10 +3506,6 @@
         <translation>É&amp;chelle</translation>
     </message>
     <message>
-        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
-        <translation>Un point ne peut ni pivoter ni grandir – tirez l’épingle avec Alt pour l’élargir.</translation>
-    </message>
-    <message>
         <source>A point cannot rotate or grow: hold more vertices.</source>
         <translation>Un point ne peut ni pivoter ni grandir&#x202f;: saisissez plus de sommets.</translation>
     </message>
@@ -3530,6 +3524,10 @@
     <message>
         <source>Change easing</source>
         <translation>Changer le lissage</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – drag its ring, or give it a radius.</source>
+        <translation>Un point ne peut ni pivoter ni grandir – glissez son anneau, ou donnez-lui un rayon.</translation>
     </message>
 </context>
 <context>
@@ -5490,6 +5488,30 @@
         <source>%1 vertices, %2 triangles</source>
         <translation>%1 sommets, %2 triangles</translation>
     </message>
+    <message>
+        <source>Outline and detail of</source>
+        <translation>Contour et détail de</translation>
+    </message>
+    <message>
+        <source>Which part of the picture has the outline and detail below; all have the same unless one has its own. Choosing a part in the list of parts chooses it here.</source>
+        <translation>La partie de l’image qui a le contour et le détail ci-dessous&#x202f;; toutes ont les mêmes, sauf celles qui ont les leurs. Une partie choisie dans la liste des parties l’est aussi ici.</translation>
+    </message>
+    <message>
+        <source>As All Parts</source>
+        <translation>Comme toutes les parties</translation>
+    </message>
+    <message>
+        <source>Gives this part the outline and detail of all parts again.</source>
+        <translation>Redonne à cette partie le contour et le détail de toutes.</translation>
+    </message>
+    <message>
+        <source>O&amp;f</source>
+        <translation>D&amp;e</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>Toutes les parties</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -5832,6 +5854,73 @@
     <message>
         <source>Change blend mode</source>
         <translation>Modifier le mode de fusion</translation>
+    </message>
+    <message>
+        <source>So&amp;ft edge</source>
+        <translation>Bord &amp;doux</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Bord doux</translation>
+    </message>
+    <message>
+        <source>How wide the edge is along which the part was cut out. The colours of what is behind it are removed from it.</source>
+        <translation>La largeur du bord le long duquel la partie a été découpée. Les couleurs de ce qui est derrière en sont retirées.</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>Changer le bord doux</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartOrderRow</name>
+    <message>
+        <source>In Front from Here</source>
+        <translation>Devant à partir d’ici</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is in front of all others; before, it stays where it is.</source>
+        <translation>À partir du temps affiché, la partie est devant toutes les autres&#x202f;; avant, elle reste où elle est.</translation>
+    </message>
+    <message>
+        <source>Behind from Here</source>
+        <translation>Derrière à partir d’ici</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is behind all others; before, it stays where it is.</source>
+        <translation>À partir du temps affiché, la partie est derrière toutes les autres&#x202f;; avant, elle reste où elle est.</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Jamais</translation>
+    </message>
+    <message>
+        <source>Removes all changes of the order of this part.</source>
+        <translation>Retire tous les changements d’ordre de cette partie.</translation>
+    </message>
+    <message>
+        <source>Keep the order</source>
+        <translation>Garder l’ordre</translation>
+    </message>
+    <message>
+        <source>In front from here on</source>
+        <translation>Devant à partir d’ici</translation>
+    </message>
+    <message>
+        <source>Behind from here on</source>
+        <translation>Derrière à partir d’ici</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Changes at %1</source>
+        <translation>Change à %1</translation>
     </message>
 </context>
 <context>
@@ -6725,8 +6814,53 @@
         <translation>Rayo&amp;n</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
-        <translation>Jusqu’où l’épingle maintient la forme autour d’elle&#x202f;: 0 maintient un point, plus un cercle, ou une boule pour un solide. Dans les unités de la forme&#x202f;; pour une image, ses pixels. Alt-glisser l’épingle fait de même.</translation>
+        <source>&amp;Holds its angle</source>
+        <translation>&amp;Garde son angle</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Dragging the pin with Ctrl and Shift does the same.</source>
+        <translation>Jusqu’où l’épingle tient la forme autour d’elle&#x202f;: 0 tient un point, plus un cercle, ou dans un solide une boule. Dans l’unité de la forme, pour une image ses pixels. Glisser l’épingle avec Ctrl et Maj fait la même chose.</translation>
+    </message>
+    <message>
+        <source>The pin keeps the angle that the picture has there now, as a small circle; without it, the picture turns freely around the pin.</source>
+        <translation>L’épingle garde, comme petit cercle, l’angle que l’image y a maintenant&#x202f;; sans cela, l’image tourne librement autour de l’épingle.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RidingOffer</name>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
+        <translation>
+            <numerusform>%n partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre «&#x202f;%1&#x202f;»&#x202f;?</numerusform>
+            <numerusform>%n parties n’ont pas d’épingle et restent en arrière&#x202f;: doivent-elles suivre «&#x202f;%1&#x202f;»&#x202f;?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on what is beside them?</source>
+        <translation>
+            <numerusform>%n partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre ce qui est à côté d’elle&#x202f;?</numerusform>
+            <numerusform>%n parties n’ont pas d’épingle et restent en arrière&#x202f;: doivent-elles suivre ce qui est à côté d’elles&#x202f;?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let parts ride</source>
+        <translation>Faire suivre des parties</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>Faire suivre</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>Une partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre «&#x202f;%1&#x202f;»&#x202f;?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>Une partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre ce qui est à côté d’elle&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Let It Ride</source>
+        <translation>Faire suivre</translation>
     </message>
 </context>
 <context>

@@ -92,10 +92,6 @@
         <translation>回転の中心を指定</translation>
     </message>
     <message>
-        <source>Alt-drag a pin</source>
-        <translation>Alt + ピンをドラッグ</translation>
-    </message>
-    <message>
         <source>widens it to a circle</source>
         <translation>円に広げる</translation>
     </message>
@@ -250,6 +246,8 @@
     <message>
         <source>adds a marker</source>
         <translation>マーカーを追加</translation>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Shift + ピンをドラッグ</translation>
     </message>
 </context>
 <context>
@@ -1891,8 +1889,8 @@
         <translation>独立したパーツにする部分を、残りとつながる所まで囲みます。Esc で取り消し</translation>
     </message>
     <message>
-        <source>This picture has parts: choose Make a Part to cut another one out.</source>
-        <translation>この画像にはパーツがあります。「パーツにする」を選ぶと、さらに切り出せます。</translation>
+        <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
+        <translation>この画像にはパーツがあります。リストでこの輪郭の対象を選ぶか、「パーツにする」でさらに切り抜いてください。</translation>
     </message>
 </context>
 <context>
@@ -2031,12 +2029,12 @@
         <translation>選択したピンの行き先を一点ずつクリック。ドラッグで滑らかな点</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
-        <translation>ドラッグで滑らかな点：Shift で 45° 刻み、Alt でこちら側だけ</translation>
-    </message>
-    <message>
         <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>クリックで角、ドラッグで滑らかな点、Shift で 45° 刻み。Enter で終了、Backspace で一点戻る、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only</source>
+        <translation>ドラッグで滑らかな点になります。Shift で 45° に固定、Ctrl または Alt でこちら側だけ動きます</translation>
     </message>
 </context>
 <context>
@@ -2085,14 +2083,6 @@
         <translation>点をドラッグで回転（Shift で 15° 刻み）、四角をドラッグで拡大・縮小。数字キーで数値を入力できます</translation>
     </message>
     <message>
-        <source>A point cannot rotate – Alt-drag to widen it</source>
-        <translation>点は回転できません。Alt + ドラッグで広げてください</translation>
-    </message>
-    <message>
-        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
-        <translation>ドラッグでピンを移動、Ctrl+ドラッグで記録、Alt+ドラッグで広げます。Shift+クリックで追加選択</translation>
-    </message>
-    <message>
         <source>%1: holds from %2 s</source>
         <translation>%1: %2 秒から固定</translation>
     </message>
@@ -2107,10 +2097,6 @@
     <message>
         <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
         <translation>どこでもドラッグで選択を拡大・縮小、Ctrl で記録。数字キーで値を指定</translation>
-    </message>
-    <message>
-        <source>A point cannot scale – Alt-drag to widen it</source>
-        <translation>点は拡大・縮小できません。Alt + ドラッグで広げてください</translation>
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
@@ -2147,6 +2133,18 @@
     <message>
         <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
         <translation>Shift でまっすぐに移動、X、Y で軸を固定、数字で量を入力、Esc で形状を元に戻します</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, Shift-click to select more</source>
+        <translation>ドラッグでピンを移動、Ctrl+ドラッグで記録、Ctrl+Shift+ドラッグで広げます。Shift+クリックで追加選択</translation>
+    </message>
+    <message>
+        <source>Drag to scale: the point becomes a small circle</source>
+        <translation>ドラッグで拡大・縮小します。点は小さな円になります</translation>
+    </message>
+    <message>
+        <source>Drag to rotate: the point becomes a small circle, which holds its angle</source>
+        <translation>ドラッグで回転します。点は角度を保つ小さな円になります</translation>
     </message>
 </context>
 <context>
@@ -3507,10 +3505,6 @@
         <translation>拡大率(&amp;C)</translation>
     </message>
     <message>
-        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
-        <translation>点は回転も拡大もできません。Alt + ドラッグでピンを広げてください。</translation>
-    </message>
-    <message>
         <source>A point cannot rotate or grow: hold more vertices.</source>
         <translation>点は回転も拡大もできません。つかむ頂点を増やしてください。</translation>
     </message>
@@ -3529,6 +3523,10 @@
     <message>
         <source>Change easing</source>
         <translation>イージングを変更</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – drag its ring, or give it a radius.</source>
+        <translation>点は回転も拡大もできません。リングをドラッグするか、半径を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -5480,6 +5478,30 @@
         <source>%1 vertices, %2 triangles</source>
         <translation>頂点 %1、三角形 %2</translation>
     </message>
+    <message>
+        <source>Outline and detail of</source>
+        <translation>輪郭と細かさの対象</translation>
+    </message>
+    <message>
+        <source>Which part of the picture has the outline and detail below; all have the same unless one has its own. Choosing a part in the list of parts chooses it here.</source>
+        <translation>下の輪郭と細かさを持つパーツ。独自のものがなければ、すべて同じです。パーツのリストで選ぶと、ここでも選ばれます。</translation>
+    </message>
+    <message>
+        <source>As All Parts</source>
+        <translation>すべてのパーツと同じ</translation>
+    </message>
+    <message>
+        <source>Gives this part the outline and detail of all parts again.</source>
+        <translation>このパーツの輪郭と細かさを、すべてのパーツと同じに戻します。</translation>
+    </message>
+    <message>
+        <source>O&amp;f</source>
+        <translation>対象(&amp;F)</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>すべてのパーツ</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -5820,6 +5842,73 @@
     <message>
         <source>Change blend mode</source>
         <translation>描画モードを変更</translation>
+    </message>
+    <message>
+        <source>So&amp;ft edge</source>
+        <translation>柔らかい縁(&amp;F)</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>柔らかい縁</translation>
+    </message>
+    <message>
+        <source>How wide the edge is along which the part was cut out. The colours of what is behind it are removed from it.</source>
+        <translation>パーツを切り抜いた縁の幅。後ろにあるものの色は取り除かれます。</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>柔らかい縁を変更</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartOrderRow</name>
+    <message>
+        <source>In Front from Here</source>
+        <translation>ここから前面</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is in front of all others; before, it stays where it is.</source>
+        <translation>表示中の時刻から、このパーツはほかのすべての前になります。それより前は変わりません。</translation>
+    </message>
+    <message>
+        <source>Behind from Here</source>
+        <translation>ここから背面</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is behind all others; before, it stays where it is.</source>
+        <translation>表示中の時刻から、このパーツはほかのすべての後ろになります。それより前は変わりません。</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>変えない</translation>
+    </message>
+    <message>
+        <source>Removes all changes of the order of this part.</source>
+        <translation>このパーツの順序の変更をすべて取り除きます。</translation>
+    </message>
+    <message>
+        <source>Keep the order</source>
+        <translation>順序を保つ</translation>
+    </message>
+    <message>
+        <source>In front from here on</source>
+        <translation>ここから前面にする</translation>
+    </message>
+    <message>
+        <source>Behind from here on</source>
+        <translation>ここから背面にする</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Changes at %1</source>
+        <translation>%1 に変更</translation>
     </message>
 </context>
 <context>
@@ -6712,8 +6801,51 @@
         <translation>半径(&amp;D)</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
-        <translation>ピンが周りをつかむ範囲。0 は点、それ以上は円、立体では球をつかみます（形状の単位、画像ではピクセル）。ピンを Alt+ドラッグしても変更できます。</translation>
+        <source>&amp;Holds its angle</source>
+        <translation>角度を保つ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Dragging the pin with Ctrl and Shift does the same.</source>
+        <translation>ピンが周りをつかむ範囲。0 は点、それ以上は円、立体では球をつかみます（形状の単位、画像ではピクセル）。ピンを Ctrl+Shift+ドラッグしても変更できます。</translation>
+    </message>
+    <message>
+        <source>The pin keeps the angle that the picture has there now, as a small circle; without it, the picture turns freely around the pin.</source>
+        <translation>ピンは小さな円として、画像がそこで今持っている角度を保ちます。オフにすると、画像はピンの周りを自由に回ります。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RidingOffer</name>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
+        <translation>
+            <numerusform>%n 個のパーツにピンがなく、取り残されます。「%1」に追従させますか?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on what is beside them?</source>
+        <translation>
+            <numerusform>%n 個のパーツにピンがなく、取り残されます。隣のものに追従させますか?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let parts ride</source>
+        <translation>パーツを追従させる</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>追従させる</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>1 個のパーツにピンがなく、取り残されます。「%1」に追従させますか?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>1 個のパーツにピンがなく、取り残されます。隣のものに追従させますか?</translation>
+    </message>
+    <message>
+        <source>Let It Ride</source>
+        <translation>追従させる</translation>
     </message>
 </context>
 <context>

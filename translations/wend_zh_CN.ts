@@ -92,10 +92,6 @@
         <translation>设定旋转中心</translation>
     </message>
     <message>
-        <source>Alt-drag a pin</source>
-        <translation>按住 Alt 拖动图钉</translation>
-    </message>
-    <message>
         <source>widens it to a circle</source>
         <translation>扩大为圆</translation>
     </message>
@@ -250,6 +246,8 @@
     <message>
         <source>adds a marker</source>
         <translation>添加标记</translation>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Shift 拖动图钉</translation>
     </message>
 </context>
 <context>
@@ -1891,8 +1889,8 @@
         <translation>圈出要成为独立部件的区域，直到与其余部分相连处；Esc 取消</translation>
     </message>
     <message>
-        <source>This picture has parts: choose Make a Part to cut another one out.</source>
-        <translation>此图片已有部件：选择“制作部件”可再裁出一个。</translation>
+        <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
+        <translation>此图片有部件：请在列表中选择此轮廓所属的部件，或选择“制作部件”再剪出一个。</translation>
     </message>
 </context>
 <context>
@@ -2031,12 +2029,12 @@
         <translation>逐点单击所选图钉要去的位置；拖动添加平滑点</translation>
     </message>
     <message>
-        <source>Drag for a smooth point: Shift snaps to 45°, Alt moves this side only</source>
-        <translation>拖动得到平滑点：Shift 以 45° 为步长，Alt 只改这一侧</translation>
-    </message>
-    <message>
         <source>Click for a corner, drag for a smooth point, Shift snaps to 45°; Enter ends, Backspace removes the last point, Esc cancels</source>
         <translation>单击得到拐角，拖动得到平滑点，Shift 以 45° 为步长；Enter 结束，Backspace 退回一点，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only</source>
+        <translation>拖动成为平滑点：Shift 对齐到 45°，Ctrl 或 Alt 只移动这一侧</translation>
     </message>
 </context>
 <context>
@@ -2085,14 +2083,6 @@
         <translation>拖动圆点旋转，按住 Shift 以 15° 为步长；拖动方块缩放；可键入数值</translation>
     </message>
     <message>
-        <source>A point cannot rotate – Alt-drag to widen it</source>
-        <translation>单个点无法旋转 – 按住 Alt 拖动以扩大</translation>
-    </message>
-    <message>
-        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
-        <translation>拖动可移动图钉，按住 Ctrl 拖动可录制，按住 Alt 拖动可扩大；Shift+单击可多选</translation>
-    </message>
-    <message>
         <source>%1: holds from %2 s</source>
         <translation>%1：从 %2 秒起固定</translation>
     </message>
@@ -2107,10 +2097,6 @@
     <message>
         <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
         <translation>在任意处拖动可缩放所选内容，Ctrl 录制；输入数字可设定数值</translation>
-    </message>
-    <message>
-        <source>A point cannot scale – Alt-drag to widen it</source>
-        <translation>单个点无法缩放 – 按住 Alt 拖动以扩大</translation>
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; G moves, R rotates, S scales</source>
@@ -2147,6 +2133,18 @@
     <message>
         <source>Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back</source>
         <translation>按住 Shift 走直线；按 X、Y 锁定轴，键入数值设定量，按 Esc 复原形状</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, Shift-click to select more</source>
+        <translation>拖动移动图钉，Ctrl 拖动录制，Ctrl+Shift 拖动加宽，Shift 单击选择更多</translation>
+    </message>
+    <message>
+        <source>Drag to scale: the point becomes a small circle</source>
+        <translation>拖动缩放：点变为小圆</translation>
+    </message>
+    <message>
+        <source>Drag to rotate: the point becomes a small circle, which holds its angle</source>
+        <translation>拖动旋转：点变为保持角度的小圆</translation>
     </message>
 </context>
 <context>
@@ -3507,10 +3505,6 @@
         <translation>缩放(&amp;C)</translation>
     </message>
     <message>
-        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
-        <translation>单个点无法旋转或放大 – 按住 Alt 拖动图钉以扩大。</translation>
-    </message>
-    <message>
         <source>A point cannot rotate or grow: hold more vertices.</source>
         <translation>单个点无法旋转或放大：请抓取更多顶点。</translation>
     </message>
@@ -3529,6 +3523,10 @@
     <message>
         <source>Change easing</source>
         <translation>更改缓动</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – drag its ring, or give it a radius.</source>
+        <translation>点不能旋转或缩放——拖动其圆环，或为其设置半径。</translation>
     </message>
 </context>
 <context>
@@ -5480,6 +5478,30 @@
         <source>%1 vertices, %2 triangles</source>
         <translation>%1 个顶点，%2 个三角形</translation>
     </message>
+    <message>
+        <source>Outline and detail of</source>
+        <translation>轮廓和细节所属</translation>
+    </message>
+    <message>
+        <source>Which part of the picture has the outline and detail below; all have the same unless one has its own. Choosing a part in the list of parts chooses it here.</source>
+        <translation>下面的轮廓和细节属于图片的哪个部件；除非部件有自己的设置，否则全部相同。在部件列表中选择部件时这里也会选中。</translation>
+    </message>
+    <message>
+        <source>As All Parts</source>
+        <translation>与所有部件相同</translation>
+    </message>
+    <message>
+        <source>Gives this part the outline and detail of all parts again.</source>
+        <translation>使此部件的轮廓和细节恢复为与所有部件相同。</translation>
+    </message>
+    <message>
+        <source>O&amp;f</source>
+        <translation>所属(&amp;F)</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>所有部件</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -5820,6 +5842,73 @@
     <message>
         <source>Change blend mode</source>
         <translation>更改混合模式</translation>
+    </message>
+    <message>
+        <source>So&amp;ft edge</source>
+        <translation>柔和边缘(&amp;F)</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>柔和边缘</translation>
+    </message>
+    <message>
+        <source>How wide the edge is along which the part was cut out. The colours of what is behind it are removed from it.</source>
+        <translation>部件被剪切处边缘的宽度。其后面内容的颜色会从边缘去除。</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>更改柔和边缘</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PartOrderRow</name>
+    <message>
+        <source>In Front from Here</source>
+        <translation>从此处起在前</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is in front of all others; before, it stays where it is.</source>
+        <translation>从显示的时间起，此部件位于所有其他部件之前；之前保持不变。</translation>
+    </message>
+    <message>
+        <source>Behind from Here</source>
+        <translation>从此处起在后</translation>
+    </message>
+    <message>
+        <source>From the shown time on the part is behind all others; before, it stays where it is.</source>
+        <translation>从显示的时间起，此部件位于所有其他部件之后；之前保持不变。</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>从不</translation>
+    </message>
+    <message>
+        <source>Removes all changes of the order of this part.</source>
+        <translation>移除此部件的所有顺序更改。</translation>
+    </message>
+    <message>
+        <source>Keep the order</source>
+        <translation>保持顺序</translation>
+    </message>
+    <message>
+        <source>In front from here on</source>
+        <translation>从此处起在前</translation>
+    </message>
+    <message>
+        <source>Behind from here on</source>
+        <translation>从此处起在后</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Changes at %1</source>
+        <translation>在 %1 更改</translation>
     </message>
 </context>
 <context>
@@ -6712,8 +6801,51 @@
         <translation>半径(&amp;D)</translation>
     </message>
     <message>
-        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Alt-dragging the pin does the same.</source>
-        <translation>图钉抓取周围形状的范围：0 抓取一点，更大则抓取一个圆，立体则为球。以形状自身的单位计；图片则以像素计。Alt 拖动图钉效果相同。</translation>
+        <source>&amp;Holds its angle</source>
+        <translation>保持角度(&amp;H)</translation>
+    </message>
+    <message>
+        <source>How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. In the shape&apos;s own units, for a picture its pixels. Dragging the pin with Ctrl and Shift does the same.</source>
+        <translation>图钉固定周围形状的范围：0 固定一个点，更大则固定一个圆，在实体中为球。以形状自身的单位计，图片为像素。用 Ctrl 和 Shift 拖动图钉效果相同。</translation>
+    </message>
+    <message>
+        <source>The pin keeps the angle that the picture has there now, as a small circle; without it, the picture turns freely around the pin.</source>
+        <translation>图钉以小圆的形式保持图片此处当前的角度；否则图片可绕图钉自由旋转。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RidingOffer</name>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
+        <translation>
+            <numerusform>%n 个部件没有图钉而留在原处：让它们跟随“%1”吗？</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts have no pin and stay behind: let them ride on what is beside them?</source>
+        <translation>
+            <numerusform>%n 个部件没有图钉而留在原处：让它们跟随旁边的内容吗？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let parts ride</source>
+        <translation>让部件跟随</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>让它们跟随</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>一个部件没有图钉而留在原处：让它跟随“%1”吗？</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>一个部件没有图钉而留在原处：让它跟随旁边的内容吗？</translation>
+    </message>
+    <message>
+        <source>Let It Ride</source>
+        <translation>让它跟随</translation>
     </message>
 </context>
 <context>

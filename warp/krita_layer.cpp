@@ -91,15 +91,6 @@ void takeMasks(const pugi::xml_node& node, KritaLayer& kritas, PictureLayer& lay
     }
 }
 
-/// Finds out whether the layer inherits alpha: then it leaves this channel of what is below it in its group
-/// as it is. If that is one layer, the layer is clipped by it.
-void takeInheritance(const pugi::xml_node& node, PictureLayer& layer) {
-    const std::string_view flags = node.attribute("channelflags").value();
-    if (flags.empty() || flags.back() != '0' || !node.next_sibling("layer")) return;
-    layer.clipped = !node.next_sibling("layer").next_sibling("layer");
-    if (!layer.clipped) layer.leftOut.emplace_back("the alpha that it inherits from those below");
-}
-
 std::string whyNotRead(const pugi::xml_node& node) {
     const std::string_view kind = node.attribute("nodetype").as_string("paintlayer");
     if (kind != "paintlayer") {
@@ -147,7 +138,6 @@ KritaLayer kritaLayerOf(const ZipArchive& zip, const pugi::xml_node& node, Pictu
     kritas.colours = node.attribute("colorspacename").value();
     kritas.x = placeIn(node, "x"), kritas.y = placeIn(node, "y");
     takeMasks(node, kritas, layer);
-    takeInheritance(node, layer);
     const KritaColours& colours = *coloursOf(kritas.colours);
     const KritaPixels pixels = pixelsOf(zip, kritas.file);
     if (pixels.pixelBytes() != static_cast<std::size_t>(colours.bits / 8 * (colours.colours + 1)))

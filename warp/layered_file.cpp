@@ -30,19 +30,77 @@ std::string blendOf(const pugi::xml_node& node, const Description& description) 
     return blend.substr(blend.find(':') + 1);  // "svg:multiply" by OpenRaster
 }
 
+/// Returns whether a layer or group leaves the alpha of what is below it in its group.
+bool isAtop(const pugi::xml_node& node, const Description& description) {
+    if (&description == &kOpenRaster) return blendOf(node, description) == "src-atop";
+    const std::string_view flags = node.attribute("channelflags").value();
+    return !flags.empty() && flags.back() == '0';
+}
+
+/// If that is one layer or group, it clips those that are atop of it.
+template <class Layer>
+void takeAtop(const pugi::xml_node& node, const Description& description, Layer& layer) {
+    if (!isAtop(node, description) || !node.next_sibling()) return;
+    int whole = 0;
+    for (pugi::xml_node below = node.next_sibling(); below; below = below.next_sibling())
+        whole += isAtop(below, description) && below.next_sibling() ? 0 : 1;
+    layer.atop = true;
+    layer.clipped = whole == 1;
+    if (layer.blend == "src-atop") layer.blend = "normal";
+}
+
+bool isVisible(const pugi::xml_node& node, const Description& description) {
+    return std::string_view(node.attribute(description.visible).as_string(description.shown)) ==
+           description.shown;
+}
+
+double opacityOf(const pugi::xml_node& node, const Description& description) {
+    return node.attribute("opacity").as_double(description.opaque) / description.opaque;
+}
+
+/// Returns whether a group is combined before it lies over what is below: in Krita unless it passes through;
+/// in OpenRaster if it says so, or has an opacity or a mode.
+bool isIsolated(const pugi::xml_node& node, const Description& description) {
+    if (&description == &kKrita) return !node.attribute("passthrough").as_bool(false);
+    const std::string_view isolation = node.attribute("isolation").as_string("auto");
+    return isolation != "auto" || opacityOf(node, description) < 1 ||
+           !isPlainBlend(blendOf(node, description));
+}
+
+/// The whole picture is a stack in OpenRaster, too, but none of the layers' groups.
+bool isGroup(const pugi::xml_node& node) {
+    const std::string_view kind = node.name();
+    return (kind == "stack" && std::string_view(node.parent().name()) == "stack") ||
+           (kind == "layer" && node.attribute("nodetype").value() == std::string_view("grouplayer"));
+}
+
+LayerGroup groupOf(const pugi::xml_node& node, const Description& description) {
+    LayerGroup group;
+    group.id = static_cast<int>(node.offset_debug());
+    group.name = node.attribute("name").value();
+    group.blend = blendOf(node, description);
+    group.opacity = opacityOf(node, description);
+    group.visible = isVisible(node, description);
+    takeAtop(node, description, group);
+    group.isolated = isIsolated(node, description);
+    return group;
+}
+
 PictureLayer layerOf(const pugi::xml_node& node, const Description& description) {
     PictureLayer layer;
     layer.name = node.attribute("name").value();
     layer.x = node.attribute("x").as_int();
     layer.y = node.attribute("y").as_int();
     layer.blend = blendOf(node, description);
-    for (pugi::xml_node at = node; at; at = at.parent()) {  // with the groups that it is in
-        const std::string mode = blendOf(at, description);
-        if (at != node && !isPlainBlend(mode))
-            layer.leftOut.push_back("the blend mode " + mode + " of its group");
-        const std::string_view shown = at.attribute(description.visible).as_string(description.shown);
-        layer.visible = layer.visible && shown == description.shown;
-        layer.opacity *= at.attribute("opacity").as_double(description.opaque) / description.opaque;
+    takeAtop(node, description, layer);
+    layer.visible = isVisible(node, description);
+    layer.opacity = layer.ownOpacity = opacityOf(node, description);
+    for (pugi::xml_node at = node.parent(); at; at = at.parent()) {
+        if (!isGroup(at)) continue;
+        const LayerGroup group = groupOf(at, description);
+        layer.visible = layer.visible && group.visible;
+        layer.opacity *= group.opacity;
+        layer.groups.insert(layer.groups.begin(), group);
     }
     return layer;
 }

@@ -7,6 +7,17 @@
 
 namespace wend {
 
+/// A group of layers.
+struct LayerGroup {
+    int id = 0;  // other groups of the file have others
+    std::string name = {};
+    std::string blend = {};
+    double opacity = 1;
+    bool visible = true, clipped = false, atop = false;  // as of layers
+    bool isolated = true;  // its layers are combined with one another before they lie over what is below it
+    bool operator==(const LayerGroup&) const = default;
+};
+
 /// A layer of a file whose picture was read with all layers merged.
 struct PictureLayer {
     std::string name;
@@ -18,6 +29,9 @@ struct PictureLayer {
     bool clipped = false;                   // it shows only where the one below is
     std::string unread = {};                // why its pixels cannot be read: "is a vector layer"
     std::vector<std::string> leftOut = {};  // what is not shown of it: "its filter mask"
+    double ownOpacity = 1;                  // without that of its groups
+    std::vector<LayerGroup> groups = {};    // that it is in, the outermost first
+    bool atop = false;                      // it leaves the alpha of all that is below it in its group
 };
 
 /// The metadata of every picture that was read from a file.

@@ -13,11 +13,28 @@ PictureMessage binary(const void* bytes, std::size_t size) {
     return PictureMessage::binary({begin, begin + size});
 }
 
+PictureMessage messageOf(const std::vector<LayerGroup>& groups) {
+    PictureMessage list = PictureMessage::array();
+    for (const LayerGroup& group : groups)
+        list.push_back({group.id, group.name, group.blend, group.opacity, group.visible, group.clipped,
+                        group.atop, group.isolated});
+    return list;
+}
+
+std::vector<LayerGroup> groupsOf(const PictureMessage& list) {
+    std::vector<LayerGroup> groups;
+    for (const PictureMessage& group : list)
+        groups.push_back({group.at(0), group.at(1), group.at(2), group.at(3), group.at(4), group.at(5),
+                          group.at(6), group.at(7)});
+    return groups;
+}
+
 PictureMessage messageOf(const std::vector<PictureLayer>& layers) {
     PictureMessage list = PictureMessage::array();
     for (const PictureLayer& layer : layers)
         list.push_back({layer.name, layer.x, layer.y, layer.width, layer.height, layer.opacity, layer.blend,
-                        layer.visible, layer.clipped, layer.unread, layer.leftOut});
+                        layer.visible, layer.clipped, layer.unread, layer.leftOut, layer.ownOpacity,
+                        messageOf(layer.groups), layer.atop});
     return list;
 }
 
@@ -25,7 +42,8 @@ std::vector<PictureLayer> layersOf(const PictureMessage& list) {
     std::vector<PictureLayer> layers;
     for (const PictureMessage& layer : list)
         layers.push_back({layer.at(0), layer.at(1), layer.at(2), layer.at(3), layer.at(4), layer.at(5),
-                          layer.at(6), layer.at(7), layer.at(8), layer.at(9), layer.at(10)});
+                          layer.at(6), layer.at(7), layer.at(8), layer.at(9), layer.at(10), layer.at(11),
+                          groupsOf(layer.at(12)), layer.at(13)});
     return layers;
 }
 

@@ -142,6 +142,9 @@ void takeExtras(ByteWalk extras, bool isLarge, LayerRecord& record) {
             record.layer.leftOut.emplace_back("its vector mask");
         if (block->key != "lsct" || block->data.size() < 4) continue;
         const std::uint32_t kind = bigEndian(block->data);
+        // The mode of a group is with its kind: the record itself does not know passing through.
+        if (kind != 0 && kind != kBottom && block->data.size() >= 12)
+            record.layer.blend = blendMode(block->data.substr(8, 4));
         if (kind != 0)
             record.kind = kind == kBottom ? LayerRecord::Kind::GroupBottom : LayerRecord::Kind::GroupTop;
     }
@@ -164,22 +167,31 @@ LayerRecord nextRecord(ByteWalk& walk, bool isLarge) {
     layer.visible = (walk.number(1) & kHidden) == 0;
     walk.skip(1);
     takeExtras(ByteWalk(std::string(walk.bytes(walk.number()))), isLarge, record);
+    layer.ownOpacity = layer.opacity;
     return record;
 }
 
-/// Gives layers the opacity of their groups, from the top down, and hides them with these.
+LayerGroup groupOf(const PictureLayer& layer, int id) {
+    LayerGroup group{id, layer.name, layer.blend, layer.ownOpacity, layer.visible, layer.clipped};
+    group.isolated = layer.blend != "pass-through";
+    return group;
+}
+
+/// Gives layers their groups, with the opacity of these, from the top down, and hides them with these.
 void takeGroups(std::vector<LayerRecord>& records) {
     std::vector<PictureLayer> groups(1);
+    int id = 0;
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
         PictureLayer& layer = record->layer;
         const PictureLayer& group = groups.back();
+        const LayerGroup own = groupOf(layer, ++id);
+        layer.groups = group.groups;
         layer.opacity *= group.opacity;
         layer.visible = layer.visible && group.visible;
         layer.leftOut.insert(layer.leftOut.end(), group.leftOut.begin(), group.leftOut.end());
         if (record->kind == LayerRecord::Kind::GroupTop) {
-            if (!isPlainBlend(layer.blend))
-                layer.leftOut.push_back("the blend mode " + layer.blend + " of its group");
             if (record->mask.isUsed) layer.leftOut.emplace_back("the mask of its group");
+            layer.groups.push_back(own);
             groups.push_back(PictureLayer(layer));
         }
         if (record->kind == LayerRecord::Kind::GroupBottom && groups.size() > 1) groups.pop_back();

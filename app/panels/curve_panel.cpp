@@ -90,8 +90,9 @@ bool CurvePanel::holdsPart() const {
 
 /// A disabled field explains why, first in its tooltip.
 void CurvePanel::allowTurning(bool allow) {
-    const QString why = dimension() == 2 ? tr("A point cannot rotate or grow – Alt-drag the pin to widen it.")
-                                         : tr("A point cannot rotate or grow: hold more vertices.");
+    const QString why = dimension() == 2
+                            ? tr("A point cannot rotate or grow – drag its ring, or give it a radius.")
+                            : tr("A point cannot rotate or grow: hold more vertices.");
     for (QWidget* control :
          {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_twist), static_cast<QWidget*>(m_scale)})
         wend::allow(control, allow, why);

@@ -21,4 +21,9 @@ CutOutPanel::CutOutPanel(ShapeSession& session, QWidget* parent)
     m_settings.show();
 }
 
+void CutOutPanel::setPart(int part) {
+    m_settings.setPart(part);
+    m_settings.show();
+}
+
 }  // namespace wend

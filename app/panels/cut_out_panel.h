@@ -17,6 +17,9 @@ class CutOutPanel : public QWidget {
     /// Why the settings of a cut-out cannot be changed elsewhere.
     static QString notACutOut();
 
+    /// Shows the settings of one part of the picture; −1: of all.
+    void setPart(int part);
+
   private:
     SettingRows m_settings;
 };

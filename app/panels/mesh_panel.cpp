@@ -3,9 +3,12 @@
 #include <QComboBox>
 #include <QLocale>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/document/domain.h"
+#include "app/document/edits/part_edits.h"
 #include "app/document/edits/setting_edits.h"
 #include "app/panels/cut_out_panel.h"
 #include "app/panels/fields/detail_row.h"
@@ -51,6 +54,8 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_settings(session.document(), this, CutOutPanel::notACutOut()),
       m_density(new JumpSlider(this)),
       m_aim(new QComboBox(this)),
+      m_whose(new QComboBox(this)),
+      m_asAll(new QToolButton(this)),
       m_sizes(new QToolButton(this)),
       m_detail(new DetailRow(this)),
       m_counts(secondLabel({}, this)) {
@@ -69,6 +74,15 @@ void MeshPanel::makeControls() {
     describe(m_aim, tr("Aim"),
              tr("What sets how fine the mesh is: how many vertices it has in total, or how large a "
                 "tetrahedron may be."));
+    m_whose->setObjectName(QStringLiteral("outlineOf"));
+    fitToEntries(m_whose, 150);
+    describe(m_whose, tr("Outline and detail of"),
+             tr("Which part of the picture has the outline and detail below; all have the same unless one "
+                "has its own. Choosing a part in the list of parts chooses it here."));
+    m_asAll->setText(tr("As All Parts"));
+    m_asAll->setObjectName(QStringLiteral("outlineAsAll"));
+    m_asAll->setProperty("role", "chip");
+    describe(m_asAll, m_asAll->text(), tr("Gives this part the outline and detail of all parts again."));
     m_sizes->setText(tr("Paint…"));
     m_sizes->setObjectName(QStringLiteral("paintSizes"));
     m_sizes->setProperty("role", "chip");
@@ -84,8 +98,11 @@ void MeshPanel::arrange() {
         return widget;
     };
     const auto row = [&](const char* key) { return add(m_settings.row(key)); };
+    m_whoseRow = add(panelRowIn(tr("O&f"), m_whose, this));
+    add(m_asAll);
     m_pictureRows = {row("domain.outline.from"), row("domain.outline.threshold"),
-                     row("domain.outline.margin"), row("domain.border")};
+                     row("domain.outline.margin")};
+    m_border = row("domain.border");
     QWidget* fit = row("domain.cage");
     QWidget* aim = add(panelRowIn(tr("A&im at"), m_aim, this));
     QWidget* vertices = row("domain.vertices");
@@ -106,7 +123,15 @@ void MeshPanel::arrange() {
 void MeshPanel::connectControls() {
     connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_density, &QSlider::valueChanged, this, [this](int value) {
-        changeSetting(m_session.document(), "domain.vertices", verticesOf(value), m_gesture);
+        if (m_part < 0)
+            changeSetting(m_session.document(), "domain.vertices", verticesOf(value), m_gesture);
+        else
+            changePartSetting(m_session.document(), m_part, "domain.vertices", verticesOf(value), m_gesture);
+    });
+    connect(m_whose, &QComboBox::activated, this, [this](int row) { setPart(row - 1); });
+    connect(m_asAll, &QToolButton::clicked, this, [this] {
+        Document& document = m_session.document();
+        if (m_part >= 0) document.change(m_asAll->text(), withoutOwnOutline(*document.project(), m_part));
     });
     connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == ByVolume); });
     connect(m_sizes, &QToolButton::clicked, this, &MeshPanel::sizesWanted);
@@ -137,19 +162,80 @@ void MeshPanel::showProject() {
     setToolTip(document.isEmpty() || meshed ? QString()
                                             : tr("The mesh comes from a file and is used as it is."));
     if (document.isEmpty()) return;
+    showParts();
     m_settings.show();
     const Domain& domain = document.domain();
+    const auto whole = m_part < 0 ? document.project() : asWhole(*document.project(), m_part);
     OptionField& outline = m_settings.field("domain.outline.from");
-    outline.allow(static_cast<int>(OutlineKind::Alpha), document.picture() && document.picture()->alpha,
-                  tr("This picture has no transparency."));
-    outline.allow(kFilledCutOut, document.picture() && document.picture()->alpha,
-                  tr("This picture has no transparency."));
-    outline.allow(static_cast<int>(OutlineKind::Polygons), !domain.polygons.loops.empty(),
+    const bool clear = hasAlpha();
+    outline.allow(static_cast<int>(OutlineKind::Alpha), clear, tr("This picture has no transparency."));
+    outline.allow(kFilledCutOut, clear, tr("This picture has no transparency."));
+    outline.allow(static_cast<int>(OutlineKind::Polygons), !domainOf(*whole).polygons.loops.empty(),
                   tr("No outline has been drawn."));
-    const QSignalBlocker quiet(m_density);
-    if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
+    showDetail();
     m_aim->setCurrentIndex(domain.maxVolume > 0 ? ByVolume : ByVertices);
     m_detail->showDomain(domain);
+}
+
+void MeshPanel::setPart(int part) {
+    if (m_session.document().isEmpty()) return;
+    const std::vector<PicturePart>& parts = m_session.document().domain().parts;
+    const bool isPart = part >= 0 && part < static_cast<int>(parts.size());
+    m_partName = isPart ? parts[static_cast<std::size_t>(part)].name : std::string();
+    showProject();
+}
+
+/// Shows the choice of a part, which may have moved or be gone.
+void MeshPanel::showParts() {
+    const std::vector<PicturePart>& parts = m_session.document().domain().parts;
+    const auto found = std::ranges::find(parts, m_partName, &PicturePart::name);
+    const int before =
+        std::exchange(m_part, found == parts.end() ? -1 : static_cast<int>(found - parts.begin()));
+    m_settings.setPart(m_part);
+    if (m_part != before) emit partChosen(m_part);
+    m_whose->clear();
+    m_whose->addItem(tr("All parts"));
+    for (const PicturePart& part : parts) m_whose->addItem(QString::fromStdString(part.name));
+    m_whose->setCurrentIndex(m_part + 1);
+    m_asAll->setVisible(m_part >= 0 && hasOwnOutline(parts[static_cast<std::size_t>(m_part)]));
+}
+
+/// Returns whether the picture that is chosen has transparency; of all parts one is enough.
+bool MeshPanel::hasAlpha() const {
+    const Document& document = m_session.document();
+    const auto frame = m_session.frame<2>();
+    const Texture* texture = frame && frame->built ? frame->built->texture.get() : nullptr;
+    if (document.domain().parts.empty() || !texture || !texture->drawn)
+        return document.picture() && document.picture()->alpha;
+    for (std::size_t i = 0; i < texture->sheets.size(); ++i) {
+        const bool counts = m_part < 0 || texture->drawn->parts[i].name ==
+                                              document.domain().parts[static_cast<std::size_t>(m_part)].name;
+        if (counts && texture->sheets[i].picture->alpha) return true;
+    }
+    return false;
+}
+
+/// Returns how many vertices the mesh of the chosen part has.
+int MeshPanel::partVertices() const {
+    const auto frame = m_session.frame<2>();
+    const std::string& name = m_session.document().domain().parts[static_cast<std::size_t>(m_part)].name;
+    if (frame)
+        for (const MeshPart& part : frame->rest->parts)
+            if (part.name == name) return part.endVertex - part.firstVertex;
+    return kFewest;
+}
+
+/// Shows the number of vertices that is aimed at; of a part without an own one, how many it has.
+void MeshPanel::showDetail() {
+    const Domain& domain = m_session.document().domain();
+    int vertices = domain.vertices;
+    if (m_part >= 0) {
+        const int own = domain.parts[static_cast<std::size_t>(m_part)].vertices;
+        vertices = own > 0 ? own : partVertices();
+        m_settings.field("domain.vertices").setNumber(vertices);
+    }
+    const QSignalBlocker quiet(m_density);
+    if (!m_density->isSliderDown()) m_density->setValue(sliderOf(std::max(vertices, kFewest)));
 }
 
 /// Rows that stay are not hidden in between, because their fields would lose the focus.
@@ -162,6 +248,10 @@ void MeshPanel::showRows() {
         for (QWidget* row : rows) row->setVisible(visible);
     };
     show(m_pictureRows, !solid);
+    const bool parted = !solid && !document.isEmpty() && !document.domain().parts.empty();
+    m_border->setVisible(!solid && m_part < 0);
+    m_whoseRow->setVisible(parted);
+    if (!parted) m_asAll->hide();
     show(m_surfaceRows, !solid || (surface && !volume));
     show(m_solidRows, surface);
     show(m_volumeRows, volume);
@@ -181,6 +271,7 @@ void MeshPanel::showShells() {
 void MeshPanel::showCounts() {
     const FramePtr& frame = m_session.frame();
     showShells();
+    if (m_part >= 0 && m_part < static_cast<int>(m_session.document().domain().parts.size())) showDetail();
     if (!frame) {
         m_counts->clear();
         return;

@@ -20,8 +20,11 @@ class MeshPanel : public QWidget {
 
   public:
     explicit MeshPanel(ShapeSession& session, QWidget* parent = nullptr);
+    /// Shows the outline and detail of one part of the picture; −1: of all.
+    void setPart(int part);
 
   signals:
+    void partChosen(int part);
     /// A detailed surface for the solid is to be chosen, or taken away.
     void detailWanted();
     void detailRemoved();
@@ -34,6 +37,10 @@ class MeshPanel : public QWidget {
     void connectControls();
     void setAim(bool volume);
     void showProject();
+    void showParts();
+    bool hasAlpha() const;
+    int partVertices() const;
+    void showDetail();
     void showRows();
     void showShells();
     void showCounts();
@@ -42,13 +49,15 @@ class MeshPanel : public QWidget {
     SettingRows m_settings;
     QSlider* m_density;
     QComboBox* m_aim;
-    QToolButton* m_sizes;
+    QComboBox* m_whose;  // the part that the outline is of
+    QToolButton *m_asAll, *m_sizes;
     DetailRow* m_detail;
-    QWidget* m_shells = nullptr;  // what is inside of shells in others
+    QWidget *m_shells = nullptr, *m_border = nullptr, *m_whoseRow = nullptr;
     // of pictures; of all that is meshed; of surfaces; of surfaces by their aim
     std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows, m_volumeRows;
     QLabel* m_counts;
-    int m_gesture = 0;
+    int m_gesture = 0, m_part = -1;
+    std::string m_partName;
 };
 
 }  // namespace wend

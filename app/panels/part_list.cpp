@@ -12,7 +12,10 @@
 #include "app/panels/fields/number_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/panels/part_items.h"
+#include "app/panels/part_order_row.h"
 #include "app/session/shape/joint_place.h"
+#include "app/session/shape/shape.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -20,16 +23,7 @@ namespace wend {
 namespace {
 
 constexpr double kFullOpacity = 100;
-
-/// Returns the tooltip and accessible description of a part's line.
-QString describedPart(const PicturePart& part) {
-    QStringList words;
-    if (part.hidden) words << PartList::tr("hidden");
-    if (!part.ridesOn.empty()) words << PartList::tr("rides on %1").arg(QString::fromStdString(part.ridesOn));
-    for (const Joint& joint : part.joints)
-        words << PartList::tr("joined to %1").arg(QString::fromStdString(joint.to));
-    return words.join(QStringLiteral(", "));
-}
+constexpr double kWidestEdge = 200;  // pixels
 
 constexpr std::array kModes{BlendMode::Normal, BlendMode::Multiply, BlendMode::Screen, BlendMode::Add};
 
@@ -47,14 +41,19 @@ QString nameOf(BlendMode mode) {
     return PartList::tr("Normal");
 }
 
+/// Returns the sheet with which the shape shows a part; null while it does not.
+const Sheet* sheetOf(const PicturePart& part, const Texture* texture) {
+    if (!texture || !texture->drawn) return nullptr;
+    const auto& shown = texture->drawn->parts;
+    const auto found = std::ranges::find(shown, part.name, &MeshPart::name);
+    return found == shown.end() ? nullptr : &texture->sheets[static_cast<std::size_t>(found - shown.begin())];
+}
+
 /// Returns the mode of a part: its own, or else the one with which the shape shows it, which is its layer's.
 BlendMode modeOf(const PicturePart& part, const Texture* texture) {
     if (part.blend) return *part.blend;
-    if (!texture || !texture->drawn) return BlendMode::Normal;
-    const auto& shown = texture->drawn->parts;
-    const auto found = std::ranges::find(shown, part.name, &MeshPart::name);
-    return found == shown.end() ? BlendMode::Normal
-                                : texture->sheets[static_cast<std::size_t>(found - shown.begin())].blend;
+    const Sheet* sheet = sheetOf(part, texture);
+    return sheet ? sheet->blend : BlendMode::Normal;
 }
 
 }  // namespace
@@ -66,9 +65,11 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
       m_forward(new QToolButton(this)),
       m_backward(new QToolButton(this)),
       m_opacity(new NumberBox(this)),
+      m_feather(new NumberBox(this)),
       m_blend(new QComboBox(this)),
       m_joined(new QComboBox(this)),
-      m_rides(new QComboBox(this)) {
+      m_rides(new QComboBox(this)),
+      m_order(new PartOrderRow(session, this)) {
     makeControls();
     auto* layout = sectionColumn(this);
     layout->addLayout(sideBySide({panelTitle(tr("Parts"), this), nullptr, m_forward, m_backward}));
@@ -76,9 +77,11 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
     m_rows = new QWidget(this);
     auto* rows = bareColumn(m_rows, 8);
     rows->addWidget(panelRowIn(tr("Opac&ity"), m_opacity, this));
+    rows->addWidget(m_featherRow = panelRowIn(tr("So&ft edge"), m_feather, this));
     rows->addWidget(panelRowIn(tr("&Blend mode"), m_blend, this));
     rows->addWidget(panelRowIn(tr("&Joined to"), m_joined, this));
     rows->addWidget(panelRowIn(tr("&Rides on"), m_rides, this));
+    rows->addWidget(m_order);
     layout->addWidget(m_rows);
     connectControls();
     showParts();
@@ -87,6 +90,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
 void PartList::makeControls() {
     m_list->setObjectName(QStringLiteral("partList"));
     m_list->setFixedHeight(168);
+    m_list->setIconSize({kPartIcon, kPartIcon});
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->installEventFilter(this);
@@ -107,6 +111,13 @@ void PartList::makeControls() {
     m_opacity->setDecimals(0);
     m_opacity->setSuffix(tr(" %"));
     describe(m_opacity, tr("Opacity"), tr("How much is seen of the part."));
+    m_feather->setObjectName(QStringLiteral("partFeather"));
+    m_feather->setRange(0, kWidestEdge);
+    m_feather->setDecimals(1);
+    m_feather->setSuffix(tr(" px"));
+    describe(m_feather, tr("Soft edge"),
+             tr("How wide the edge is along which the part was cut out. The colours of what is behind it "
+                "are removed from it."));
     m_blend->setObjectName(QStringLiteral("partBlend"));
     for (const BlendMode mode : kModes) m_blend->addItem(nameOf(mode));
     describe(m_blend, tr("Blend mode"),
@@ -125,7 +136,10 @@ void PartList::makeControls() {
 
 void PartList::connectControls() {
     connect(&m_session.document(), &Document::projectChanged, this, &PartList::showParts);
-    connect(m_list, &QListWidget::currentRowChanged, this, &PartList::showChosen);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
+        showChosen();
+        emit chosenChanged(chosen());
+    });
     connect(m_list, &QListWidget::itemChanged, this, &PartList::takeItem);
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this,
             [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
@@ -139,8 +153,14 @@ void PartList::connectControls() {
         next[static_cast<std::size_t>(chosen())].opacity = value / kFullOpacity;
         change(tr("Change opacity"), std::move(next), QStringLiteral("part opacity %1").arg(chosen()));
     });
+    connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (chosen() < 0) return;
+        std::vector<PicturePart> next = parts();
+        next[static_cast<std::size_t>(chosen())].feather = value;
+        change(tr("Change soft edge"), std::move(next), QStringLiteral("part feather %1").arg(chosen()));
+    });
     connect(m_blend, &QComboBox::activated, this, &PartList::blend);
-    connect(&m_session, &ShapeSession::frameChanged, this, &PartList::showBlend);
+    connect(&m_session, &ShapeSession::frameChanged, this, &PartList::takeFrame);
     connect(m_joined, &QComboBox::textActivated, this, &PartList::join);
     connect(m_rides, &QComboBox::textActivated, this, &PartList::ride);
 }
@@ -180,7 +200,30 @@ void PartList::showParts() {
         m_list->setCurrentRow(same >= 0 ? same : std::min(row, m_list->count() - 1));
     }
     setVisible(!parts().empty());
+    showPictures();
     showChosen();
+}
+
+/// Takes a shape that shows other pictures or modes; poses change nothing here.
+void PartList::takeFrame() {
+    if (texture().get() == m_texture.get()) return;
+    showPictures();
+    showBlend();
+}
+
+std::shared_ptr<const Texture> PartList::texture() const {
+    const auto frame = m_session.frame<2>();
+    return frame && frame->built ? frame->built->texture : nullptr;
+}
+
+void PartList::showPictures() {
+    m_texture = texture();
+    const QSignalBlocker quiet(m_list);
+    for (int i = 0; i < std::min(m_list->count(), static_cast<int>(parts().size())); ++i) {
+        const PicturePart& part = parts()[static_cast<std::size_t>(i)];
+        const Sheet* sheet = sheetOf(part, m_texture.get());
+        m_list->item(i)->setIcon(partIcon(part, sheet ? sheet->picture.get() : nullptr, palette()));
+    }
 }
 
 void PartList::showChosen() {
@@ -189,8 +232,12 @@ void PartList::showChosen() {
     allow(m_forward, part > 0, tr("Choose a part that is not in front."));
     allow(m_backward, part >= 0 && part + 1 < m_list->count(), tr("Choose a part that is not at the back."));
     if (part < 0) return;
-    const QSignalBlocker quiet(m_opacity);
-    m_opacity->setValue(kFullOpacity * parts()[static_cast<std::size_t>(part)].opacity);
+    const PicturePart& own = parts()[static_cast<std::size_t>(part)];
+    const QSignalBlocker quiet(m_opacity), also(m_feather);
+    m_opacity->setValue(kFullOpacity * own.opacity);
+    m_feather->setValue(own.feather);
+    m_featherRow->setVisible(!own.cutFrom.empty());
+    m_order->showPart(part);
     showBlend();
     fillChoices();
 }
@@ -198,9 +245,7 @@ void PartList::showChosen() {
 /// Shows the mode of the chosen part, which may be known with the next shape only.
 void PartList::showBlend() {
     if (chosen() < 0) return;
-    const auto frame = m_session.frame<2>();
-    const BlendMode mode = modeOf(parts()[static_cast<std::size_t>(chosen())],
-                                  frame && frame->built ? frame->built->texture.get() : nullptr);
+    const BlendMode mode = modeOf(parts()[static_cast<std::size_t>(chosen())], texture().get());
     m_blend->setCurrentIndex(static_cast<int>(mode));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 
 #include "app/document/part.h"
 
@@ -12,11 +13,14 @@ class QToolButton;
 namespace wend {
 
 class NumberBox;
+class PartOrderRow;
 class ShapeSession;
+struct Texture;
 
-/// Lists the parts of a picture, the frontmost first: an eye, a name that a double click changes, and an
-/// order that dragging and Alt with the arrow keys change. Below are the properties of the chosen part: its
-/// opacity, its blend mode, its joints, and the part to which it is attached. Hidden for a picture of a
+/// Lists the parts of a picture, the frontmost first: an eye, a small picture, a name that a double click
+/// changes, and an order that dragging and Alt with the arrow keys change. Below are the properties of the
+/// chosen part: its opacity, soft edge, blend mode and joints, the part to which it is attached, and
+/// when its order changes. Hidden for a picture of a
 /// single part.
 class PartList : public QWidget {
     Q_OBJECT
@@ -24,6 +28,10 @@ class PartList : public QWidget {
   public:
     explicit PartList(ShapeSession& session, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
+
+  signals:
+    /// Emitted with the place of the part that is chosen, −1 for none.
+    void chosenChanged(int part);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -35,6 +43,9 @@ class PartList : public QWidget {
     void connectControls();
     void showParts();
     void showChosen();
+    void showPictures();
+    void takeFrame();
+    std::shared_ptr<const Texture> texture() const;
     void showBlend();
     void fillChoices();
     void takeItem(QListWidgetItem* item);
@@ -48,9 +59,11 @@ class PartList : public QWidget {
     ShapeSession& m_session;
     QListWidget* m_list;
     QToolButton *m_forward, *m_backward;
-    NumberBox* m_opacity;
+    NumberBox *m_opacity, *m_feather;
     QComboBox *m_blend, *m_joined, *m_rides;
-    QWidget* m_rows = nullptr;
+    PartOrderRow* m_order;
+    QWidget *m_rows = nullptr, *m_featherRow = nullptr;
+    std::shared_ptr<const Texture> m_texture;  // that the pictures are of
 };
 
 }  // namespace wend

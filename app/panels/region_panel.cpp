@@ -1,5 +1,7 @@
 #include "app/panels/region_panel.h"
 
+#include <QCheckBox>
+
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/panels/fields/exact_box.h"
@@ -15,6 +17,7 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_numbers(new RegionNumbers(RegionNumbers::Radius::Elsewhere, this)),
       m_radius(new ExactBox(this)),
+      m_holdsAngle(new QCheckBox(tr("&Holds its angle"), this)),
       m_count(secondLabel({}, this)) {
     auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Region"), this));
@@ -24,12 +27,22 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     describe(
         m_radius, tr("Radius"),
         tr("How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a ball. "
-           "In the shape's own units, for a picture its pixels. Alt-dragging the pin does the same."));
+           "In the shape's own units, for a picture its pixels. Dragging the pin with Ctrl and Shift does "
+           "the same."));
     layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
+    m_holdsAngle->setObjectName(QStringLiteral("holdsAngle"));
+    describe(m_holdsAngle, withoutKey(m_holdsAngle->text()),
+             tr("The pin keeps the angle that the picture has there now, as a small circle; without it, the "
+                "picture turns freely around the pin."));
+    layout->addWidget(m_holdsAngle);
     layout->addWidget(m_count);
     m_count->setObjectName(QStringLiteral("regionCount"));
     connect(m_numbers, &RegionNumbers::changed, this, &RegionPanel::apply);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &RegionPanel::applyRadius);
+    connect(m_holdsAngle, &QCheckBox::clicked, this, [this](bool holds) {
+        if (m_session.singleHandle() >= 0) setHoldsAngle(m_session, m_session.singleHandle(), holds);
+        showHandle();
+    });
     connect(&m_session, &ShapeSession::pinsChanged, this, &RegionPanel::showHandle);
     connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::takeFrame);
     showHandle();
@@ -48,22 +61,13 @@ const Region<Dim>* RegionPanel::region() const {
     return at ? std::get_if<Region<Dim>>(at) : nullptr;
 }
 
-template <int Dim>
-bool RegionPanel::isPoint() const {
-    const Placement<Dim>* at = place<Dim>();
-    if (!at) return false;
-    const auto* vertices = std::get_if<std::vector<int>>(at);
-    const auto* points = std::get_if<std::vector<Vec<Dim>>>(at);
-    return (vertices && vertices->size() == 1) || (points && points->size() == 1);
-}
-
 /// Returns the radius of a disc or a ball; 0 for a point.
 template <int Dim>
 std::optional<double> RegionPanel::radius() const {
     const Region<Dim>* now = region<Dim>();
     const auto* ball = now ? std::get_if<Ball<Dim>>(now) : nullptr;
     if (ball) return ball->radius;
-    return isPoint<Dim>() ? std::optional(0.0) : std::nullopt;
+    return holdsPoint<Dim>(m_session, m_session.singleHandle()) ? std::optional(0.0) : std::nullopt;
 }
 
 /// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
@@ -105,12 +109,15 @@ void RegionPanel::showHandle() {
     m_mesh = frame ? frame->shape : nullptr;
     const Region<3>* solid = region<3>();
     const bool isSolid = solid && RegionNumbers::canShow(*solid);
-    const bool point = isPoint<2>() || isPoint<3>();
+    const int handle = m_session.singleHandle();
+    const bool point = holdsPoint<2>(m_session, handle) || holdsPoint<3>(m_session, handle);
     const auto wide = place<2>() ? radius<2>() : radius<3>();
     setVisible(frame && (isSolid || wide));
     m_numbers->setVisible(isSolid);
     m_radiusRow->setVisible(wide.has_value());
     m_count->setVisible(!point);
+    m_holdsAngle->setVisible(place<2>() && wide);
+    m_holdsAngle->setChecked(wide && *wide > 0);
     if (!frame) return;
     if (isSolid) m_numbers->showRegion(*solid, frame->diagonal);
     if (wide) showRadius(*wide, frame->diagonal);

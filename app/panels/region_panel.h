@@ -4,6 +4,7 @@
 
 #include "app/session/shape_session.h"
 
+class QCheckBox;
 class QLabel;
 
 namespace wend {
@@ -12,8 +13,8 @@ class ExactBox;
 class RegionNumbers;
 
 /// The region of the single selected handle in numbers of the rest shape, with the number of its vertices; in
-/// a picture only the radius of a disc. A point has radius 0: another number makes it a disc or a ball, and
-/// back. Hidden for other handles.
+/// a picture only the radius of a disc, and whether the pin holds its angle. A point has radius 0: another
+/// number makes it a disc or a ball, and back. Hidden for other handles.
 class RegionPanel : public QWidget {
     Q_OBJECT
 
@@ -29,8 +30,6 @@ class RegionPanel : public QWidget {
     template <int Dim>
     const Region<Dim>* region() const;
     template <int Dim>
-    bool isPoint() const;
-    template <int Dim>
     void widen();
     template <int Dim>
     std::optional<double> radius() const;
@@ -43,6 +42,7 @@ class RegionPanel : public QWidget {
     RegionNumbers* m_numbers;
     QWidget* m_radiusRow = nullptr;
     ExactBox* m_radius;
+    QCheckBox* m_holdsAngle;
     QLabel* m_count;
     std::shared_ptr<const void> m_mesh;  // mesh of the counted vertices
 };

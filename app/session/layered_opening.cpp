@@ -5,6 +5,8 @@
 #include "app/session/shape/part_pictures.h"
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
+#include "warp/layer_merging.h"
+#include "warp/layered_file.h"
 #include "warp/outline.h"
 #include "warp/picture_format.h"
 #include "warp/picture_metadata.h"
@@ -22,21 +24,18 @@ bool hasOutline(const Image& picture) {
     }
 }
 
-/// Returns the layers that can be read from front to back. Photoshop and TIFF files begin with the one at the
-/// back.
-std::vector<PictureLayer> layersOf(const std::string& path, const Image& picture,
-                                   std::vector<std::string>& notices) {
-    const PictureFormat format = pictureFormat(InputFile(path));
-    std::vector<PictureLayer> layers = fileMetadata(picture)->layers;
-    if (format == PictureFormat::Psd || format == PictureFormat::Tiff) std::ranges::reverse(layers);
+/// Returns what is shown of the layers that can be read, from front to back.
+std::vector<ShownLayer> layersOf(const std::string& path, const Image& picture,
+                                 std::vector<std::string>& notices) {
+    std::vector<PictureLayer> layers =
+        fromTheFront(fileMetadata(picture)->layers, pictureFormat(InputFile(path)));
     for (const PictureLayer& layer : layers)
         if (!layer.unread.empty())
             notices.push_back(path + ": the layer \"" + layer.name + "\" " + layer.unread +
                               ": it is left out");
-    std::erase_if(layers, [](const PictureLayer& layer) {
-        return !layer.unread.empty() || layer.width < 1 || layer.height < 1;
-    });
-    return layers;
+    std::vector<ShownLayer> shown = shownLayers(layers);
+    std::erase_if(shown, [](const ShownLayer& one) { return one.layer.width < 1 || one.layer.height < 1; });
+    return shown;
 }
 
 /// Attaches layers without an outline to the next one below that has one; at the back they are left out.
@@ -61,17 +60,22 @@ std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& pic
                                        std::vector<std::string>& notices) try {
     if (fileMetadata(picture)->layers.size() < 2) return {};
     std::vector<std::string> ofLayers;
-    const std::vector<PictureLayer> layers = layersOf(path, picture, ofLayers);
+    const std::vector<ShownLayer> layers = layersOf(path, picture, ofLayers);
     if (layers.size() < 2) return {};
     std::vector<PicturePart> parts;
-    for (const PictureLayer& layer : layers) {
+    std::vector<std::string*> names;
+    parts.reserve(layers.size());
+    for (const auto& [layer, name, merges] : layers) {
         PicturePart& part = parts.emplace_back();
-        part.name = part.layer = layer.name;
+        part.layer = layer.name;
+        part.name = name;
+        names.push_back(&part.name);
         part.path = path;
         part.hidden = !layer.visible;
         const auto blend = blendNamed(layer.blend);
         if (blend && *blend != BlendMode::Normal) part.blend = blend;
     }
+    giveOwnNames(names);
     letSmallOnesRide(parts, loadParts(parts, {}, {}, &ofLayers, drawn));
     if (parts.size() < 2) return {};
     notices = std::move(ofLayers);  // instead of that it was flattened

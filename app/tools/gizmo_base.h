@@ -24,7 +24,7 @@ class GizmoBase {
   public:
     using Part = GizmoPart;
 
-    /// `canTurn`: false around a single point, which can neither rotate nor scale.
+    /// `canTurn`: false around a single point, which is widened before it rotates or scales.
     void place(const Vec<Dim>& centre, bool canTurn) {
         m_centre = centre;
         m_canTurn = canTurn;

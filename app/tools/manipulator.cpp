@@ -216,9 +216,9 @@ void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
         painter.setPen(
             QPen(QColor(15, 17, 24, 150), marked(part.plane ? 2 : 4.5), Qt::SolidLine, Qt::RoundCap));
         painter.drawPolyline(line);
-        const bool isRefused = !m_canTurn && part.kind != Grip::Kind::Move;
-        painter.setPen(QPen(colour, marked(part.plane ? 1 : 2.5), isRefused ? Qt::DotLine : Qt::SolidLine,
-                            Qt::RoundCap));
+        const bool isDotted = !m_canTurn && part.kind != Grip::Kind::Move;
+        painter.setPen(
+            QPen(colour, marked(part.plane ? 1 : 2.5), isDotted ? Qt::DotLine : Qt::SolidLine, Qt::RoundCap));
         part.plane || part.axis < 0 ? painter.drawPolygon(line) : painter.drawPolyline(line);
         if (part.kind != Grip::Kind::Move || part.axis < 0 || part.plane) continue;
         const QPointF tip = line.last(), along = tip - line.first();

@@ -24,7 +24,7 @@ class Manipulator : public GizmoBase<3> {
     Vec<3> axis(int k) const { return m_axes.col(k); }
     /// A drag outside all parts does not use the manipulator.
     static std::optional<Part> anywhere() { return {}; }
-    static bool isRefusedAt(const SolidSurface&, const QPointF&) { return false; }
+    static bool turnsPointAt(const SolidSurface&, const QPointF&) { return false; }
     /// Returns the hint over a part.
     static QString hint();
 

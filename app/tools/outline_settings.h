@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/session/shared_value.h"
 
 namespace wend {
@@ -12,6 +14,7 @@ struct OutlineSettings {
     OutlineUse use = OutlineUse::Add;
     double radius = 22;       // of the brush, in pixels of the screen
     double tolerance = 0.12;  // of colours, of full scale
+    std::string part = {};    // whose outline is drawn; empty: of none, or of a picture without parts
     bool operator==(const OutlineSettings&) const = default;
 };
 

@@ -51,6 +51,7 @@
 #include "app/view/notices/info_banner.h"
 #include "app/view/notices/offers.h"
 #include "app/view/notices/problem_remedies.h"
+#include "app/view/notices/riding_offer.h"
 #include "app/view/notices/shape_notices.h"
 #include "app/view/notices/spring_offer.h"
 #include "app/view/notices/work_note.h"
@@ -245,6 +246,7 @@ void MainWindow::connectFiles() {
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     connectChoices();
     new Offers(m_session.document(), *m_banner, this);
+    new RidingOffer(m_session, *m_banner, this);
     new SpringOffer(m_session, *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);
     const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
@@ -289,6 +291,11 @@ void MainWindow::connectEdit() {
         if (makePartOfOutline(m_session)) return;
         m_pictureActions->makesPart->setChecked(true);
         m_actions->lassoTool->trigger();
+    });
+    connect(&m_properties->mesh(), &MeshPanel::partChosen, this, [this](int part) {
+        const auto& parts = m_session.document().domain().parts;
+        m_pictureActions->pen().change(
+            &OutlineSettings::part, part < 0 ? std::string() : parts.at(static_cast<std::size_t>(part)).name);
     });
     connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
     connect(&m_properties->pins(), &PinList::menuWanted, this,

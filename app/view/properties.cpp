@@ -129,6 +129,8 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(m_paint, tr("Paint"), "brush", {.modes = Mode::Paint, .without = "depth"});
     put(m_layers, tr("Layers"), "layers", {.modes = Mode::Paint});
     put(m_parts, tr("Parts"), "layers", {.modes = kShaping, .solid = false});
+    connect(m_parts, &PartList::chosenChanged, m_mesh, &MeshPanel::setPart);
+    connect(m_mesh, &MeshPanel::partChosen, m_cutOut, &CutOutPanel::setPart);
     put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
     put(m_groups, tr("Groups"), "select", {.modes = Mode::Pins});
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});

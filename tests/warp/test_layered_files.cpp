@@ -118,8 +118,7 @@ void TestLayeredFiles::layersAreListed_data() {
     QTest::newRow("Krita") << "layers.kra"
                            << QStringList{
                                   "words 0 0 0 0 1 normal shown: is a vector layer",
-                                  "arm -2 -1 4 3 0.2 multiply hidden: the blend mode screen of its "
-                                  "group, its filter mask",
+                                  "arm -2 -1 4 3 0.2 multiply hidden: its filter mask",
                                   "ink 0 0 0 0 1 normal shown: has colours of the kind CMYKA, not RGB or "
                                   "grey of 8 or 16 bits",
                                   "masked 0 0 8 6 1 add shown clipped", "Körper 0 0 8 6 1 normal shown"};

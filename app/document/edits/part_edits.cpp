@@ -68,6 +68,62 @@ std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart
     return next;
 }
 
+int partCount(const Project& project) {
+    return static_cast<int>(domainOf(project).parts.size());
+}
+
+std::shared_ptr<Project> asWhole(const Project& project, int part) {
+    auto whole = copyOf(project);
+    Domain& domain = domainOf(*whole);
+    const PicturePart own = domain.parts.at(static_cast<std::size_t>(part));
+    if (own.vertices > 0) domain.vertices = own.vertices;
+    if (!own.outline) return whole;
+    domain.outline = own.outline->kind;
+    domain.alpha = own.outline->alpha;
+    domain.polygons = own.outline->polygons;
+    return whole;
+}
+
+std::shared_ptr<const Project> withPartOutline(const Project& project, int part, PartOutline outline) {
+    auto next = copyOf(project);
+    domainOf(*next).parts.at(static_cast<std::size_t>(part)).outline = std::move(outline);
+    return next;
+}
+
+std::shared_ptr<const Project> withPartVertices(const Project& project, int part, int vertices) {
+    auto next = copyOf(project);
+    domainOf(*next).parts.at(static_cast<std::size_t>(part)).vertices = vertices;
+    return next;
+}
+
+bool hasOwnOutline(const PicturePart& part) {
+    return part.vertices > 0 || (part.cutFrom.empty() && part.outline);
+}
+
+std::shared_ptr<const Project> withoutOwnOutline(const Project& project, int part) {
+    auto next = copyOf(project);
+    PicturePart& own = domainOf(*next).parts.at(static_cast<std::size_t>(part));
+    own.vertices = 0;
+    if (own.cutFrom.empty()) own.outline.reset();
+    return next;
+}
+
+std::shared_ptr<const Project> withPartInFront(const Project& project, int part, double time, bool front) {
+    auto next = copyOf(project);
+    std::vector<PicturePart>& parts = domainOf(*next).parts;
+    double least = 0, most = static_cast<double>(parts.size()) - 1;
+    for (const PicturePart& one : parts)
+        for (const PartOrder& order : one.order) {
+            least = std::min(least, order.place);
+            most = std::max(most, order.place);
+        }
+    std::vector<PartOrder>& order = parts.at(static_cast<std::size_t>(part)).order;
+    std::erase_if(order, [time](const PartOrder& one) { return one.time == time; });
+    const auto later = std::ranges::find_if(order, [time](const PartOrder& one) { return one.time > time; });
+    order.insert(later, {time, front ? least - 1 : most + 1});
+    return next;
+}
+
 std::shared_ptr<const Project> withoutParts(const Project& project, const std::string& path) {
     auto next = copyOf(project);
     domainOf(*next).parts.clear();

@@ -30,6 +30,24 @@ struct NewPart {
 /// A project with a new part in front of the one that it is cut from, which is filled behind it.
 std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart& made);
 
+int partCount(const Project& project);
+
+/// Returns the project with the outline of a part, and the vertices that are set for it, in the place of
+/// those of the whole picture: the settings of its domain are the part's.
+std::shared_ptr<Project> asWhole(const Project& project, int part);
+
+/// Returns a project in which a part has an outline of its own, or a number of vertices.
+std::shared_ptr<const Project> withPartOutline(const Project& project, int part, PartOutline outline);
+std::shared_ptr<const Project> withPartVertices(const Project& project, int part, int vertices);
+
+/// Returns whether a part has an outline or vertices of its own, and a project in which it has those of all
+/// again, or of what is cut out.
+bool hasOwnOutline(const PicturePart& part);
+std::shared_ptr<const Project> withoutOwnOutline(const Project& project, int part);
+
+/// Returns a project in which a part is in front of all others from a time on, or behind all.
+std::shared_ptr<const Project> withPartInFront(const Project& project, int part, double time, bool front);
+
 /// Returns a project of the picture in that file, in place of its parts.
 std::shared_ptr<const Project> withoutParts(const Project& project, const std::string& path);
 

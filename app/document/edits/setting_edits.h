@@ -13,4 +13,7 @@ double settingOf(const Document& document, std::string_view key);
 /// and so do consecutive numbers of the same setting.
 void changeSetting(Document& document, std::string_view key, double value, int gesture = -1);
 
+/// Does the same for a setting of the outline, or the number of vertices, of one part of the picture.
+void changePartSetting(Document& document, int part, std::string_view key, double value, int gesture = -1);
+
 }  // namespace wend

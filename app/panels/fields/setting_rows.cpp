@@ -3,6 +3,7 @@
 #include <QComboBox>
 
 #include "app/document/edits/document.h"
+#include "app/document/edits/part_edits.h"
 #include "app/document/edits/setting_edits.h"
 #include "app/document/options/settings.h"
 #include "app/panels/fields/option_field.h"
@@ -22,8 +23,11 @@ SettingRows::SettingRows(Document& document, QWidget* panel, QString whyNot)
 QWidget* SettingRows::row(std::string_view key) {
     auto* field = new OptionField(key, m_panel);
     m_fields.emplace(field->option().key, field);
-    connect(field, &OptionField::changed, this,
-            [this, field] { changeSetting(m_document, field->option().key, field->number()); });
+    connect(field, &OptionField::changed, this, [this, field] {
+        const bool isPart = m_part >= 0 && m_part < partCount(*m_document.project());
+        if (!isPart) return changeSetting(m_document, field->option().key, field->number());
+        changePartSetting(m_document, m_part, field->option().key, field->number());
+    });
     if (field->option().kind == OptionKind::Flag && !field->option().row.words[0]) {
         field->sayLabel();
         return field;
@@ -37,7 +41,10 @@ QWidget* SettingRows::row(std::string_view key) {
 
 void SettingRows::show() {
     if (m_document.isEmpty()) return;
-    const Project& project = *m_document.project();
+    const bool isPart = m_part >= 0 && m_part < partCount(*m_document.project());
+    const auto shown = isPart ? std::shared_ptr<const Project>(asWhole(*m_document.project(), m_part))
+                              : m_document.project();
+    const Project& project = *shown;
     for (const auto& [key, field] : m_fields) {
         field->allow(isFor(field->option(), project), m_whyNot);
         field->setRange(rangeOf(field->option(), m_document.dimension()));

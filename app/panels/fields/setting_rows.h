@@ -24,6 +24,8 @@ class SettingRows : public QObject {
     /// Makes a widget with label and field side by side.
     QWidget* row(std::string_view key);
     OptionField& field(std::string_view key) const { return *m_fields.at(key); }
+    /// Shows and changes the settings of one part of the picture instead; −1: those of all.
+    void setPart(int part) { m_part = part; }
     /// Call this after every change of the project.
     void show();
 
@@ -31,6 +33,7 @@ class SettingRows : public QObject {
     Document& m_document;
     QWidget* m_panel;
     QString m_whyNot;
+    int m_part = -1;
     std::map<std::string_view, OptionField*> m_fields;
 };
 

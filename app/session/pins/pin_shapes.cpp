@@ -1,8 +1,13 @@
 #include "app/session/pins/pin_shapes.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/session/motion/pose_places.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 
@@ -10,6 +15,10 @@ namespace {
 
 template <int Dim>
 constexpr int kMinHeld = Dim + 1;  // vertices: fewer do not hold a part in its place
+template <int Dim>
+constexpr int kTurnHeld =
+    2 * kMinHeld<Dim>;             // vertices of the smallest disc or ball that turns what is around
+constexpr double kNoTurn = 0.002;  // radians: less is not seen
 
 template <int Dim>
 Vec<Dim> meanOfVertices(const std::vector<int>& vertices, const SimplicialMesh<Dim>& rest) {
@@ -38,7 +47,73 @@ Vec<Dim> pointNear(const Vec<Dim>& middle, const SimplicialMesh<Dim>& rest) {
     return rest.points.col(nearest);
 }
 
+/// Returns the vertices and cells of the part that the handle names, or of all.
+template <int Dim>
+MeshPart rangeOf(const SimplicialMesh<Dim>& rest, const std::string& part) {
+    const auto found = std::ranges::find(rest.parts, part, &MeshPart::name);
+    return found != rest.parts.end() ? *found : MeshPart{"", 0, rest.vertexCount(), 0, rest.cellCount()};
+}
+
+/// Returns the radius at which a disc or ball holds enough of the part's vertices to turn it.
+template <int Dim>
+double turningRadius(const Vec<Dim>& middle, const SimplicialMesh<Dim>& rest, const MeshPart& part) {
+    const std::vector<bool> used = usedVertices<Dim>(rest.vertexCount(), rest.cells);
+    std::vector<double> distances;
+    for (int v = part.firstVertex; v < part.endVertex; ++v)
+        if (used[v]) distances.push_back((rest.points.col(v) - middle).norm());
+    const auto last = std::min<std::size_t>(kTurnHeld<Dim>, distances.size()) - 1;
+    std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(last),
+                     distances.end());
+    constexpr double kRoom = 1.01;  // so that the last one is safely inside
+    return kRoom * distances[last];
+}
+
 }  // namespace
+
+template <int Dim>
+bool holdsPoint(const ShapeSession& session, int handle) {
+    if (handle < 0 || session.document().dimension() != Dim) return false;
+    const Placement<Dim>& at = session.document().design<Dim>().handles.at(handle).at;
+    const auto* vertices = std::get_if<std::vector<int>>(&at);
+    const auto* points = std::get_if<std::vector<Vec<Dim>>>(&at);
+    return (vertices && vertices->size() == 1) || (points && points->size() == 1);
+}
+
+template <int Dim>
+bool widenPoint(ShapeSession& session, int handle) {
+    const auto shape = session.frame<Dim>();
+    if (!shape || session.document().dimension() != Dim) return false;
+    const Handle<Dim>& own = session.document().design<Dim>().handles.at(handle);
+    const Vec<Dim> middle = middleOf<Dim>(own.at, *shape->rest);
+    return widenPin<Dim>(session, handle,
+                         turningRadius<Dim>(middle, *shape->rest, rangeOf(*shape->rest, own.part)));
+}
+
+double angleAt(const ShapeSession& session, int handle) {
+    const auto shape = session.frame<2>();
+    for (const PinView<2>& pin : session.pins<2>(true)) {
+        if (!shape || pin.handle != handle || pin.places.empty()) continue;
+        const Mat<2> R = cellRotation<2>(*shape, pin.places.front().cell);
+        return std::atan2(R(1, 0), R(0, 0));
+    }
+    return 0;
+}
+
+void setHoldsAngle(ShapeSession& session, int handle, bool holds) {
+    if (!holds) {
+        widenPin<2>(session, handle, 0);
+        return;
+    }
+    const double angle = angleAt(session, handle);
+    Grip grip;
+    grip.kind = Grip::Kind::Turn;
+    for (const PinView<2>& pin : session.pins<2>(true))
+        if (pin.handle == handle) grip.centre.head<2>() = pin.centre;
+    session.document().beginStep();
+    if (widenPoint<2>(session, handle) && std::abs(angle) > kNoTurn)
+        session.moveSelected<2>(grip, {angle, 0, 0});
+    session.document().endStep();
+}
 
 template <int Dim>
 bool widenPin(ShapeSession& session, int handle, double radius, const QString& key) {
@@ -67,7 +142,12 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     return true;
 }
 
-template bool widenPin<2>(ShapeSession&, int, double, const QString&);
-template bool widenPin<3>(ShapeSession&, int, double, const QString&);
+#define WEND_INSTANTIATE(Dim)                                \
+    template bool holdsPoint<Dim>(const ShapeSession&, int); \
+    template bool widenPoint<Dim>(ShapeSession&, int);       \
+    template bool widenPin<Dim>(ShapeSession&, int, double, const QString&)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

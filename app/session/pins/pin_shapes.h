@@ -16,4 +16,20 @@ std::vector<Vec<Dim>> shownStarts(const std::vector<Vec<Dim>>& starts) {
 template <int Dim>
 bool widenPin(ShapeSession& session, int handle, double radius, const QString& key = {});
 
+/// Returns whether the pin holds a single point, which turns with the shape around it.
+template <int Dim>
+bool holdsPoint(const ShapeSession& session, int handle);
+
+/// Widens a pin that is a point to the smallest disc or ball that can turn. Returns false and emits a notice
+/// if it is locked.
+template <int Dim>
+bool widenPoint(ShapeSession& session, int handle);
+
+/// Returns the angle by which the shape is rotated at the pin in the frame that is shown.
+double angleAt(const ShapeSession& session, int handle);
+
+/// Makes the selected point of a picture hold the angle that the shape has there now, or lets it turn with
+/// the shape again; one undo step.
+void setHoldsAngle(ShapeSession& session, int handle, bool holds);
+
 }  // namespace wend

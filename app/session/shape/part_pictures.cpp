@@ -6,7 +6,9 @@
 
 #include "app/document/file/named_files.h"
 #include "core/mesh/error.h"
+#include "core/mesh/input_file.h"
 #include "warp/drawn_picture.h"
+#include "warp/layer_merging.h"
 #include "warp/layered_file.h"
 #include "warp/picture_metadata.h"
 
@@ -16,7 +18,8 @@ namespace {
 /// The layers that a file lists, and its size.
 struct LayersOfFile {
     int width = 0, height = 0;
-    std::vector<PictureLayer> layers;
+    std::vector<PictureLayer> layers;  // from front to back
+    std::vector<ShownLayer> shown;
 };
 
 /// Reads pictures of parts, each file's list of layers once.
@@ -29,6 +32,8 @@ class PartReader {
         const std::string path = pathIn(m_folder, part.path);
         if (part.layer.empty()) return std::make_shared<const Image>(readImage(path, m_drawn, m_notices));
         const LayersOfFile& file = layersOf(path);
+        if (const ShownLayer* merged = mergedNamed(file, part.layer))
+            return std::make_shared<const Image>(pictureOf(file, path, *merged, part.blend.has_value()));
         const PictureLayer& layer = named(file, path, part.layer);
         auto picture = std::make_shared<const Image>(readLayer(path, part.layer, m_drawn, m_notices));
         if (m_notices) tellOf(layer, path, part.blend.has_value());
@@ -39,7 +44,11 @@ class PartReader {
         const auto [found, isNew] = m_files.try_emplace(path);
         if (!isNew) return found->second;
         const Image header = readImageHeader(path, m_drawn);
-        found->second = {header.width, header.height, fileMetadata(header)->layers};
+        found->second = {header.width,
+                         header.height,
+                         fromTheFront(fileMetadata(header)->layers, pictureFormat(InputFile(path))),
+                         {}};
+        found->second.shown = shownLayers(found->second.layers);
         return found->second;
     }
     /// Sets place, opacity and visibility of a sheet: the project's, otherwise those of the layer's file.
@@ -48,7 +57,9 @@ class PartReader {
         sheet.at = part.at.value_or(Vec<2>::Zero());
         if (!part.layer.empty()) {
             const std::string path = pathIn(m_folder, part.path);
-            const PictureLayer& layer = named(layersOf(path), path, part.layer);
+            const LayersOfFile& file = layersOf(path);
+            const ShownLayer* merged = mergedNamed(file, part.layer);
+            const PictureLayer& layer = merged ? merged->layer : named(file, path, part.layer);
             if (!part.at) sheet.at = {layer.x, layer.y};
             if (part.opacity == 1) sheet.opacity = layer.opacity;
             sheet.blend = blendNamed(layer.blend).value_or(BlendMode::Normal);
@@ -58,11 +69,35 @@ class PartReader {
     }
 
   private:
+    /// Returns what is shown of several layers under that name; null if it is a layer's.
+    static const ShownLayer* mergedNamed(const LayersOfFile& file, const std::string& name) {
+        const auto found = std::ranges::find_if(
+            file.shown, [&](const ShownLayer& one) { return !one.merges.empty() && one.layer.name == name; });
+        return found == file.shown.end() ? nullptr : &*found;
+    }
+
+    Image pictureOf(const LayersOfFile& file, const std::string& path, const ShownLayer& merged,
+                    bool hasOwnBlend) {
+        const auto read = [&](const std::string& layer) {
+            return readLayer(path, layer, m_drawn, m_notices);
+        };
+        std::vector<std::string> notices;
+        Image picture = mergedPicture(file.layers, merged, read, &notices).picture;
+        if (!m_notices) return picture;
+        std::string names;
+        for (const std::string& name : merged.merges) names += (names.empty() ? "\"" : ", \"") + name + '"';
+        m_notices->push_back(path + ": the layers " + names + " are shown as one");
+        for (const std::string& notice : notices) m_notices->push_back(path + ": " + notice);
+        tellOf(merged.layer, path, hasOwnBlend);
+        return picture;
+    }
     void tellOf(const PictureLayer& layer, const std::string& path, bool hasOwnBlend) {
         const std::string which = path + ": the layer \"" + layer.name + "\" ";
         if (!hasOwnBlend && !blendNamed(layer.blend))
             m_notices->push_back(which + "has the blend mode " + layer.blend + ": it is shown as normal");
         if (layer.clipped) m_notices->push_back(which + "is clipped by the one below: it is shown whole");
+        if (layer.atop && !layer.clipped)
+            m_notices->push_back(which + "is shown without the alpha that it inherits from those below");
         for (const std::string& what : layer.leftOut)
             m_notices->push_back(which + "is shown without " + what);
     }

@@ -7,10 +7,12 @@
 #include "app/document/domain.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/document/edits/outline_edits.h"
+#include "app/document/edits/part_edits.h"
 #include "app/session/colours.h"
 #include "app/session/mark_size.h"
 #include "app/session/part_making.h"
 #include "app/session/shape/flat_shape.h"
+#include "app/session/shape/shape.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/in_steps.h"
 #include "core/mesh/error.h"
@@ -32,6 +34,12 @@ constexpr QRgb kAway = 0xB3261E;
 constexpr double kThin = 3;               // pixels of the screen below which a shape counts as a line
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
+Outline shifted(Outline outline, const Vec<2>& by) {
+    for (auto& loop : outline.loops)
+        for (Vec<2>& p : loop) p += by;
+    return outline;
+}
+
 }  // namespace
 
 OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
@@ -42,8 +50,33 @@ OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
 /// Returns true while the whole picture is deformed, without an outline of the user.
 bool OutlineTool::isFirst() const {
     const Document& document = session().document();
-    return document.picture() && document.domain().outline == OutlineKind::Frame &&
+    return document.picture() && domainOf(*wholeOf(*document.project())).outline == OutlineKind::Frame &&
            m_pen.now().use == OutlineUse::Add;
+}
+
+/// Returns the place of the part whose outline is drawn; −1 for none, or in a picture without parts.
+int OutlineTool::part() const {
+    const std::vector<PicturePart>& parts = session().document().domain().parts;
+    const auto found = std::ranges::find(parts, m_pen.now().part, &PicturePart::name);
+    return found == parts.end() ? -1 : static_cast<int>(found - parts.begin());
+}
+
+/// Returns the picture whose outline is drawn; none while that of a part is not known.
+Sheet OutlineTool::sheet() const {
+    const Document& document = session().document();
+    if (document.domain().parts.empty()) return Sheet{document.picture()};
+    const auto frame = session().frame<2>();
+    const Texture* texture = frame && frame->built ? frame->built->texture.get() : nullptr;
+    if (texture && texture->drawn)
+        for (std::size_t i = 0; i < texture->sheets.size(); ++i)
+            if (texture->drawn->parts[i].name == m_pen.now().part) return texture->sheets[i];
+    return {};
+}
+
+/// Returns the project with the outline that is drawn as that of its domain.
+std::shared_ptr<const Project> OutlineTool::wholeOf(const Project& project) const {
+    const int one = part();
+    return one < 0 ? std::shared_ptr<const Project>(copyOf(project)) : asWhole(project, one);
 }
 
 QString OutlineTool::hint() const {
@@ -96,9 +129,11 @@ bool OutlineTool::isReady() {
     const Document& document = session().document();
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
-    if (!document.domain().parts.empty() && !makesPart()) {
+    if (!document.domain().parts.empty() && !makesPart() && !sheet().picture) {
         session().notify(QCoreApplication::translate(
-            "OutlineTool", "This picture has parts: choose Make a Part to cut another one out."));
+            "OutlineTool",
+            "This picture has parts: choose the one in the list that this outline is for, or Make a Part to "
+            "cut another one out."));
         return false;
     }
     Playback& playback = session().playback();
@@ -274,13 +309,13 @@ bool OutlineTool::isThin(const Outline& drawn) const {
 
 /// Computed again only where it must be.
 const Outline& OutlineTool::outlineOf(const Domain& domain) const {
-    const Document& document = session().document();
     if (domain.outline == OutlineKind::Polygons) return domain.polygons;
-    if (!m_known || m_known->picture != document.picture() || m_known->kind != domain.outline ||
-        m_known->alpha != domain.alpha) {
-        m_known = Known{document.picture(), domain.outline, domain.alpha, {}};
+    const Sheet own = sheet();
+    if (!m_known || m_known->picture != own.picture || m_known->at != own.at ||
+        m_known->kind != domain.outline || m_known->alpha != domain.alpha) {
+        m_known = Known{own.picture, own.at, domain.outline, domain.alpha, {}};
         try {
-            m_known->outline = domainOutline(domain, *document.picture());
+            m_known->outline = shifted(domainOutline(domain, *own.picture), own.at);
         } catch (const InputError&) {  // fully transparent: the drawn area becomes the outline
         }
     }
@@ -318,11 +353,28 @@ bool OutlineTool::isLive() const {
     return m_taken && m_taken->after == session().document().project();
 }
 
+Outline OutlineTool::outlineOfColourAt(const Vec<2>& at) const {
+    const Sheet own = sheet();
+    if (!own.picture) return {};
+    return shifted(outlineOfColour(*own.picture, at - own.at, m_pen.now().tolerance), own.at);
+}
+
+/// Returns a project with that outline; pins outside it are gone, of a part those that name it.
+std::shared_ptr<const Project> OutlineTool::withOutline(const Project& project, Outline outline,
+                                                        int& pinsGone) const {
+    const int one = part();
+    if (one < 0) {
+        const auto changed = copyOf(project);
+        pinsGone = setOutline(*changed, std::move(outline));
+        return changed;
+    }
+    return withDrawnOutline(project, one, std::move(outline), pinsGone);
+}
+
 /// Repeats the last click with the current tolerance, in the same undo step.
 void OutlineTool::takeAgain() {
     if (!isLive()) return;
-    const Outline found =
-        outlineOfColour(*session().document().picture(), m_taken->at, m_pen.now().tolerance);
+    const Outline found = outlineOfColourAt(m_taken->at);
     if (!found.loops.empty()) apply(*m_taken->before, found, m_taken->takesAway, m_taken->key);
     m_taken->after = session().document().project();
     surface().redraw();
@@ -330,11 +382,15 @@ void OutlineTool::takeAgain() {
 
 void OutlineTool::apply(const Project& project, const Outline& piece, bool takesAway, const QString& key) {
     Document& document = session().document();
-    const Image& picture = *document.picture();
-    const Outline& before = outlineOf(domainOf(project));
-    const bool replaces = !takesAway && domainOf(project).outline == OutlineKind::Frame;
+    const Sheet own = sheet();
+    if (!own.picture) return;
+    const auto whole = wholeOf(project);
+    const Outline& before = outlineOf(domainOf(*whole));
+    const OutlineKind kind = domainOf(*whole).outline;
+    const bool replaces = !takesAway && kind == OutlineKind::Frame;
     const Outline inside =
-        combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
+        combined(piece, shifted(frameOutline(own.picture->width, own.picture->height), own.at),
+                 OutlineOperation::Keep);
     const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
     const double smallest = m_shape == Shape::Cut ? 0 : kSmallest;
     Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, smallest)
@@ -343,8 +399,8 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
         session().notify(QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
         return;
     }
-    const auto changed = copyOf(project);
-    const int pinsGone = setOutline(*changed, std::move(next));
+    int pinsGone = 0;
+    const auto changed = withOutline(project, std::move(next), pinsGone);
     if (pinsGone > 0) {
         session().selection().clear();
         session().notify(QCoreApplication::translate(
@@ -353,7 +409,7 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
-    if (pinsGone == 0 && domainOf(project).outline == OutlineKind::Alpha)
+    if (pinsGone == 0 && kind == OutlineKind::Alpha)
         session().notify(QCoreApplication::translate(
             "OutlineTool",
             "From now on the outline is as you draw it, and has no margin to change. "
@@ -362,17 +418,19 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
 }
 
 void OutlineTool::paintOutline(QPainter& painter) const {
+    const Sheet own = sheet();
+    if (!own.picture) return;
     QPainterPath path;
-    for (const auto& loop : outlineOf(session().document().domain()).loops) {
+    const auto whole = wholeOf(*session().document().project());
+    for (const auto& loop : outlineOf(domainOf(*whole)).loops) {
         QPolygonF polygon;
         for (const Vec<2>& p : loop) polygon << surface().toWidget(p);
         path.addPolygon(polygon);
         path.closeSubpath();
     }
-    const Image& picture = *session().document().picture();
     QPainterPath all;
-    all.addRect(
-        QRectF(surface().toWidget({0, 0}), surface().toWidget(Vec<2>(picture.width, picture.height))));
+    const Vec<2> end = own.at + Vec<2>(own.picture->width, own.picture->height);
+    all.addRect(QRectF(surface().toWidget(own.at), surface().toWidget(end)));
     all.addPath(path);  // even-odd rule: removes the area
     painter.setPen(Qt::NoPen);
     painter.setBrush(kLeftOut);
@@ -388,10 +446,8 @@ void OutlineTool::paintOutline(QPainter& painter) const {
 void OutlineTool::paint(QPainter& painter) const {
     const Document& document = session().document();
     if (!document.picture() || document.domain().kind != DomainKind::Image) return;
-    if (document.domain().parts.empty())
-        paintOutline(painter);
-    else if (!makesPart())
-        return;
+    if (!makesPart() && !sheet().picture) return;
+    if (document.domain().parts.empty() || !makesPart()) paintOutline(painter);
     m_cross.paint(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
     painter.setPen(QPen(colour, marked(1.5)));

@@ -8,6 +8,7 @@
 #include "app/tools/outline_settings.h"
 #include "app/tools/tool_kind.h"
 #include "core/meshing/outline.h"
+#include "warp/atlas.h"
 #include "warp/outline.h"
 
 namespace wend {
@@ -52,7 +53,12 @@ class OutlineTool : public ShapeTool<2> {
     bool isThin(const Outline& drawn) const;
     Outline slit(double tolerance) const;
     Outline inPicture(const QPainterPath& area) const;
+    int part() const;
+    Sheet sheet() const;
+    std::shared_ptr<const Project> wholeOf(const Project& project) const;
     const Outline& outlineOf(const Domain& domain) const;
+    Outline outlineOfColourAt(const Vec<2>& at) const;
+    std::shared_ptr<const Project> withOutline(const Project& project, Outline outline, int& pinsGone) const;
     void finish(Qt::KeyboardModifiers modifiers);
     void takeColour(const QMouseEvent& event);
     void takeAgain();
@@ -70,6 +76,7 @@ class OutlineTool : public ShapeTool<2> {
     QPointF m_at;
     struct Known {  // the outline that follows from the picture
         std::shared_ptr<const Image> picture;
+        Vec<2> at = Vec<2>::Zero();
         OutlineKind kind = OutlineKind::Frame;
         AlphaOutlineOptions alpha;
         Outline outline;

@@ -34,7 +34,7 @@ template <int Dim>
 QString PenTool<Dim>::hint() const {
     if (isDrawing() && m_pressed)
         return QCoreApplication::translate(
-            "PenTool", "Drag for a smooth point: Shift snaps to 45°, Alt moves this side only");
+            "PenTool", "Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only");
     if (isDrawing())
         return QCoreApplication::translate("PenTool",
                                            "Click for a corner, drag for a smooth point, Shift snaps to 45°; "
@@ -141,7 +141,7 @@ template <int Dim>
 void PenTool<Dim>::move(const QMouseEvent& event) {
     takePointer(event);
     if (m_pressed && isDrawing() && QLineF(m_at, m_from).length() >= kArmDrag)
-        pullDirections(event.modifiers() & Qt::AltModifier);
+        pullDirections(event.modifiers() & (Qt::AltModifier | Qt::ControlModifier));
     surface().redraw();
 }
 

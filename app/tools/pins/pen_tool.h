@@ -8,8 +8,8 @@
 namespace wend {
 
 /// Draws the path of the selected pins, or of a clicked pin: a click adds a corner, a drag a smooth point.
-/// Shift constrains both to steps of 45°; with Alt a drag changes only the direction after the point. In
-/// space every point has the depth of the one before. The path is one undo step; other changes cancel it.
+/// Shift constrains both to steps of 45°; with Ctrl or Alt a drag changes only the direction after the point.
+/// In space every point has the depth of the one before. The path is one undo step; other changes cancel it.
 template <int Dim>
 class PenTool : public ShapeTool<Dim> {
   public:

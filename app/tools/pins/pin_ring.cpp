@@ -36,7 +36,7 @@ std::optional<PinRing::Part> PinRing::partAt(const ToolSurface& surface, const Q
     return {};
 }
 
-bool PinRing::isRefusedAt(const ToolSurface& surface, const QPointF& widget) const {
+bool PinRing::turnsPointAt(const ToolSurface& surface, const QPointF& widget) const {
     const double radius = QLineF(surface.toWidget(m_centre), widget).length();
     return !m_canTurn && std::abs(radius - marked(kRadius)) <= marked(kRingReach);
 }
@@ -109,7 +109,12 @@ void PinRing::paint(QPainter& painter, const ToolSurface& surface, const std::op
         painter.setPen(pen);
         painter.drawEllipse(centre, radius, radius);
     }
-    if (!m_canTurn) return;
+    if (!m_canTurn) {
+        painter.setPen(QPen(Qt::white, marked(1.5)));
+        painter.setBrush(accent);
+        const QPointF dot = spot(Grip::Kind::Turn, centre);
+        return painter.drawEllipse(dot, marked(kDot), marked(kDot));
+    }
     const auto size = [&lit](Grip::Kind kind, double usual) {
         return marked(usual + (lit == Part{kind} ? 1.5 : 0));
     };

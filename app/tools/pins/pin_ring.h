@@ -9,7 +9,7 @@
 namespace wend {
 
 /// The ring around the selection in a picture, of constant size on the screen: its dot rotates, its square
-/// scales. It is dotted around a single point, which can do neither.
+/// scales. It is dotted around a single point, which becomes a small disc when its ring is dragged.
 class PinRing : public GizmoBase<2> {
   public:
     /// Pins take precedence over parts above them.
@@ -23,8 +23,8 @@ class PinRing : public GizmoBase<2> {
     /// Returns the part that a drag from anywhere uses; none if pins are moved directly.
     std::optional<Part> anywhere() const;
     std::optional<Part> partAt(const ToolSurface& surface, const QPointF& widget) const;
-    /// Returns true if a drag from here would rotate a single point.
-    bool isRefusedAt(const ToolSurface& surface, const QPointF& widget) const;
+    /// Returns true if a drag from here rotates a single point.
+    bool turnsPointAt(const ToolSurface& surface, const QPointF& widget) const;
     /// Returns the hint over a part.
     static QString hint();
 

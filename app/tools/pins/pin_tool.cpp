@@ -149,21 +149,30 @@ void PinTool<Dim>::move(const QMouseEvent& event) {
     surface().redraw();
 }
 
+/// Returns whether the drag of a pin widens it. Window managers take drags with Alt alone.
+template <int Dim>
+bool PinTool<Dim>::widens() const {
+    constexpr Qt::KeyboardModifiers kBoth = Qt::ControlModifier | Qt::ShiftModifier;
+    return m_with & Qt::AltModifier || (m_with & kBoth) == kBoth;
+}
+
 /// Starts the gesture of the pressed item: a part of the gizmo, a pin, the bare shape, or none.
 template <int Dim>
 void PinTool<Dim>::begin() {
     const bool onPin = isSelected(m_pressed);
-    if (onPin && m_with & Qt::AltModifier) {
+    if (onPin && widens()) {
         session().selection().set({m_pressed});
         m_gesture = Gesture::Widen;
         return;
     }
     const bool isPlaced = placeGizmo();
     if (isPlaced) m_part = litPart();
-    if (m_part && refuse(*m_part)) return;
-    // A pull at the dotted ring of a point attempts a rotation.
-    const bool wantsTurn = isPlaced && !onPin && m_gizmo.isRefusedAt(surface(), m_from);
-    if (wantsTurn && refuse({Grip::Kind::Turn})) return;
+    if (isPlaced && !m_part && !onPin && m_gizmo.turnsPointAt(surface(), m_from))
+        m_part = Part{Grip::Kind::Turn};
+    if (m_part && !canUse(*m_part)) {
+        m_gesture = Gesture::None;
+        return;
+    }
     if (m_part || onPin || setPin())
         beginDrag(m_part.value_or(Part{}));
     else
@@ -183,13 +192,20 @@ bool PinTool<Dim>::setPin() {
     return m_sets;
 }
 
-/// Refuses what a single point cannot do, with a notice.
+/// Widens a single point before it rotates or scales: its disc begins at the angle that the shape has there.
 template <int Dim>
-bool PinTool<Dim>::refuse(const Part& part) {
-    if (part.kind == Grip::Kind::Move || m_gizmo.canTurn()) return false;
-    m_gesture = Gesture::None;
-    session().notify(refusal(part.kind));
-    return true;
+bool PinTool<Dim>::canUse(const Part& part) {
+    m_lead = 0;
+    const int handle = session().singleHandle();
+    if (part.kind == Grip::Kind::Move || m_gizmo.canTurn() || !holdsPoint<Dim>(session(), handle))
+        return true;
+    if (Dim == 2 && part.kind == Grip::Kind::Turn) m_lead = angleAt(session(), handle);
+    const Vec<Dim> point = m_gizmo.centre();
+    session().document().beginStep();
+    m_sets = widenPoint<Dim>(session(), handle);
+    if (!m_sets) session().document().endStep();
+    m_gizmo.place(point, m_sets);  // not at the mean of the disc's vertices
+    return m_sets;
 }
 
 template <int Dim>
@@ -207,6 +223,7 @@ template <int Dim>
 void PinTool<Dim>::drag(bool snaps) {
     const bool isFree = m_gizmo.part().kind == Grip::Kind::Move && m_gizmo.part().axis < 0;
     m_amount = m_gizmo.drag(surface(), reached(snaps && isFree), snaps);
+    if (m_gizmo.part().kind == Grip::Kind::Turn) m_amount[0] += m_lead;
     if (!m_typed.isEmpty()) m_amount = m_gizmo.typed(m_typed.value(), surface());
     session().dragBy(m_amount, m_seconds);
 }
@@ -228,6 +245,7 @@ template <int Dim>
 void PinTool<Dim>::finishDrag() {
     m_gesture = Gesture::None;
     m_part.reset();
+    m_lead = 0;
     const double pixel = surface().pixelSize(m_gizmo.centre());
     if (!std::exchange(m_typed, TypedNumber()).isEmpty())
         session().endDragStraight();

@@ -68,7 +68,8 @@ class PinTool : public ShapeTool<Dim> {
     }
     void begin();
     bool setPin();
-    bool refuse(const Part& part);
+    bool widens() const;
+    bool canUse(const Part& part);
     void beginDrag(const Part& part);
     /// Returns the pointer's place; with `steps` constrained to eight directions from the pressed place.
     QPointF reached(bool steps) const { return steps ? m_from + inSteps(m_at - m_from) : m_at; }
@@ -84,7 +85,7 @@ class PinTool : public ShapeTool<Dim> {
     bool keyInDrag(const QKeyEvent& event);
     QString besideHint() const;
     QString gripHint() const;
-    static QString refusal(Grip::Kind kind);
+    static QString pointHint(Grip::Kind kind);
     void paintWidened(QPainter& painter) const;
 
     mutable Gizmo<Dim> m_gizmo;  // where the selection was last seen
@@ -101,7 +102,8 @@ class PinTool : public ShapeTool<Dim> {
     int m_pressed = -1, m_hovered = -1;
     std::optional<Part> m_part;  // pressed, or under the pointer
     bool m_leaves = false;       // deselects on a click without a drag
-    bool m_sets = false;         // the pin that is dragged is new
+    bool m_sets = false;         // the drag's step began with a new pin, or a point that became wide
+    double m_lead = 0;           // radians that the shape had been rotated at a point that is rotated
     Amount m_amount = Amount::Zero();
     TypedNumber m_typed;
     QObject m_listener;  // to the choice

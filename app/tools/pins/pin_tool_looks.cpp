@@ -30,18 +30,18 @@ QString PinTool<Dim>::hint() const {
     if (m_hovered >= 0)
         return QCoreApplication::translate(
             "PinTool",
-            "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
+            "Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, "
             "Shift-click to select more");
     if (isOver && m_curve.isOnCurve(m_at)) return curveHint(false);
-    return isPlaced && m_over && m_gizmo.isRefusedAt(surface(), m_at) ? refusal(Grip::Kind::Turn)
-                                                                      : besideHint();
+    return isPlaced && m_over && m_gizmo.turnsPointAt(surface(), m_at) ? pointHint(Grip::Kind::Turn)
+                                                                       : besideHint();
 }
 
 /// Returns the hint of a rotating or scaling drag.
 template <int Dim>
 QString PinTool<Dim>::gripHint() const {
     const Grip::Kind kind = m_gizmo.anywhere()->kind;
-    if (!m_gizmo.canTurn()) return refusal(kind);
+    if (!m_gizmo.canTurn()) return pointHint(kind);
     return kind == Grip::Kind::Turn
                ? QCoreApplication::translate(
                      "PinTool",
@@ -53,12 +53,13 @@ QString PinTool<Dim>::gripHint() const {
                      "the number");
 }
 
-/// Explains what a single point cannot do.
+/// Returns the hint of a drag that rotates or scales a single point.
 template <int Dim>
-QString PinTool<Dim>::refusal(Grip::Kind kind) {
+QString PinTool<Dim>::pointHint(Grip::Kind kind) {
     return kind == Grip::Kind::Grow
-               ? QCoreApplication::translate("PinTool", "A point cannot scale – Alt-drag to widen it")
-               : QCoreApplication::translate("PinTool", "A point cannot rotate – Alt-drag to widen it");
+               ? QCoreApplication::translate("PinTool", "Drag to scale: the point becomes a small circle")
+               : QCoreApplication::translate(
+                     "PinTool", "Drag to rotate: the point becomes a small circle, which holds its angle");
 }
 
 /// Returns the hint for a press outside all pins.
@@ -124,13 +125,13 @@ void PinTool<Dim>::paintWidened(QPainter& painter) const {
     }
 }
 
-#define WEND_INSTANTIATE(Dim)                           \
-    template QString PinTool<Dim>::hint() const;        \
-    template QString PinTool<Dim>::gripHint() const;    \
-    template QString PinTool<Dim>::besideHint() const;  \
-    template QString PinTool<Dim>::refusal(Grip::Kind); \
-    template QCursor PinTool<Dim>::cursor() const;      \
-    template void PinTool<Dim>::paint(QPainter&) const; \
+#define WEND_INSTANTIATE(Dim)                             \
+    template QString PinTool<Dim>::hint() const;          \
+    template QString PinTool<Dim>::gripHint() const;      \
+    template QString PinTool<Dim>::besideHint() const;    \
+    template QString PinTool<Dim>::pointHint(Grip::Kind); \
+    template QCursor PinTool<Dim>::cursor() const;        \
+    template void PinTool<Dim>::paint(QPainter&) const;   \
     template void PinTool<Dim>::paintWidened(QPainter&) const
 
 WEND_INSTANTIATE(2);

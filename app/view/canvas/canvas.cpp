@@ -73,14 +73,29 @@ bool ShapeCanvas::isSettled() const {
            (m_drawn->request.allOfPicture == showsPicture() || !m_session.document().domain().parts.empty());
 }
 
+/// Returns which cells belong to hidden parts; nothing if there are none.
+std::vector<bool> ShapeCanvas::untouchable(const SimplicialMesh<2>& rest) const {
+    const std::vector<PicturePart>& parts = m_session.document().domain().parts;
+    std::vector<bool> cells;
+    for (const MeshPart& range : rest.parts) {
+        const auto part = std::ranges::find(parts, range.name, &PicturePart::name);
+        if (part == parts.end() || !part->hidden) continue;
+        cells.resize(rest.cells.size());
+        std::fill(cells.begin() + range.firstCell, cells.begin() + range.endCell, true);
+    }
+    return cells;
+}
+
 /// Returns the visible one of overlapping cells.
 std::optional<Touch<2>> ShapeCanvas::touch(const QPointF& widget) const {
     const auto frame = m_session.frame<2>();
     if (!frame) return {};
     const Vec<2> p = toShape(widget);
     const std::vector<float>& depth = *depths();
+    const std::vector<bool> closed = untouchable(*frame->rest);
     std::optional<Touch<2>> best;
     for (int c = 0; c < frame->rest->cellCount(); ++c) {
+        if (!closed.empty() && closed[static_cast<std::size_t>(c)]) continue;
         const Cell<2>& cell = frame->rest->cells[static_cast<std::size_t>(c)];
         const Vec<2> a = frame->pose.col(cell[0]), u = frame->pose.col(cell[1]) - a,
                      v = frame->pose.col(cell[2]) - a, w = p - a;

@@ -86,6 +86,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     void tabletEvent(QTabletEvent* event) override { takePressure(*event); }
 
   private:
+    std::vector<bool> untouchable(const SimplicialMesh<2>& rest) const;
     enum class Fitted { No, Picture, Pose };
     void takeOpened();
     void fitTo(Fitted what);

@@ -86,7 +86,7 @@ Group pointer(int dimension) {
             QT_TRANSLATE_NOOP("CheatSheet", "sets the point to turn around"));
         return group;
     }
-    add(QT_TRANSLATE_NOOP("CheatSheet", "Alt-drag a pin"),
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Ctrl+Shift-drag a pin"),
         QT_TRANSLATE_NOOP("CheatSheet", "widens it to a circle"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Drag the ring's dot or square"),
         QT_TRANSLATE_NOOP("CheatSheet", "rotates or scales; Shift snaps to 15°"));

@@ -33,6 +33,7 @@ class InfoBanner : public QWidget {
         SoftEdges,
         LineArt,
         Parts,
+        Riding,
         Spring
     };
     /// A button that puts it right.

@@ -1,8 +1,11 @@
 // A file with layers in the window: opened as parts, which a list hides, renames, orders, joins and lets
 // ride; the canvas shows what the export writes.
 
+#include <Eigen/Geometry>
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QUndoStack>
 #include <QtTest>
@@ -10,9 +13,13 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/panels/fields/option_field.h"
+#include "app/panels/mesh_panel.h"
 #include "app/panels/part_list.h"
 #include "app/session/run/frame_export.h"
 #include "app/session/run/run.h"
+#include "app/session/shape/mesh_parts.h"
+#include "app/session/stray_parts.h"
 #include "app/view/files/file_workflow.h"
 #include "app/view/notices/info_banner.h"
 #include "tests/support/pictures.h"
@@ -33,6 +40,13 @@ class TestPartList : public QObject {
     void canvasIsTheExport();
     void partIsBlended();
     void picturesOpenTogether();
+    void partsHaveTheirOutlines();
+    void outlinesOfPartsAreDrawn();
+    void orderChangesFromHere();
+    void hiddenPartsAreNotTouched();
+    void edgesAreSoftened();
+    void whatStaysBehindMayRide();
+    void islandsMayRide();
 
   private:
     void dragged();
@@ -251,6 +265,218 @@ void TestPartList::picturesOpenTogether() {
     m_f->window().files().openAll(QStringList{front, project});
     auto* banner = m_f->window().findChild<InfoBanner*>();
     QTRY_VERIFY(banner->text().contains("only pictures are opened together"));
+}
+
+/// Of the part that is chosen in the list, until all have the same again.
+void TestPartList::partsHaveTheirOutlines() {
+    QVERIFY(settle(m_f->session()));
+    MeshPanel& mesh = m_f->window().properties().mesh();
+    const auto boxOf = [this](const std::string& name) {
+        const auto frame = m_f->session().frame<2>();
+        Eigen::AlignedBox2d box;
+        for (const MeshPart& part : frame->rest->parts)
+            for (int v = part.firstVertex; part.name == name && v < part.endVertex; ++v)
+                box.extend(Vec<2>(frame->rest->points.col(v)));
+        return box;
+    };
+    const double bar = boxOf("bar").min().x(), before = boxOf("board").min().x();
+    auto* whose = mesh.findChild<QComboBox*>("outlineOf");
+    QCOMPARE(whose->currentText(), QString("All parts"));
+    list().setCurrentRow(2);
+    QCOMPARE(whose->currentText(), QString("board"));
+    const auto field = [&](const char* key) { return mesh.findChild<OptionField*>(key); };
+    const int steps = undo().count();
+    field("domain.outline.margin")->setNumber(9);
+    emit field("domain.outline.margin")->changed();
+    QCOMPARE(undo().count(), steps + 1);
+    const Domain& domain = m_f->session().document().domain();
+    QVERIFY(parts()[2].outline && parts()[2].outline->alpha.margin == 9);
+    QVERIFY(!parts()[1].outline && domain.alpha.margin != 9);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(std::abs(boxOf("bar").min().x() - bar) < 1);
+    field("domain.vertices")->setNumber(700);
+    emit field("domain.vertices")->changed();
+    QCOMPARE(parts()[2].vertices, 700);
+    QVERIFY(domain.vertices != 700);
+    QVERIFY(settle(m_f->session()));
+    const MeshPart& range = m_f->session().frame<2>()->rest->parts[0];
+    QCOMPARE(range.name, std::string("board"));
+    QVERIFY(std::abs(range.endVertex - range.firstVertex - 700) < 200);
+    mesh.findChild<QAbstractButton*>("outlineAsAll")->click();
+    QVERIFY(!parts()[2].outline && parts()[2].vertices == 0);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(std::abs(boxOf("board").min().x() - before) < 1);
+    emit whose->activated(0);
+    QCOMPARE(whose->currentIndex(), 0);
+}
+
+/// With Ctrl the lasso takes the right half away from the chosen part, and from no other.
+void TestPartList::outlinesOfPartsAreDrawn() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    list().setCurrentRow(2);
+    m_f->tool("outlineLasso")->trigger();
+    ShapeCanvas& canvas = m_f->window().canvas();
+    const auto at = [&](double x, double y) { return canvas.toWidget({x, y}).toPoint(); };
+    QTest::mousePress(&canvas, Qt::LeftButton, Qt::ControlModifier, at(50, 4));
+    for (const auto& [x, y] : {std::pair{50, 86}, {110, 86}, {110, 4}, {52, 4}}) {
+        QMouseEvent move(QEvent::MouseMove, at(x, y), canvas.mapToGlobal(at(x, y)), Qt::NoButton,
+                         Qt::LeftButton, Qt::ControlModifier);
+        QCoreApplication::sendEvent(&canvas, &move);
+    }
+    QTest::mouseRelease(&canvas, Qt::LeftButton, Qt::ControlModifier, at(52, 4));
+    QVERIFY(parts()[2].outline && parts()[2].outline->kind == OutlineKind::Polygons);
+    QVERIFY(!parts()[1].outline);
+    QVERIFY(settle(session));
+    double board = 0, bar = 0;
+    const SimplicialMesh<2>& rest = *session.frame<2>()->rest;
+    for (const MeshPart& part : rest.parts)
+        for (int v = part.firstVertex; v < part.endVertex; ++v) {
+            double& most = part.name == "board" ? board : bar;
+            most = std::max(most, rest.points(0, v));
+        }
+    QVERIFY2(std::abs(board - 50) < 1.5, qPrintable(QString::number(board)));
+    QVERIFY(bar > 155);
+}
+
+/// The pictures of a time before and of one after say which is in front.
+void TestPartList::orderChangesFromHere() {
+    ShapeSession& session = m_f->session();
+    session.addPin<2>({20, 70});
+    session.addPin<2>({150, 40});
+    QVERIFY(settle(session));
+    session.beginDrag();
+    session.dragTo({2, 2});
+    session.endDrag(0.2);
+    QVERIFY(settle(session));
+    list().setCurrentRow(2);
+    session.playback().setTime(0.5);
+    panel().findChild<QAbstractButton*>("partFrontFromHere")->click();
+    QCOMPARE(parts()[2].order.size(), std::size_t{1});
+    QCOMPARE(parts()[2].order[0].time, 0.5);
+    QVERIFY(parts()[2].order[0].place < 0);
+    QVERIFY(settle(session));
+    const auto colourAt = [&](double time) {
+        session.playback().setTime(time);
+        const QString path = m_folder.filePath("order.png");
+        const FrameExport frame(session.document(), session.frame(), {}, 1);
+        std::string remark;
+        frame.write(ExportKind::Picture, path.toStdString(), {}, {}, remark);
+        return QImage(path).pixelColor(70, 33);  // of bar and board
+    };
+    QVERIFY(colourAt(0.25).red() > 250);
+    QVERIFY(colourAt(0.75).green() > 250);
+    auto* times = panel().findChild<QLabel*>("partOrderTimes");
+    QVERIFY(times->isVisibleTo(&panel()) && !times->text().isEmpty());
+    panel().findChild<QAbstractButton*>("partOrderNever")->click();
+    QVERIFY(parts()[2].order.empty());
+    QVERIFY(settle(session));
+    QVERIFY(colourAt(0.75).red() > 250);
+}
+
+/// A click reaches what is behind a hidden part.
+void TestPartList::hiddenPartsAreNotTouched() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    const ShapeCanvas& canvas = m_f->window().canvas();
+    const auto touched = [&] {
+        const auto touch = canvas.touch(canvas.toWidget({70, 35}));
+        return touch ? partNameOf(*session.frame<2>()->rest, touch->place.cell) : std::string();
+    };
+    QCOMPARE(touched(), std::string("bar"));
+    list().item(1)->setCheckState(Qt::Unchecked);
+    QTRY_VERIFY(parts()[1].hidden);
+    QVERIFY(settle(session));
+    QCOMPARE(touched(), std::string("board"));
+}
+
+/// The field is there for what was cut out, whose picture is remade.
+void TestPartList::edgesAreSoftened() {
+    auto* edge = panel().findChild<QDoubleSpinBox*>("partFeather");
+    list().setCurrentRow(1);
+    QVERIFY(!edge->isVisible());
+    Domain domain = m_f->session().document().domain();
+    PicturePart piece;
+    piece.name = "piece";
+    piece.cutFrom = "board";
+    piece.cut.loops = {{{20, 50}, {60, 50}, {60, 78}, {20, 78}}};
+    piece.outline = PartOutline{OutlineKind::Alpha, {}, {}};
+    domain.parts.insert(domain.parts.begin(), piece);
+    m_f->session().document().changeDomain("cut", domain);
+    QVERIFY(settle(m_f->session()));
+    const auto alphaAt = [&](int x) {
+        const Texture& texture = *m_f->session().frame<2>()->built->texture;
+        const Sheet& sheet = texture.sheets.back();
+        const Image& picture = *sheet.picture;
+        return std::to_integer<int>(
+            picture.row(64 - static_cast<int>(sheet.at.y()))[4 * (x - static_cast<int>(sheet.at.x())) + 3]);
+    };
+    QCOMPARE(alphaAt(22), 255);
+    list().setCurrentRow(0);
+    QVERIFY(edge->isVisible() && edge->value() == 0);
+    edge->setValue(8);
+    QCOMPARE(parts()[0].feather, 8.0);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(alphaAt(22) > 128 && alphaAt(22) < 255);
+    QCOMPARE(alphaAt(40), 255);
+    undo().undo();
+    QCOMPARE(parts()[0].feather, 0.0);
+}
+
+/// The bar has no pin and is the smaller one; a click attaches it, and it goes along.
+void TestPartList::whatStaysBehindMayRide() {
+    ShapeSession& session = m_f->session();
+    session.addPin<2>({20, 70});
+    QVERIFY(settle(session));
+    session.beginDrag();
+    session.dragTo({5, 4});
+    session.endDrag(0.2);
+    QVERIFY(settle(session));
+    auto* banner = m_f->window().findChild<InfoBanner*>();
+    QTRY_VERIFY(banner->text().contains("ride on “board”"));
+    QAbstractButton* ride = nullptr;
+    for (auto* button : banner->findChildren<QAbstractButton*>())
+        if (button->text() == "Let It Ride") ride = button;
+    QVERIFY(ride);
+    ride->click();
+    QCOMPARE(parts()[1].ridesOn, std::string("board"));
+    QVERIFY(settle(session));
+    QVERIFY(!banner->text().contains("ride on"));
+}
+
+/// Two blobs of one picture: the one without a pin becomes a part that follows the other one's map, which is
+/// a translation.
+void TestPartList::islandsMayRide() {
+    Image picture = plainPicture(120, 60, {0, 0, 0, 0});
+    const auto fill = [&](int x0, int y0, int x1, int y1) {
+        for (int y = y0; y < y1; ++y)
+            for (int x = x0; x < x1; ++x)
+                for (int c = 0; c < 4; ++c) picture.row(y)[4 * x + c] = std::byte{200};
+    };
+    fill(10, 10, 60, 50), fill(80, 20, 96, 36);
+    const QString path = m_folder.filePath("blobs.png");
+    writeImage(path.toStdString(), picture);
+    QVERIFY(m_f->openFile(path));
+    ShapeSession& session = m_f->session();
+    session.addPin<2>({35, 30});
+    QVERIFY(settle(session));
+    session.beginDrag();
+    session.dragTo({0, 7});
+    session.endDrag(0.2);
+    QVERIFY(settle(session));
+    const std::vector<StrayPart> strays = strayParts(session);
+    QCOMPARE(strays.size(), std::size_t{1});
+    session.document().change("ride", withRiders(*session.document().project(), strays));
+    QVERIFY(settle(session));
+    QCOMPARE(parts().size(), std::size_t{2});
+    QCOMPARE(parts()[0].ridesOn, parts()[1].name);
+    const QString out = m_folder.filePath("ridden.png");
+    const FrameExport frame(session.document(), session.frame(), {}, 1);
+    std::string remark;
+    frame.write(ExportKind::Picture, out.toStdString(), {}, {}, remark);
+    const QImage seen(out);
+    for (const auto& [y, alpha] : {std::pair{21, 0}, {25, 0}, {29, 200}, {40, 200}, {46, 0}})
+        QVERIFY2(std::abs(qAlpha(seen.pixel(88, y)) - alpha) <= 2, qPrintable(QString::number(y)));
 }
 
 QTEST_MAIN(TestPartList)

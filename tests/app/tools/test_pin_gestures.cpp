@@ -1,10 +1,12 @@
 // What the hand does with the pin tool, on pictures and on solids from one body: pins that are set and
 // dragged at once, chosen by what is drawn beside them, widened, and dragged along an axis by a number.
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QToolBar>
+#include <numbers>
 
 #include "app/document/design.h"
 #include "app/tools/pins/pin_tool.h"
@@ -32,8 +34,10 @@ class TestPinGestures : public QObject {
     void partsAreGrabbed();
     void pinsAreWidened_data() { dimensions(); }
     void pinsAreWidened();
-    void pointsNeitherRotateNorScale_data() { dimensions(); }
-    void pointsNeitherRotateNorScale();
+    void pointsWidenToRotateAndScale_data() { dimensions(); }
+    void pointsWidenToRotateAndScale();
+    void ringsRotatePoints();
+    void pinsHoldTheirAngle();
     void axesAndNumbers_data() { dimensions(); }
     void axesAndNumbers();
     void arrowsFollowTheScreen();
@@ -82,7 +86,9 @@ class TestPinGestures : public QObject {
     template <int Dim>
     void widen();
     template <int Dim>
-    void refuse();
+    void widenByGrip();
+    double angleAround(int handle, double reach);
+    double angleOf(int handle);
     template <int Dim>
     void lock();
     template <int Dim>
@@ -357,7 +363,7 @@ void TestPinGestures::widen() {
     const auto& canvas = Bar<Dim>::canvas(*m_f);
     const QPoint from = canvas.toWidget(pin<Dim>(1)).toPoint();
     const Vec<Dim> middle = pin<Dim>(1);
-    QVERIFY(drag(from, {70, 0}, Qt::AltModifier));
+    QVERIFY(drag(from, {70, 0}, Qt::ControlModifier | Qt::ShiftModifier));
     QCOMPARE(undo().count(), steps + 1);
     const auto* region = std::get_if<Region<Dim>>(&session().document().design<Dim>().handles[1].at);
     const auto* ball = region ? std::get_if<Ball<Dim>>(region) : nullptr;
@@ -374,30 +380,117 @@ void TestPinGestures::widen() {
     QVERIFY(m_f->window().statusBar()->currentMessage().contains(QStringLiteral("smaller than the mesh")));
 }
 
-void TestPinGestures::pointsNeitherRotateNorScale() {
-    BOTH(refuse);
+void TestPinGestures::pointsWidenToRotateAndScale() {
+    BOTH(widenByGrip);
 }
 
+/// A point becomes a disc or a ball in the step of the drag that rotates or scales it.
 template <int Dim>
-void TestPinGestures::refuse() {
-    QVERIFY(open<Dim>({0.0}));
-    session().selection().set({0});
-    const int steps = undo().count();
+void TestPinGestures::widenByGrip() {
+    QVERIFY(open<Dim>({-1.5, 0.0}));
+    const auto place = [this] { return session().document().template design<Dim>().handles[1].at; };
     for (QAction* grip : {pins().turn, pins().grow}) {
+        session().selection().set({1});
+        const int steps = undo().index();
         grip->trigger();
         // In the plane anywhere; in space along a ring of the manipulator: the widest is across the screen.
-        const QPoint middle = Bar<Dim>::canvas(*m_f).toWidget(pin<Dim>(0)).toPoint();
+        const QPoint middle = Bar<Dim>::canvas(*m_f).toWidget(pin<Dim>(1)).toPoint();
         const int radius = grip == pins().turn ? 86 : 68;
         QVERIFY(drag(middle + QPoint(0, -radius), {40, 20}));
-        QCOMPARE(undo().count(), steps);
-        QVERIFY(!session().isDragging());
-        const QString said = m_f->window().statusBar()->currentMessage();
-        QVERIFY2(said.contains(grip == pins().turn ? QStringLiteral("A point cannot rotate")
-                                                   : QStringLiteral("A point cannot scale")),
-                 qPrintable(said));
-        QVERIFY(said.contains(QStringLiteral("Alt-drag")));
+        QCOMPARE(undo().index(), steps + 1);
+        const Placement<Dim> wide = place();
+        QVERIFY(std::holds_alternative<Region<Dim>>(wide));
+        QVERIFY(session().template pins<Dim>()[1].points.size() > std::size_t{Dim});
+        undo().undo();
+        QVERIFY(settle(session()));
+        const Placement<Dim> point = place();
+        QVERIFY(std::holds_alternative<std::vector<Vec<Dim>>>(point));
     }
     pins().move->trigger();
+}
+
+/// Returns the angle of the rotation that fits the points best: atan2(Σ x × y, Σ x · y) of their places at
+/// rest and now, from their means.
+double fittedAngle(const std::vector<Vec<2>>& before, const std::vector<Vec<2>>& after) {
+    const Vec<2> rest = meanOf<2>(before), now = meanOf<2>(after);
+    double cross = 0, dot = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const Vec<2> x = before[i] - rest, y = after[i] - now;
+        cross += x.x() * y.y() - x.y() * y.x(), dot += x.dot(y);
+    }
+    return std::atan2(cross, dot);
+}
+
+/// The angle of the shape around a pin.
+double TestPinGestures::angleAround(int handle, double reach) {
+    const auto frame = session().frame<2>();
+    std::vector<Vec<2>> before, after;
+    for (int v = 0; v < frame->rest->vertexCount(); ++v) {
+        if ((frame->pose.col(v) - pin<2>(handle)).norm() >= reach) continue;
+        before.emplace_back(frame->rest->points.col(v));
+        after.emplace_back(frame->pose.col(v));
+    }
+    return fittedAngle(before, after);
+}
+
+/// The angle of the points that a pin holds.
+double TestPinGestures::angleOf(int handle) {
+    const PinView<2> view = session().pins<2>()[static_cast<std::size_t>(handle)];
+    const auto frame = session().frame<2>();
+    std::vector<Vec<2>> before;
+    for (const Location<2>& place : view.places)
+        before.push_back(positionOf<2>(place, *frame->rest, frame->rest->points));
+    return fittedAngle(before, view.points);
+}
+
+/// From the dotted ring of a point by a quarter: all of its disc is rotated by that, exactly.
+void TestPinGestures::ringsRotatePoints() {
+    QVERIFY(open<2>({-1.5, 0.0}));
+    session().selection().set({1});
+    const QPoint middle = Bar<2>::canvas(*m_f).toWidget(pin<2>(1)).toPoint();
+    press(middle + QPoint(44, 0));
+    for (int k = 1; k <= 9; ++k) {
+        const double angle = k * std::numbers::pi / 18;
+        moveBy(middle + QPoint(qRound(44 * std::cos(angle)), qRound(44 * std::sin(angle))), {});
+    }
+    QVERIFY(let(middle + QPoint(0, 44)));
+    const auto& ball = std::get<Ball<2>>(std::get<Region<2>>(session().document().design<2>().handles[1].at));
+    const double shown =
+        Bar<2>::canvas(*m_f).toShape(QPointF(0, 1)).y() - Bar<2>::canvas(*m_f).toShape(QPointF(0, 0)).y();
+    const double angle = angleOf(1);
+    QVERIFY2(std::abs(angle - std::copysign(std::numbers::pi / 2, shown)) < 0.03,
+             qPrintable(QString::number(angle)));
+    QVERIFY((pin<2>(1) - ball.centre).norm() < 0.5 * ball.radius);  // the mean of its vertices
+}
+
+/// The angle that the bent shape has at a point is that of the disc; without it the pin is a point again.
+void TestPinGestures::pinsHoldTheirAngle() {
+    QVERIFY(open<2>({-1.5, 0.0, 1.5}));
+    const QPoint end = Bar<2>::canvas(*m_f).toWidget(pin<2>(2)).toPoint();
+    QVERIFY(drag(end, {-30, 90}));
+    session().selection().set({1});
+    auto* check = m_f->window().findChild<QCheckBox*>(QStringLiteral("holdsAngle"));
+    QVERIFY(check && check->isVisible() && !check->isChecked());
+    const double reach = 0.15 * Bar<2>::kUnit, before = angleAround(1, reach);
+    QVERIFY(std::abs(before) > 0.1);
+    const int steps = undo().count();
+    QTest::mouseClick(check, Qt::LeftButton, {}, QPoint(8, check->height() / 2));
+    QVERIFY(settle(session()));
+    QCOMPARE(undo().count(), steps + 1);
+    QVERIFY(check->isChecked());
+    const double after = angleAround(1, reach);
+    QVERIFY2(std::abs(after - before) < 0.1, qPrintable(QString("%1 %2").arg(before).arg(after)));
+    const double held = angleOf(1);
+    QVERIFY2(std::abs(held - before) < 0.1, qPrintable(QString("%1 %2").arg(before).arg(held)));
+    // The end goes on, the disc does not rotate with it.
+    session().selection().set({2});
+    const QPoint next = Bar<2>::canvas(*m_f).toWidget(pin<2>(2)).toPoint();
+    QVERIFY(drag(next, {-60, 40}));
+    QVERIFY(std::abs(angleOf(1) - held) < 1e-3);
+    session().selection().set({1});
+    QTest::mouseClick(check, Qt::LeftButton, {}, QPoint(8, check->height() / 2));
+    QVERIFY(!check->isChecked());
+    QVERIFY(std::holds_alternative<std::vector<Vec<2>>>(session().document().design<2>().handles[1].at));
 }
 
 void TestPinGestures::axesAndNumbers() {

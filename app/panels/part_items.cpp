@@ -1,0 +1,99 @@
+#include "app/panels/part_items.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPixmap>
+#include <algorithm>
+
+#include "app/panels/look/theme.h"
+#include "warp/convert.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kIconSamples = 224;  // along the longer side of a picture, before its empty border is cut off
+constexpr int kIconScale = 2;      // pixels of the icon per pixel of the screen
+
+QString partWords(const char* text) {
+    return QCoreApplication::translate("wend::PartList", text);
+}
+
+/// Returns some pixels of the picture, evenly spaced.
+QImage sampledPicture(const Image& picture) {
+    const double step = std::max(1.0, std::max(picture.width, picture.height) / double(kIconSamples));
+    const int width = std::max(1, static_cast<int>(picture.width / step)),
+              height = std::max(1, static_cast<int>(picture.height / step));
+    QImage image(width, height, QImage::Format_RGBA8888);
+    std::vector<float> row(static_cast<std::size_t>(picture.width) *
+                           static_cast<std::size_t>(picture.channels));
+    const int colours = picture.colours();
+    for (int y = 0; y < height; ++y) {
+        loadRow(picture, static_cast<int>((y + 0.5) * step), row.data());
+        for (int x = 0; x < width; ++x) {
+            const float* pixel = row.data() + static_cast<int>((x + 0.5) * step) * picture.channels;
+            const float alpha = picture.alpha ? pixel[colours] : 1;
+            const auto number = [&](int c) {
+                const float value = pixel[colours >= 3 ? c : 0];
+                const float colour =
+                    picture.alpha && !picture.unassociated && alpha > 0 ? value / alpha : value;
+                return std::clamp(static_cast<int>(255 * colour + 0.5F), 0, 255);
+            };
+            image.setPixelColor(x, y,
+                                QColor(number(0), number(1), number(2),
+                                       std::clamp(static_cast<int>(255 * alpha + 0.5F), 0, 255)));
+        }
+    }
+    return image;
+}
+
+/// Returns the box of what is not transparent.
+QRect opaqueBox(const QImage& image) {
+    QRect box;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qAlpha(image.pixel(x, y)) > 0) box |= QRect(x, y, 1, 1);
+    return box;
+}
+
+}  // namespace
+
+QString describedPart(const PicturePart& part) {
+    QStringList all;
+    if (part.hidden) all << partWords(QT_TRANSLATE_NOOP("wend::PartList", "hidden"));
+    if (!part.ridesOn.empty())
+        all << partWords(QT_TRANSLATE_NOOP("wend::PartList", "rides on %1"))
+                   .arg(QString::fromStdString(part.ridesOn));
+    for (const Joint& joint : part.joints)
+        all << partWords(QT_TRANSLATE_NOOP("wend::PartList", "joined to %1"))
+                   .arg(QString::fromStdString(joint.to));
+    return all.join(QStringLiteral(", "));
+}
+
+QIcon partIcon(const PicturePart& part, const Image* picture, const QPalette& palette) {
+    if (!picture) return {};
+    QImage seen = sampledPicture(*picture);
+    const QRect box = opaqueBox(seen);
+    if (!box.isEmpty()) seen = seen.copy(box);
+    constexpr int kSide = kIconScale * kPartIcon, kMark = kSide / 2;
+    seen = seen.scaled(kSide, kSide, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    QPixmap drawn(kSide, kSide);
+    drawn.fill(Qt::transparent);
+    QPainter painter(&drawn);
+    painter.drawImage((kSide - seen.width()) / 2, (kSide - seen.height()) / 2, seen);
+    if (!part.joints.empty()) {
+        const QRect at(0, kSide - kMark, kMark, kMark);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(palette.base());
+        painter.drawEllipse(at);
+        wendIcon(QStringLiteral("link"), palette).paint(&painter, at.adjusted(3, 3, -3, -3));
+    }
+    painter.end();
+    drawn.setDevicePixelRatio(kIconScale);
+    QIcon icon(drawn);
+    icon.addPixmap(drawn, QIcon::Selected);
+    return icon;
+}
+
+}  // namespace wend

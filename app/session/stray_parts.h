@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document/project_fwd.h"
+#include "core/meshing/outline.h"
+
+namespace wend {
+
+class ShapeSession;
+
+/// What of a picture no pin holds, while pins hold the rest: it stays where it is when that moves.
+struct StrayPart {
+    std::string name;     // of a part of the picture; empty: it is an island of a picture without parts
+    std::string host;     // the part that it could follow; empty: the rest of the picture
+    Outline island = {};  // its border at rest
+};
+
+/// Returns them, without parts that cannot follow another one or are larger; none if nothing is held.
+std::vector<StrayPart> strayParts(const ShapeSession& session);
+
+/// Returns a project in which they follow their hosts; islands are cut out as parts of their own.
+std::shared_ptr<const Project> withRiders(const Project& project, const std::vector<StrayPart>& strays);
+
+}  // namespace wend

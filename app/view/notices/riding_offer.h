@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/session/stray_parts.h"
+
+namespace wend {
+
+class InfoBanner;
+class ShapeSession;
+
+/// Tells of parts and islands of a picture that no pin holds once the rest has been moved, and offers to let
+/// them follow what is beside them. Each number of them is told once.
+class RidingOffer : public QObject {
+    Q_OBJECT
+
+  public:
+    RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* parent);
+
+  private:
+    void look();
+    void offer(const std::vector<StrayPart>& strays);
+
+    ShapeSession& m_session;
+    InfoBanner& m_banner;
+    std::shared_ptr<const Project> m_lookedAt;
+    std::size_t m_told = 0;
+};
+
+}  // namespace wend
