@@ -156,6 +156,10 @@
         <translation>blendet Pins und Überlagerungen aus</translation>
     </message>
     <message>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Einen Pin mit Strg+Umschalt ziehen</translation>
+    </message>
+    <message>
         <source>Tracks</source>
         <translation>Spuren</translation>
     </message>
@@ -246,8 +250,6 @@
     <message>
         <source>adds a marker</source>
         <translation>setzt eine Marke</translation>
-        <source>Ctrl+Shift-drag a pin</source>
-        <translation>Einen Pin mit Strg+Umschalt ziehen</translation>
     </message>
 </context>
 <context>
@@ -931,6 +933,8 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>ihr &lt;%1&gt; wird weggelassen</translation>
+    </message>
+    <message>
         <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
         <translation>HDF5-Dateien brauchen wend-hdf5, das neben dem Programm fehlt: es wird gebaut, wo libhdf5-dev installiert ist</translation>
     </message>
@@ -3153,12 +3157,14 @@
     <message>
         <source>Give actions other keys</source>
         <translation>Befehlen andere Tasten geben</translation>
-        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
-        <translation>Die SVG-Zeichnung mit mehr oder weniger Pixeln zeichnen; Pins und Bewegungen werden angepasst</translation>
     </message>
     <message>
         <source>&amp;Drawing Size…</source>
         <translation>&amp;Größe der Zeichnung …</translation>
+    </message>
+    <message>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>Die SVG-Zeichnung mit mehr oder weniger Pixeln zeichnen; Pins und Bewegungen werden angepasst</translation>
     </message>
 </context>
 <context>
@@ -3975,6 +3981,9 @@
     <message>
         <source>&amp;Height</source>
         <translation>&amp;Höhe</translation>
+    </message>
+</context>
+<context>
     <name>wend::EaseEditor</name>
     <message>
         <source>Easing Curve</source>
@@ -6828,6 +6837,14 @@
 </context>
 <context>
     <name>wend::RidingOffer</name>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>Ein Teil hat keinen Pin und bleibt zurück: Soll er „%1“ folgen?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>Ein Teil hat keinen Pin und bleibt zurück: Soll er dem folgen, was neben ihm ist?</translation>
+    </message>
     <message numerus="yes">
         <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
         <translation>
@@ -6847,19 +6864,11 @@
         <translation>Teile folgen lassen</translation>
     </message>
     <message>
-        <source>Let Them Ride</source>
+        <source>Let It Ride</source>
         <translation>Folgen lassen</translation>
     </message>
     <message>
-        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
-        <translation>Ein Teil hat keinen Pin und bleibt zurück: Soll er „%1“ folgen?</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
-        <translation>Ein Teil hat keinen Pin und bleibt zurück: Soll er dem folgen, was neben ihm ist?</translation>
-    </message>
-    <message>
-        <source>Let It Ride</source>
+        <source>Let Them Ride</source>
         <translation>Folgen lassen</translation>
     </message>
 </context>

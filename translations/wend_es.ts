@@ -156,6 +156,10 @@
         <translation>oculta alfileres y superposiciones</translation>
     </message>
     <message>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Mayús + arrastrar un alfiler</translation>
+    </message>
+    <message>
         <source>Tracks</source>
         <translation>Pistas</translation>
     </message>
@@ -246,8 +250,6 @@
     <message>
         <source>adds a marker</source>
         <translation>añade una marca</translation>
-        <source>Ctrl+Shift-drag a pin</source>
-        <translation>Ctrl+Mayús + arrastrar un alfiler</translation>
     </message>
 </context>
 <context>
@@ -931,6 +933,8 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>se omite su &lt;%1&gt;</translation>
+    </message>
+    <message>
         <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
         <translation>los archivos HDF5 necesitan wend-hdf5, que falta junto al programa: se compila donde está instalado libhdf5-dev</translation>
     </message>
@@ -3153,12 +3157,14 @@
     <message>
         <source>Give actions other keys</source>
         <translation>Dar otras teclas a las acciones</translation>
-        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
-        <translation>Dibujar el SVG con más o menos píxeles; los alfileres y movimientos se escalan con él</translation>
     </message>
     <message>
         <source>&amp;Drawing Size…</source>
         <translation>Tamaño del &amp;dibujo…</translation>
+    </message>
+    <message>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>Dibujar el SVG con más o menos píxeles; los alfileres y movimientos se escalan con él</translation>
     </message>
 </context>
 <context>
@@ -3975,6 +3981,9 @@
     <message>
         <source>&amp;Height</source>
         <translation>Alt&amp;ura</translation>
+    </message>
+</context>
+<context>
     <name>wend::EaseEditor</name>
     <message>
         <source>Easing Curve</source>
@@ -6828,6 +6837,14 @@
 </context>
 <context>
     <name>wend::RidingOffer</name>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>Una parte no tiene alfiler y se queda atrás: ¿que siga a «%1»?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>Una parte no tiene alfiler y se queda atrás: ¿que siga a lo que tiene al lado?</translation>
+    </message>
     <message numerus="yes">
         <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
         <translation>
@@ -6847,20 +6864,12 @@
         <translation>Hacer que las partes sigan</translation>
     </message>
     <message>
-        <source>Let Them Ride</source>
-        <translation>Que sigan</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
-        <translation>Una parte no tiene alfiler y se queda atrás: ¿que siga a «%1»?</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
-        <translation>Una parte no tiene alfiler y se queda atrás: ¿que siga a lo que tiene al lado?</translation>
-    </message>
-    <message>
         <source>Let It Ride</source>
         <translation>Que siga</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>Que sigan</translation>
     </message>
 </context>
 <context>

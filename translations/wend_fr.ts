@@ -156,6 +156,10 @@
         <translation>masque épingles et incrustations</translation>
     </message>
     <message>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Maj + glisser une épingle</translation>
+    </message>
+    <message>
         <source>Tracks</source>
         <translation>Pistes</translation>
     </message>
@@ -246,8 +250,6 @@
     <message>
         <source>adds a marker</source>
         <translation>ajoute un repère</translation>
-        <source>Ctrl+Shift-drag a pin</source>
-        <translation>Ctrl+Maj + glisser une épingle</translation>
     </message>
 </context>
 <context>
@@ -931,6 +933,8 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>son &lt;%1&gt; est omis</translation>
+    </message>
+    <message>
         <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
         <translation>les fichiers HDF5 nécessitent wend-hdf5, qui manque à côté du programme : il est compilé là où libhdf5-dev est installé</translation>
     </message>
@@ -3153,12 +3157,14 @@
     <message>
         <source>Give actions other keys</source>
         <translation>Donner d’autres touches aux commandes</translation>
-        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
-        <translation>Dessiner le dessin SVG avec plus ou moins de pixels ; épingles et mouvements sont mis à l’échelle</translation>
     </message>
     <message>
         <source>&amp;Drawing Size…</source>
         <translation>Taille du &amp;dessin…</translation>
+    </message>
+    <message>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>Dessiner le dessin SVG avec plus ou moins de pixels ; épingles et mouvements sont mis à l’échelle</translation>
     </message>
 </context>
 <context>
@@ -3975,6 +3981,9 @@
     <message>
         <source>&amp;Height</source>
         <translation>&amp;Hauteur</translation>
+    </message>
+</context>
+<context>
     <name>wend::EaseEditor</name>
     <message>
         <source>Easing Curve</source>
@@ -6828,6 +6837,14 @@
 </context>
 <context>
     <name>wend::RidingOffer</name>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>Une partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre «&#x202f;%1&#x202f;»&#x202f;?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>Une partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre ce qui est à côté d’elle&#x202f;?</translation>
+    </message>
     <message numerus="yes">
         <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
         <translation>
@@ -6847,19 +6864,11 @@
         <translation>Faire suivre des parties</translation>
     </message>
     <message>
-        <source>Let Them Ride</source>
+        <source>Let It Ride</source>
         <translation>Faire suivre</translation>
     </message>
     <message>
-        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
-        <translation>Une partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre «&#x202f;%1&#x202f;»&#x202f;?</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
-        <translation>Une partie n’a pas d’épingle et reste en arrière&#x202f;: doit-elle suivre ce qui est à côté d’elle&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Let It Ride</source>
+        <source>Let Them Ride</source>
         <translation>Faire suivre</translation>
     </message>
 </context>

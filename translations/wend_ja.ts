@@ -156,6 +156,10 @@
         <translation>ピンとオーバーレイを隠す</translation>
     </message>
     <message>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Shift + ピンをドラッグ</translation>
+    </message>
+    <message>
         <source>Tracks</source>
         <translation>トラック</translation>
     </message>
@@ -246,8 +250,6 @@
     <message>
         <source>adds a marker</source>
         <translation>マーカーを追加</translation>
-        <source>Ctrl+Shift-drag a pin</source>
-        <translation>Ctrl+Shift + ピンをドラッグ</translation>
     </message>
 </context>
 <context>
@@ -931,6 +933,8 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>&lt;%1&gt; は省かれます</translation>
+    </message>
+    <message>
         <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
         <translation>HDF5 ファイルには wend-hdf5 が必要ですが、プログラムと同じ場所にありません: libhdf5-dev がある環境でビルドされます</translation>
     </message>
@@ -3152,12 +3156,14 @@
     <message>
         <source>Give actions other keys</source>
         <translation>操作に別のキーを割り当てます</translation>
-        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
-        <translation>SVG の図を描くピクセル数を変えます。ピンと動きも拡大縮小されます</translation>
     </message>
     <message>
         <source>&amp;Drawing Size…</source>
         <translation>図の大きさ(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>SVG の図を描くピクセル数を変えます。ピンと動きも拡大縮小されます</translation>
     </message>
 </context>
 <context>
@@ -3972,6 +3978,9 @@
     <message>
         <source>&amp;Height</source>
         <translation>高さ(&amp;H)</translation>
+    </message>
+</context>
+<context>
     <name>wend::EaseEditor</name>
     <message>
         <source>Easing Curve</source>
@@ -6815,6 +6824,14 @@
 </context>
 <context>
     <name>wend::RidingOffer</name>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>1 個のパーツにピンがなく、取り残されます。「%1」に追従させますか?</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>1 個のパーツにピンがなく、取り残されます。隣のものに追従させますか?</translation>
+    </message>
     <message numerus="yes">
         <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
         <translation>
@@ -6832,19 +6849,11 @@
         <translation>パーツを追従させる</translation>
     </message>
     <message>
-        <source>Let Them Ride</source>
+        <source>Let It Ride</source>
         <translation>追従させる</translation>
     </message>
     <message>
-        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
-        <translation>1 個のパーツにピンがなく、取り残されます。「%1」に追従させますか?</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
-        <translation>1 個のパーツにピンがなく、取り残されます。隣のものに追従させますか?</translation>
-    </message>
-    <message>
-        <source>Let It Ride</source>
+        <source>Let Them Ride</source>
         <translation>追従させる</translation>
     </message>
 </context>

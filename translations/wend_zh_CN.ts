@@ -156,6 +156,10 @@
         <translation>隐藏图钉和叠加层</translation>
     </message>
     <message>
+        <source>Ctrl+Shift-drag a pin</source>
+        <translation>Ctrl+Shift 拖动图钉</translation>
+    </message>
+    <message>
         <source>Tracks</source>
         <translation>轨道</translation>
     </message>
@@ -246,8 +250,6 @@
     <message>
         <source>adds a marker</source>
         <translation>添加标记</translation>
-        <source>Ctrl+Shift-drag a pin</source>
-        <translation>Ctrl+Shift 拖动图钉</translation>
     </message>
 </context>
 <context>
@@ -931,6 +933,8 @@
     <message>
         <source>its &lt;%1&gt; is left out</source>
         <translation>其 &lt;%1&gt; 已略去</translation>
+    </message>
+    <message>
         <source>HDF5 files need wend-hdf5, which is missing beside the program: it is built where libhdf5-dev is installed</source>
         <translation>HDF5 文件需要 wend-hdf5，但程序旁没有它：在安装了 libhdf5-dev 的环境中会构建它</translation>
     </message>
@@ -3152,12 +3156,14 @@
     <message>
         <source>Give actions other keys</source>
         <translation>为操作指定其他按键</translation>
-        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
-        <translation>以更多或更少的像素绘制 SVG 绘图；图钉和动作随之缩放</translation>
     </message>
     <message>
         <source>&amp;Drawing Size…</source>
         <translation>绘图大小(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Draw the SVG drawing with more or fewer pixels; pins and motions are scaled with it</source>
+        <translation>以更多或更少的像素绘制 SVG 绘图；图钉和动作随之缩放</translation>
     </message>
 </context>
 <context>
@@ -3972,6 +3978,9 @@
     <message>
         <source>&amp;Height</source>
         <translation>高度(&amp;H)</translation>
+    </message>
+</context>
+<context>
     <name>wend::EaseEditor</name>
     <message>
         <source>Easing Curve</source>
@@ -6815,6 +6824,14 @@
 </context>
 <context>
     <name>wend::RidingOffer</name>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
+        <translation>一个部件没有图钉而留在原处：让它跟随“%1”吗？</translation>
+    </message>
+    <message>
+        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
+        <translation>一个部件没有图钉而留在原处：让它跟随旁边的内容吗？</translation>
+    </message>
     <message numerus="yes">
         <source>%n parts have no pin and stay behind: let them ride on “%1”?</source>
         <translation>
@@ -6832,20 +6849,12 @@
         <translation>让部件跟随</translation>
     </message>
     <message>
-        <source>Let Them Ride</source>
-        <translation>让它们跟随</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on “%1”?</source>
-        <translation>一个部件没有图钉而留在原处：让它跟随“%1”吗？</translation>
-    </message>
-    <message>
-        <source>A part has no pin and stays behind: let it ride on what is beside it?</source>
-        <translation>一个部件没有图钉而留在原处：让它跟随旁边的内容吗？</translation>
-    </message>
-    <message>
         <source>Let It Ride</source>
         <translation>让它跟随</translation>
+    </message>
+    <message>
+        <source>Let Them Ride</source>
+        <translation>让它们跟随</translation>
     </message>
 </context>
 <context>

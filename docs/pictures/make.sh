@@ -142,7 +142,6 @@ drawing() {
     convert "$work/large.png" -crop 900x580+5850+2750 +repage "$work/piece.png"
     convert "$work/rest.png" "$work/bent.png" "$work/piece.png" -background "$paper" -gravity center +append +repage -flatten "$work/all.png"
     finish "$work/all.png" 1500 drawing.png
-    convert "$here/drawing.png" +dither -colors 128 "$here/drawing.png"
     optipng -quiet -o2 "$here/drawing.png"
 }
 
