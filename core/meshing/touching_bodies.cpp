@@ -119,8 +119,9 @@ std::vector<TouchingBodies> touchingBodies(const Surface& surface,
 }
 
 std::string textOf(const TouchingBodies& one) {
-    return "bodies " + std::to_string(one.first) + " and " + std::to_string(one.second) + " touch " +
-           (one.alongAFace ? "along a face whose triangles do not match" : "along an edge or at a point") +
+    return "bodies " + std::to_string(one.first) + " and " + std::to_string(one.second) +
+           (one.alongAFace ? " touch along a face whose triangles do not match"
+                           : " touch along an edge or at a point") +
            " (near " + numberText(one.place.x()) + " " + numberText(one.place.y()) + " " +
            numberText(one.place.z()) + "): give both the same triangles there or leave a gap";
 }

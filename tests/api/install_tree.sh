@@ -26,8 +26,8 @@ run_project() { # FOLDER PROGRAM
         "$cmake" --build "$made" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
     (cd "$work" && "$made/$2") || { echo "$1: $2 ends with $?"; exit 1; }
 }
-for example in "$sources"/examples/*/; do
-    run_project "$example" "$(sed -n 's/^project(\([a-z]*\).*/\1/p' "$example/CMakeLists.txt")"
+for lists in "$sources"/examples/*/CMakeLists.txt; do
+    run_project "$(dirname "$lists")" "$(sed -n 's/^project(\([a-z]*\).*/\1/p' "$lists")"
 done
 
 cp "$sources/resources/samples/strip.png" "$work"
