@@ -102,8 +102,8 @@ void TestInstalled::nothingIsMissing() {
                              "share/wend/paraview/wend_project.xml"})
         QVERIFY2(QFile::exists(file(QLatin1String(name))), name);
     // All that the program starts or loads, whatever is added.
-    const QStringList helpers =
-        QDir(QStringLiteral(WEND_BUILD)).entryList({QStringLiteral("wend-*")}, QDir::Files);
+    const QStringList helpers = QDir(QStringLiteral(WEND_BUILD))
+                                    .entryList({QStringLiteral("wend-*")}, QDir::Files | QDir::Executable);
     QVERIFY(helpers.size() >= 3);
     for (const QString& helper : helpers) {
         const bool isCommand = helper == QStringLiteral("wend-mpi");
