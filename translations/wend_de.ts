@@ -5514,7 +5514,7 @@
         <translation>Gibt diesem Teil wieder den Umriss und das Detail aller Teile.</translation>
     </message>
     <message>
-        <source>O&amp;f</source>
+        <source>&amp;Of</source>
         <translation>&amp;Von</translation>
     </message>
     <message>
@@ -5865,7 +5865,7 @@
         <translation>Mischmodus ändern</translation>
     </message>
     <message>
-        <source>So&amp;ft edge</source>
+        <source>Soft ed&amp;ge</source>
         <translation>&amp;Weicher Rand</translation>
     </message>
     <message>
@@ -6823,7 +6823,7 @@
         <translation>Ra&amp;dius</translation>
     </message>
     <message>
-        <source>&amp;Holds its angle</source>
+        <source>Holds its a&amp;ngle</source>
         <translation>&amp;Hält seinen Winkel</translation>
     </message>
     <message>

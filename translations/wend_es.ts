@@ -5514,7 +5514,7 @@
         <translation>Da de nuevo a esta parte el contorno y el detalle de todas.</translation>
     </message>
     <message>
-        <source>O&amp;f</source>
+        <source>&amp;Of</source>
         <translation>D&amp;e</translation>
     </message>
     <message>
@@ -5865,7 +5865,7 @@
         <translation>Cambiar modo de mezcla</translation>
     </message>
     <message>
-        <source>So&amp;ft edge</source>
+        <source>Soft ed&amp;ge</source>
         <translation>Borde sua&amp;ve</translation>
     </message>
     <message>
@@ -6823,7 +6823,7 @@
         <translation>Ra&amp;dio</translation>
     </message>
     <message>
-        <source>&amp;Holds its angle</source>
+        <source>Holds its a&amp;ngle</source>
         <translation>&amp;Mantiene su ángulo</translation>
     </message>
     <message>

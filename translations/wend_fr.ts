@@ -5514,7 +5514,7 @@
         <translation>Redonne à cette partie le contour et le détail de toutes.</translation>
     </message>
     <message>
-        <source>O&amp;f</source>
+        <source>&amp;Of</source>
         <translation>D&amp;e</translation>
     </message>
     <message>
@@ -5865,7 +5865,7 @@
         <translation>Modifier le mode de fusion</translation>
     </message>
     <message>
-        <source>So&amp;ft edge</source>
+        <source>Soft ed&amp;ge</source>
         <translation>Bord &amp;doux</translation>
     </message>
     <message>
@@ -6823,7 +6823,7 @@
         <translation>Rayo&amp;n</translation>
     </message>
     <message>
-        <source>&amp;Holds its angle</source>
+        <source>Holds its a&amp;ngle</source>
         <translation>&amp;Garde son angle</translation>
     </message>
     <message>

@@ -5504,7 +5504,7 @@
         <translation>このパーツの輪郭と細かさを、すべてのパーツと同じに戻します。</translation>
     </message>
     <message>
-        <source>O&amp;f</source>
+        <source>&amp;Of</source>
         <translation>対象(&amp;F)</translation>
     </message>
     <message>
@@ -5853,7 +5853,7 @@
         <translation>描画モードを変更</translation>
     </message>
     <message>
-        <source>So&amp;ft edge</source>
+        <source>Soft ed&amp;ge</source>
         <translation>柔らかい縁(&amp;F)</translation>
     </message>
     <message>
@@ -6810,7 +6810,7 @@
         <translation>半径(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Holds its angle</source>
+        <source>Holds its a&amp;ngle</source>
         <translation>角度を保つ(&amp;H)</translation>
     </message>
     <message>

@@ -5504,7 +5504,7 @@
         <translation>使此部件的轮廓和细节恢复为与所有部件相同。</translation>
     </message>
     <message>
-        <source>O&amp;f</source>
+        <source>&amp;Of</source>
         <translation>所属(&amp;F)</translation>
     </message>
     <message>
@@ -5853,7 +5853,7 @@
         <translation>更改混合模式</translation>
     </message>
     <message>
-        <source>So&amp;ft edge</source>
+        <source>Soft ed&amp;ge</source>
         <translation>柔和边缘(&amp;F)</translation>
     </message>
     <message>
@@ -6810,7 +6810,7 @@
         <translation>半径(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Holds its angle</source>
+        <source>Holds its a&amp;ngle</source>
         <translation>保持角度(&amp;H)</translation>
     </message>
     <message>

@@ -98,7 +98,7 @@ void MeshPanel::arrange() {
         return widget;
     };
     const auto row = [&](const char* key) { return add(m_settings.row(key)); };
-    m_whoseRow = add(panelRowIn(tr("O&f"), m_whose, this));
+    m_whoseRow = add(panelRowIn(tr("&Of"), m_whose, this));
     add(m_asAll);
     m_pictureRows = {row("domain.outline.from"), row("domain.outline.threshold"),
                      row("domain.outline.margin")};

@@ -77,7 +77,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
     m_rows = new QWidget(this);
     auto* rows = bareColumn(m_rows, 8);
     rows->addWidget(panelRowIn(tr("Opac&ity"), m_opacity, this));
-    rows->addWidget(m_featherRow = panelRowIn(tr("So&ft edge"), m_feather, this));
+    rows->addWidget(m_featherRow = panelRowIn(tr("Soft ed&ge"), m_feather, this));
     rows->addWidget(panelRowIn(tr("&Blend mode"), m_blend, this));
     rows->addWidget(panelRowIn(tr("&Joined to"), m_joined, this));
     rows->addWidget(panelRowIn(tr("&Rides on"), m_rides, this));

@@ -17,7 +17,7 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_numbers(new RegionNumbers(RegionNumbers::Radius::Elsewhere, this)),
       m_radius(new ExactBox(this)),
-      m_holdsAngle(new QCheckBox(tr("&Holds its angle"), this)),
+      m_holdsAngle(new QCheckBox(tr("Holds its a&ngle"), this)),
       m_count(secondLabel({}, this)) {
     auto* layout = sectionColumn(this);
     layout->addWidget(panelTitle(tr("Region"), this));

@@ -52,7 +52,7 @@ class TestPosing : public QObject {
     void ringRotatesAndScales();
     void ringTakesNumbers();
     void dragsTurnAndScaleAsChosen();
-    void pointsAreNeitherTurnedNorScaled();
+    void pointsBecomeDiscs();
     void numbersMoveTurnAndGrow();
     void ownTimingIsKept();
     void easeIsThatOfTheTimeShown();
@@ -414,28 +414,28 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QVERIFY((pin(1) - centre - Vec<2>(-10, 5)).norm() < 1);
 }
 
-/// Which is said, and they stay; beside them nothing is drawn or set.
-void TestPosing::pointsAreNeitherTurnedNorScaled() {
+/// A drag beside a point makes it a small disc; Esc, or one step back, makes it a point again.
+void TestPosing::pointsBecomeDiscs() {
     session().selection().set({1});
     const Vec<2> before = pin(1);
-    for (const auto& [key, word] :
-         {std::pair{Qt::Key_R, QStringLiteral("cannot rotate")}, {Qt::Key_S, QStringLiteral("cannot scale")}})
-        for (const int dx : {0, -70}) {
-            QTest::keyClick(&canvas(), key);
-            press(ringSpot(1, dx, 0), ringSpot(1, dx - 20, 30));
-            QVERIFY(!session().isDragging());
-            QVERIFY2(m_window->statusBar()->currentMessage().contains(word), qPrintable(word));
-            release(ringSpot(1, dx - 20, 30));
-            QVERIFY(canvas().viewport().tool()->hint().contains(word));
-        }
-    QCOMPARE(pin(1), before);
+    for (const auto& [key, kind] : {std::pair{Qt::Key_R, Grip::Kind::Turn}, {Qt::Key_S, Grip::Kind::Grow}}) {
+        QTest::keyClick(&canvas(), key);
+        press(ringSpot(1, -70, 0), ringSpot(1, -90, 30));
+        QVERIFY(session().isDragging());
+        QVERIFY(session().gesture() && session().gesture()->grip().kind == kind);
+        QTest::keyClick(&canvas(), Qt::Key_Escape);
+        release(ringSpot(1, -90, 30));
+        QCOMPARE(pin(1), before);
+        QVERIFY(handles()[1].motions.empty());
+    }
+    QTest::keyClick(&canvas(), Qt::Key_R);
+    press(ringSpot(1, -70, 0), ringSpot(1, -70, 40));
+    release(ringSpot(1, -70, 40));
+    QCOMPARE(handles()[1].motions.size(), std::size_t(1));
+    QVERIFY(std::holds_alternative<Rotate<2>>(handles()[1].motions[0].kind));
+    session().document().undoStack()->undo();
     QVERIFY(handles()[1].motions.empty());
-    QCOMPARE(handles().size(), std::size_t(2));
-    session().selection().set({0, 1});  // around their middle both turn
-    press(ringSpot(1, 0, 0), ringSpot(1, 0, -30));
-    QVERIFY(session().gesture());
-    release(ringSpot(1, 0, -30));
-    QVERIFY(!handles()[0].motions.empty() && !handles()[1].motions.empty());
+    QTRY_COMPARE(pin(1), before);
 }
 
 /// The same exact steps as for solids, by the panel.
@@ -536,17 +536,17 @@ void TestPosing::ringTakesNumbers() {
 }
 
 void TestPosing::pointsHaveADottedRing() {
+    session().selection().set({1});
     QTest::mouseMove(&canvas(), ringSpot(1, -44, 0));
-    QVERIFY(canvas().viewport().tool()->hint().contains(QStringLiteral("cannot rotate")));
+    QVERIFY(canvas().viewport().tool()->hint().contains(QStringLiteral("becomes a small circle")));
     picture(QStringLiteral("point"));
     const std::size_t count = handles().size();
-    // Who pulls at it wants to turn the pin: it stays selected, and the status bar says what does it.
-    session().selection().set({1});
     press(ringSpot(1, -44, 0), ringSpot(1, -30, 30));
     release(ringSpot(1, -30, 30));
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
-    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("cannot rotate")));
     QCOMPARE(handles().size(), count);
+    QCOMPARE(handles()[1].motions.size(), std::size_t(1));
+    session().document().undoStack()->undo();
     drag(pin(1), pin(1) + Vec<2>(0.9, 0), Qt::AltModifier);  // smaller than the mesh
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("smaller than the mesh")) ||
             std::holds_alternative<std::vector<Vec<2>>>(handles()[1].at));

@@ -164,7 +164,7 @@ void TestExportDialog::everyOptionOfARunIsThere() {
     const QStringList others{"--phi",      "--method", "--tolerance", "--steps",   "--at",       "--partial",
                              "--memory",   "--settle", "--backend",   "--threads", "--progress", "--quiet",
                              "--velocity", "--report", "--border",    "--shard",   "--solver",   "--strict",
-                             "--shells",   "--points", "--inverse",   "--width"};
+                             "--shells",   "--points", "--inverse",   "--width",   "--size"};
     open(writeCutOut(*m_folder));
     bend(0, 10);
     QStringList asked;
