@@ -10,7 +10,7 @@ namespace wend {
 
 class ShapeSession;
 
-/// What of a picture no pin holds, while pins hold the rest: it stays where it is when that moves.
+/// A piece of a picture without a pin, where other pieces have pins: it stays in place when they move.
 struct StrayPart {
     std::string name;     // of a part of the picture; empty: it is an island of a picture without parts
     std::string host;     // the part that it could follow; empty: the rest of the picture

@@ -53,7 +53,7 @@ SlowSides slowSidesOf(const Motion<Dim>& motion);
 template <int Dim>
 void setSlowSides(Motion<Dim>& motion, const SlowSides& sides);
 
-/// What a curve editor shows of a motion.
+/// The progress of a motion as a curve editor shows it.
 struct ShownProgress {
     Progress curve;
     std::vector<double> way;  // the shares of its way at even times, if these differ from the curve

@@ -16,7 +16,7 @@ std::string plain(const std::string& text) {
     return letters;
 }
 
-/// What other programs call a key, in small letters.
+/// The names that other programs give to keys, in small letters.
 constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
     {"label", "group"},      {"labels", "group"},    {"physical", "group"},  {"physicalname", "group"},
     {"tag", "group"},        {"ref", "group"},       {"reference", "group"}, {"set", "group"},

@@ -50,7 +50,7 @@ QPointF EasePlot::handleSpot(int handle) const {
     return handle == 0 ? spot(1.0 / 3, m_curve.first) : spot(2.0 / 3, m_curve.second);
 }
 
-/// A recording only goes forward.
+/// Returns the progress that a handle may have: that of a recording never decreases.
 double EasePlot::limited(double way) const {
     const bool forward = m_shown && !m_shown->way.empty();
     return std::clamp(way, forward ? 0 : kLow, forward ? 1 : kHigh);

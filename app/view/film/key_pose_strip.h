@@ -12,8 +12,8 @@ namespace wend {
 class PoseDrawing;
 class TimeScale;
 
-/// Small pictures of the shape at the key poses of all pins, above the ruler; a click goes there. They are
-/// drawn one by one while nothing else happens.
+/// Shows the shape at the key poses of all pins above the ruler; a click sets the time to that of a pose. The
+/// pictures are drawn one by one while the program is idle.
 class KeyPoseStrip : public QWidget {
     Q_OBJECT
 

@@ -223,7 +223,7 @@ void TrackView::editEase() {
     editor->activateWindow();
 }
 
-/// The curve is that of the tracks: it goes with them.
+/// Hides the curve editor, which edits the bars shown here.
 void TrackView::hideEvent(QHideEvent*) {
     if (auto* editor = findChild<EaseEditor*>()) editor->hide();
 }

@@ -13,9 +13,9 @@ namespace wend {
 
 class Document;
 
-/// What the banner offers for a file that was just opened: to hold the border of a photograph, to include
-/// soft edges, to fill the holes of line art, and to open layers as one picture. An offer stands until it is
-/// taken, declined or no longer matters. Saved projects get none.
+/// Offers to hold the border of a photograph, to include soft edges, to fill the holes of line art, or to
+/// open layers as one picture when a file was opened. An offer is shown until it is accepted, declined or
+/// irrelevant. Nothing is offered for saved projects.
 class Offers : public QObject {
     Q_OBJECT
 

@@ -11,7 +11,7 @@ class InfoBanner;
 class ShapeSession;
 
 /// Tells of parts and islands of a picture that no pin holds once the rest has been moved, and offers to let
-/// them follow what is beside them. Each number of them is told once.
+/// them follow what is beside them. It is shown once for each number of such parts.
 class RidingOffer : public QObject {
     Q_OBJECT
 

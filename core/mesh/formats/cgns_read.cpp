@@ -107,7 +107,6 @@ class CgnsReader {
         for (std::size_t v = 0; v < rows[0].size(); ++v)
             for (const auto& row : rows) m_points.push_back(row[v]);
     }
-
     int vertex(std::int64_t number) const {
         if (number < 1 || number > pointCount())
             throw InputError("a cell names vertex " + std::to_string(number) + ", but there are only " +
@@ -284,32 +283,11 @@ class CgnsReader {
     }
     /// Gives all fields a value per vertex or cell, and joins those that end in X, Y and Z to vectors.
     void endFields() {
-        std::vector<MeshField> fields = std::move(m_file.fields);
-        m_file.fields.clear();
-        for (MeshField& field : fields)
+        for (MeshField& field : m_file.fields)
             field.values.resize(
                 static_cast<std::size_t>(field.perCell ? m_file.cells.size() : m_file.points.cols()),
                 kNoValue);
-        for (std::size_t f = 0; f < fields.size(); ++f) {
-            const auto isPart = [&](std::size_t k) {
-                return f + k < fields.size() && fields[f + k].perCell == fields[f].perCell &&
-                       fields[f + k].name == fields[f].name.substr(0, fields[f].name.size() - 1) + "XYZ"[k];
-            };
-            if (fields[f].name.size() < 2 || !isPart(0) || !isPart(1) || !isPart(2)) {
-                m_file.fields.push_back(std::move(fields[f]));
-                continue;
-            }
-            MeshField vector{fields[f].name.substr(0, fields[f].name.size() - 1),
-                             fields[f].perCell,
-                             3,
-                             {},
-                             {},
-                             fields[f].type};
-            for (std::size_t i = 0; i < fields[f].values.size(); ++i)
-                for (std::size_t k = 0; k < 3; ++k) vector.values.push_back(fields[f + k].values[i]);
-            m_file.fields.push_back(std::move(vector));
-            f += 2;
-        }
+        joinVectors(m_file, "", "XYZ");
     }
 
     Hdf5Node m_root;

@@ -116,17 +116,10 @@ class ExodusReader {
         std::vector<int> cell(size);
         for (std::size_t at = 0; at + size <= nodes.size(); at += size) {
             for (std::size_t k = 0; k < size; ++k)
-                cell[k] =
-                    vertex(nodes[at + (type->order.empty() ? k : static_cast<std::size_t>(type->order[k]))]);
+                cell[k] = nodeOf(
+                    m_file, nodes[at + (type->order.empty() ? k : static_cast<std::size_t>(type->order[k]))]);
             m_file.cells.add(type->kind, cell);
         }
-    }
-    int vertex(std::int64_t number) const {
-        if (number < 1 || number > m_file.points.cols())
-            throw InputError("cell " + std::to_string(m_file.cells.size()) + " names node " +
-                             std::to_string(number) + ", but there are only " +
-                             std::to_string(m_file.points.cols()));
-        return static_cast<int>(number - 1);
     }
     /// Adds cells to the group of that name, or number if there is no name, one for each dimension.
     void addGroup(const std::string& name, std::int64_t id, const std::vector<int>& cells) {
@@ -196,7 +189,7 @@ class ExodusReader {
             group.tag = static_cast<long>(ids[s]);
             group.dimension = 0;
             for (const std::int64_t number : numbersOf(numbered("node_ns", s)))
-                group.vertices.push_back(vertex(number));
+                group.vertices.push_back(nodeOf(m_file, number));
             std::ranges::sort(group.vertices);
             if (!group.vertices.empty()) m_file.groups.push_back(std::move(group));
         }
@@ -251,7 +244,7 @@ class ExodusReader {
             }
             addField(ofCells[i], true, std::move(values));
         }
-        joinVectors();
+        joinVectors(m_file, "_", "xyz");
         for (std::size_t i = 0; i < ofFile.size(); ++i)
             if (const auto all = lastOf("vals_glo_var", 0, 1); i < all.size())
                 m_file.fileFields.push_back({ofFile[i], false, 1, {all[i]}});
@@ -262,27 +255,6 @@ class ExodusReader {
             m_file.fields.push_back({name, perCell, 1, std::move(values)});
         else
             m_file.notices.push_back("its field " + inQuotes(name));
-    }
-    /// Joins fields whose names end in _x, _y and _z.
-    void joinVectors() {
-        std::vector<MeshField> fields = std::move(m_file.fields);
-        m_file.fields.clear();
-        for (std::size_t f = 0; f < fields.size(); ++f) {
-            const std::string& name = fields[f].name;
-            const auto isPart = [&](std::size_t k) {
-                return f + k < fields.size() && fields[f + k].perCell == fields[f].perCell &&
-                       fields[f + k].name == name.substr(0, name.size() - 1) + "xyz"[k];
-            };
-            if (name.size() < 3 || !name.ends_with("_x") || !isPart(1) || !isPart(2)) {
-                m_file.fields.push_back(std::move(fields[f]));
-                continue;
-            }
-            MeshField vector{name.substr(0, name.size() - 2), fields[f].perCell, 3, {}};
-            for (std::size_t i = 0; i < fields[f].values.size(); ++i)
-                for (std::size_t k = 0; k < 3; ++k) vector.values.push_back(fields[f + k].values[i]);
-            m_file.fields.push_back(std::move(vector));
-            f += 2;
-        }
     }
 
     Hdf5Node m_root;

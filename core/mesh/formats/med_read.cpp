@@ -108,13 +108,6 @@ class MedReader {
         values.resize(static_cast<std::size_t>(count), 0);
         list.insert(list.end(), values.begin(), values.end());
     }
-    int vertex(std::int64_t number) const {
-        if (number < 1 || number > m_file.points.cols())
-            throw InputError("cell " + std::to_string(m_file.cells.size()) + " names node " +
-                             std::to_string(number) + ", but there are only " +
-                             std::to_string(m_file.points.cols()));
-        return static_cast<int>(number - 1);
-    }
     void readBlock(const Hdf5Node& block, const MedType& type) {
         const Numbers nodes = block.at("NOD").integers();
         const auto size = static_cast<std::size_t>(factsOf(type.kind).nodes), count = nodes.size() / size;
@@ -125,7 +118,7 @@ class MedReader {
         for (std::size_t c = 0; c < count; ++c) {
             for (std::size_t k = 0; k < size; ++k) {
                 const std::size_t place = type.order.empty() ? k : static_cast<std::size_t>(type.order[k]);
-                cell[k] = vertex(nodes[place * count + c]);
+                cell[k] = nodeOf(m_file, nodes[place * count + c]);
             }
             m_file.cells.add(type.kind, cell);
         }
@@ -139,7 +132,7 @@ class MedReader {
                 throw InputError("the places of its polygons make no sense");
             std::vector<int> cell;
             for (auto k = begins[c]; k < begins[c + 1]; ++k)
-                cell.push_back(vertex(nodes[static_cast<std::size_t>(k - 1)]));
+                cell.push_back(nodeOf(m_file, nodes[static_cast<std::size_t>(k - 1)]));
             m_file.cells.addFace(cell);
         }
         endBlock(block);

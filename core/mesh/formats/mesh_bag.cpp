@@ -104,6 +104,37 @@ long tagOf(const MeshField* field, int cell, long otherwise) {
     return std::lround(field->values[static_cast<std::size_t>(cell)]);
 }
 
+int nodeOf(const MeshFile& file, std::int64_t number) {
+    if (number < 1 || number > file.points.cols())
+        throw InputError("cell " + std::to_string(file.cells.size()) + " names node " +
+                         std::to_string(number) + ", but there are only " +
+                         std::to_string(file.points.cols()));
+    return static_cast<int>(number - 1);
+}
+
+void joinVectors(MeshFile& file, std::string_view before, std::string_view letters) {
+    std::vector<MeshField> fields = std::move(file.fields);
+    file.fields.clear();
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+        const std::string& name = fields[f].name;
+        const std::size_t end = before.size() + 1;
+        const std::string stem = name.size() > end ? name.substr(0, name.size() - end) : std::string();
+        const auto isPart = [&](std::size_t k) {
+            return f + k < fields.size() && fields[f + k].perCell == fields[f].perCell &&
+                   fields[f + k].name == stem + std::string(before) + letters[k];
+        };
+        if (stem.empty() || !isPart(0) || !isPart(1) || !isPart(2)) {
+            file.fields.push_back(std::move(fields[f]));
+            continue;
+        }
+        MeshField vector{stem, fields[f].perCell, 3, {}, {}, fields[f].type};
+        for (std::size_t i = 0; i < fields[f].values.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) vector.values.push_back(fields[f + k].values[i]);
+        file.fields.push_back(std::move(vector));
+        f += 2;
+    }
+}
+
 MeshFile bagOf(MeshFile mesh, bool trianglesFirst) {
     const bool made = mesh.cells.empty();
     if (made) listMade(mesh, trianglesFirst);

@@ -14,6 +14,13 @@ const MeshField* cellField(const MeshFile& file, std::initializer_list<const cha
 /// Returns the value of a field for a cell as a whole number, or `otherwise` if there is no field.
 long tagOf(const MeshField* field, int cell, long otherwise);
 
+/// Returns the index of a node of the next cell, which the file counts from 1. Throws InputError if the file
+/// has no such node.
+int nodeOf(const MeshFile& file, std::int64_t number);
+/// Joins three fields in a row to a vector if their names are equal but for their ends, `before` and then one
+/// of three `letters` in order: "u_x", "u_y", "u_z" become "u" with "_" and "xyz".
+void joinVectors(MeshFile& file, std::string_view before, std::string_view letters);
+
 /// Returns a mesh as printers take it: all its cells in `cells`, a value of every field per cell for each of
 /// them, and groups. Generated cells are listed tetrahedra first, or `trianglesFirst`. Values that were
 /// computed for the tetrahedra or triangles become those of the cells that they were split from (their mean);
