@@ -221,7 +221,8 @@ bool Deformer<Dim>::Integrator::leadElastic(double from, const Points<Dim>& star
             const double t = std::lerp(from, to, double(k) / parts);
             good = predict(t, led) && descend(t, led, kMinimumTolerance, kMostTracked).outcome.done();
         }
-        if (good && firstInverted(led) < 0) shape = led;
+        good = good && firstInverted(led) < 0;
+        if (good) shape = led;
     }
     m_failure = {};
     return good;
