@@ -30,9 +30,10 @@ namespace wend {
 namespace {
 
 constexpr QSize kWindow(1280, 800), kFineWindow(3840, 2160);
-constexpr double kRound = 3;  // seconds for the path of the hand, there and back
-constexpr double kFilm = 4;   // seconds of the film whose poses are moved
-constexpr int kPoses = 5;     // that are moved in it
+constexpr double kRound = 3;         // seconds for the path of the hand, there and back
+constexpr double kFilm = 4;          // seconds of the film whose poses are moved
+constexpr int kPoses = 5;            // that are moved in it
+constexpr int kMostElastic = 12000;  // vertices of shapes that are shown springing back, and in films
 constexpr int kPictureWidth = 2400, kPictureHeight = 1500;
 
 /// The program's own, or one for the time of the rows; without a display it draws for itself, and no solids.
@@ -79,15 +80,29 @@ std::vector<Handle<Dim>> ends(double length) {
     return handles;
 }
 
+/// What the shape keeps, and whether it springs back fully.
+struct Kept {
+    const char* name;
+    double phi;
+    bool elastic = false;
+
+    template <int Dim>
+    Design<Dim> design() const {
+        Design<Dim> design;
+        design.material.phi = phi;
+        if (elastic) design.material.memory = std::numeric_limits<double>::infinity();
+        return design;
+    }
+};
+
 template <int Dim>
-OpenedFile fileOf(int vertices, double phi, const OwnSettings& settings);
+OpenedFile fileOf(int vertices, const Kept& kept, const OwnSettings& settings);
 
 template <>
-OpenedFile fileOf<2>(int vertices, double phi, const OwnSettings&) {
+OpenedFile fileOf<2>(int vertices, const Kept& kept, const OwnSettings&) {
     auto project = newProject();
     domainOf(*project).vertices = vertices;
-    Design<2> design;
-    design.material.phi = phi;
+    auto design = kept.design<2>();
     design.handles = ends<2>(kPictureWidth);
     designOf(*project) = std::move(design);
     OpenedFile file;
@@ -97,15 +112,14 @@ OpenedFile fileOf<2>(int vertices, double phi, const OwnSettings&) {
 }
 
 template <>
-OpenedFile fileOf<3>(int vertices, double phi, const OwnSettings& settings) {
+OpenedFile fileOf<3>(int vertices, const Kept& kept, const OwnSettings& settings) {
     auto project = newProject();
     const Body<3> body = makeBody<3>(vertices);
     Domain& domain = domainOf(*project);
     domain.kind = DomainKind::Mesh;
     domain.path = settings.file("body.vtu").toStdString();
     writeMesh<3>(domain.path, *body.rest);
-    Design<3> design;
-    design.material.phi = phi;
+    auto design = kept.design<3>();
     design.handles = ends<3>(body.rest->points.row(0).maxCoeff());
     designOf(*project) = std::move(design);
     OpenedFile file;
@@ -115,10 +129,9 @@ OpenedFile fileOf<3>(int vertices, double phi, const OwnSettings& settings) {
 
 /// Lets the right end and two points between the ends move in bars that overlap.
 template <int Dim>
-void addFilm(Project& project, bool elastic) {
+void addFilm(Project& project) {
     Design<Dim>& design = designOf<Dim>(project);
     endOf(project) = kFilm;
-    if (elastic) design.material.memory = std::numeric_limits<double>::infinity();
     const Vec<Dim> middle(0.5 * kPictureWidth, 0.5 * kPictureHeight);
     for (const double side : {-0.2, 0.2}) {
         Handle<Dim> handle;
@@ -147,9 +160,9 @@ struct AfterRelease {
 template <int Dim>
 class Stage {
   public:
-    Stage(int vertices, double phi, const QSize& size, std::stop_token stop) : m_stop(stop) {
+    Stage(int vertices, const Kept& kept, const QSize& size, std::stop_token stop) : m_stop(stop) {
         m_window.show();
-        session().document().open(fileOf<Dim>(vertices, phi, m_settings));
+        session().document().open(fileOf<Dim>(vertices, kept, m_settings));
         m_window.tools().action(QStringLiteral("select"))->trigger();
         wait([this] { return settled(); });
         for (int i = 0; i < 3; ++i) m_window.resize(m_window.size() + size - view().size());
@@ -161,22 +174,31 @@ class Stage {
     }
     ~Stage() { session().document().undoStack()->setClean(); }
 
-    WindowDrag::Times drag(double seconds) {
+    /// What a drag takes, and the processor's time for each of its updates, in milliseconds.
+    struct Dragged {
+        WindowDrag::Times times;
+        double processor = 0;
+    };
+    Dragged drag(double seconds) {
         const QPointF from = pin();
         const double reach = 0.18 * std::min<double>(view().width(), 1.6 * view().height());
         const auto path = [reach](double t) {
             const double angle = 2 * std::numbers::pi * t / kRound;
             return reach * QPointF(-0.5 * (1 - std::cos(angle)), std::sin(angle));
         };
-        return m_hand->drag(from, path, seconds, m_stop);
+        const std::clock_t before = std::clock();
+        Dragged result{m_hand->drag(from, path, seconds, m_stop)};
+        result.processor = 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC /
+                           static_cast<double>(result.times.shown.size());
+        return result;
     }
     void wait() {
         wait([this] { return settled(); });
     }
     /// Plays a film with motions that overlap, and sets a pose of the right end at a time.
-    void makeFilm(bool elastic) {
+    void makeFilm() {
         const auto film = copyOf(*session().document().project());
-        addFilm<Dim>(*film, elastic);
+        addFilm<Dim>(*film);
         session().document().change({}, film);
         m_window.tools().setMode(Mode::Animate);
         wait();
@@ -260,7 +282,7 @@ class Stage {
     std::unique_ptr<WindowDrag> m_hand;
 };
 
-BenchRow rowOf(const std::string& what, const WindowDrag::Times& times) {
+BenchRow rowOf(const std::string& what, const WindowDrag::Times& times, double processor) {
     std::vector<double> sorted = times.latency;
     std::ranges::sort(sorted);
     BenchRow row{what, 0, {}, {}};
@@ -270,24 +292,28 @@ BenchRow rowOf(const std::string& what, const WindowDrag::Times& times) {
     row.figures = {
         {"95 % below (ms)", sorted[sorted.size() * 95 / 100]},
         {"updates a second", span > 0 ? 1e3 * static_cast<double>(times.shown.size() - 1) / span : 0.0},
+        {"processor's time for an update (ms)", processor},
         {"first after the press (ms)", times.first}};
     return row;
 }
 
 /// Adds a drag of the resting shape, and the beginning of another one right after its release.
 template <int Dim>
-void addRow(int vertices, double phi, const QSize& size, const std::string& name, double seconds,
+void addRow(const ShownSize& body, const Kept& kept, const QSize& size, double seconds,
             BenchRecorder& recorder) {
-    Stage<Dim> stage(vertices, phi, size, recorder.stop());
-    BenchRow row = rowOf("mouse to frame, " + name, stage.drag(seconds));
-    row.figures.push_back({"first of a drag right after it (ms)", stage.drag(0.2).first});
+    Stage<Dim> stage(body.vertices, kept, size, recorder.stop());
+    const std::string pixels = std::to_string(size.width()) + " × " + std::to_string(size.height());
+    const auto dragged = stage.drag(seconds);
+    BenchRow row =
+        rowOf("mouse to frame, " + body.name + ", " + pixels + kept.name, dragged.times, dragged.processor);
+    row.figures.push_back({"first of a drag right after it (ms)", stage.drag(0.2).times.first});
     recorder.add(row);
 }
 
 /// Adds the times after releases in a film: those of the whole motion as figures.
-void addFilmRow(int vertices, double phi, bool elastic, const std::string& name, BenchRecorder& recorder) {
-    Stage<2> stage(vertices, phi, kWindow, recorder.stop());
-    stage.makeFilm(elastic);
+void addFilmRow(const ShownSize& body, const Kept& kept, BenchRecorder& recorder) {
+    Stage<2> stage(body.vertices, kept, kWindow, recorder.stop());
+    stage.makeFilm();
     std::vector<double> shown, whole;
     for (int i = 0; i < kPoses; ++i) {
         const AfterRelease times = stage.pose(kFilm * (i + 0.5) / kPoses);
@@ -296,7 +322,7 @@ void addFilmRow(int vertices, double phi, bool elastic, const std::string& name,
     }
     std::ranges::sort(shown);
     std::ranges::sort(whole);
-    BenchRow row{"release to exact, film of 4 s, " + name, 0, {}, {}};
+    BenchRow row{"release to exact, film of 4 s, " + body.name + kept.name, 0, {}, {}};
     row.time = {1e-3 * shown[kPoses / 2], 1e-3 * shown.front(), 1e-3 * shown.back(), 0, kPoses};
     row.figures = {{"whole motion, median (ms)", whole[kPoses / 2]}, {"longest (ms)", whole.back()}};
     recorder.add(row);
@@ -311,15 +337,18 @@ void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder,
         recorder.remark("  (no rows of the window: solids need OpenGL 3.3 and a display)");
         return;
     }
-    for (const auto& [name, vertices] : sizes) {
-        addRow<Dim>(vertices, phi::kMetr, kWindow, name + ", 1280 × 800", seconds, recorder);
-        addRow<Dim>(vertices, phi::kEquia, kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
-        if constexpr (Dim == 2) {
-            addRow<Dim>(vertices, phi::kMetr, kFineWindow, name + ", 3840 × 2160", seconds, recorder);
-            addFilmRow(vertices, phi::kMetr, false, name, recorder);
-            addFilmRow(vertices, phi::kMetr, true, name + ", elastic", recorder);
-            addFilmRow(vertices, phi::kEquia, true, name + ", elastic, EQUIA", recorder);
-        }
+    const Kept metr{"", phi::kMetr}, equia{", EQUIA", phi::kEquia};
+    const std::array<Kept, 4> elastic = {Kept{", elastic", phi::kMetr, true},
+                                         {", elastic, AKVF", phi::kAkvf, true},
+                                         {", elastic, EQUIA", phi::kEquia, true},
+                                         {", elastic, CONF", phi::conformal(Dim), true}};
+    for (const ShownSize& body : sizes) {
+        for (const Kept& kept : {metr, equia}) addRow<Dim>(body, kept, kWindow, seconds, recorder);
+        if constexpr (Dim == 2) addRow<Dim>(body, metr, kFineWindow, seconds, recorder);
+        if (body.vertices > kMostElastic) continue;
+        for (const Kept& kept : elastic) addRow<Dim>(body, kept, kWindow, seconds, recorder);
+        if constexpr (Dim == 2)
+            for (const Kept& kept : {metr, elastic[0], elastic[2]}) addFilmRow(body, kept, recorder);
     }
 }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the manual's pictures from the samples with `wend run` (the window's: screenshots.sh).
-# Usage: make.sh [WEND]   WEND: the program, by default the one on PATH. Needs ImageMagick, rsvg-convert, python3 and optipng.
+# Usage: make.sh [WEND]   WEND: the program, by default the one on PATH. Needs ImageMagick, rsvg-convert, python3, ffmpeg and optipng.
 set -eu
 cd "$(dirname "$0")"
 here=$PWD
@@ -171,7 +171,7 @@ sheet() {
     optipng -quiet -o2 "$here/$name.png"
 }
 
-# Films, and sheets of their poses: the walk; a wave and a nod, recorded in the window over each other.
+# Films, and sheets of their poses: the walk; a wave and a nod, recorded in the window over each other; a solid's swim.
 films() {
     film "$samples/walker.wend" walk 320 --loop --fps 16
     python3 character.py "$work/character.ora"
@@ -179,6 +179,10 @@ films() {
     film "$work/wave.wend" wave 240 --fps 12 --canvas=-90,0,570,640
     "$wend" run "$work/wave.wend" --frames "$work/wave_#.png" --count 8 --canvas=-90,0,570,640 --width 300 --quiet
     sheet wave "$work"/wave_*.png
+    python3 swim.py "$wend" "$work"
+    mogrify -background "$paper" -alpha remove "$work"/swim_*.png
+    ffmpeg -y -v error -framerate 12 -i "$work/swim_%02d.png" -loop 0 -quality 80 "$here/swim.webp"
+    sheet swim "$work"/swim_00.png "$work"/swim_03.png "$work"/swim_06.png "$work"/swim_09.png
 }
 
 # The grid at a wing's root, at rest and moved.

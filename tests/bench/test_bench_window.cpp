@@ -30,8 +30,8 @@ std::vector<BenchRow> rowsOf(int vertices) {
 void TestBenchWindow::everyRowWasSeen_data() {
     QTest::addColumn<int>("dimension");
     QTest::addColumn<int>("rows");
-    QTest::newRow("2D") << 2 << 12;
-    QTest::newRow("3D") << 3 << 4;
+    QTest::newRow("2D") << 2 << 20;
+    QTest::newRow("3D") << 3 << 12;
 }
 
 void TestBenchWindow::everyRowWasSeen() {
