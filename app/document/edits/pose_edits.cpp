@@ -1,8 +1,8 @@
 #include "app/document/edits/pose_edits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <span>
 
 #include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/offset_path.h"
@@ -14,32 +14,79 @@ namespace wend {
 
 namespace {
 
-/// Returns both parts of a cubic of the time, led through a pose: exactly, because the displacement times a
-/// factor that is linear in time is a cubic, too.
+/// Leads a path that is a cubic of the time, piece by piece, through a pose: exactly, because the
+/// displacement times a factor that is linear in time is a cubic, too. Returns the number of pieces before
+/// the pose.
 template <int Dim>
-std::array<Motion<Dim>, 2> splitCubic(const Motion<Dim>& motion, std::array<Vec<Dim>, 4> points,
-                                      const Vec<Dim>& place, const Vec<Dim>& by, double time) {
-    const double s = (time - motion.start) / (motion.end - motion.start);
-    const std::vector<Vec<Dim>> both = splitBezier<Dim>({points.begin(), points.end()}, 0, s);
-    std::array<Vec<Dim>, 4> first, second;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double share = static_cast<double>(k) / 3;
-        first[k] = place + (both[k] - both[3]) + share * by;
-        second[k] = place + (both[3 + k] - both[3]) + (1 - share) * by;
-    }
-    return {cubicMove<Dim>(first, {motion.start, time}), cubicMove<Dim>(second, {time, motion.end})};
+std::size_t splitCubics(std::vector<TimedCubic<Dim>>& pieces, const Vec<Dim>& place, const Vec<Dim>& by,
+                        double time) {
+    const auto at = std::ranges::find_if(pieces, [time](const auto& piece) { return time < piece.time.end; });
+    const auto before = static_cast<std::size_t>(at - pieces.begin()) + 1;
+    const MotionTime own = at->time;
+    const std::vector<Vec<Dim>> both = splitBezier<Dim>({at->points.begin(), at->points.end()}, 0,
+                                                        (time - own.start) / (own.end - own.start));
+    *at = {{both[0], both[1], both[2], both[3]}, {own.start, time}};
+    pieces.insert(at + 1, {{both[3], both[4], both[5], both[6]}, {time, own.end}});
+    const double start = pieces.front().time.start, end = pieces.back().time.end;
+    for (TimedCubic<Dim>& piece : pieces)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double t = std::lerp(piece.time.start, piece.time.end, static_cast<double>(k) / 3);
+            const double factor = t <= time ? (t - start) / (time - start) : (end - t) / (end - time);
+            piece.points[k] += place - both[3] + factor * by;
+        }
+    return before;
 }
 
-/// Leads the motion that contains the time through a pose, as two motions.
+/// Returns whether a pose at a time leaves none of the pieces too short.
+template <int Dim>
+bool hasRoom(const std::vector<TimedCubic<Dim>>& pieces, double time) {
+    return !pieces.empty() && std::ranges::all_of(pieces, [time](const TimedCubic<Dim>& piece) {
+        return std::abs(piece.time.start - time) >= kShortestMotion &&
+               std::abs(piece.time.end - time) >= kShortestMotion;
+    });
+}
+
+/// Adds motions along pieces. Those of a chain, which take equal times, stay one.
+template <int Dim>
+void addPieces(std::vector<Motion<Dim>>& motions, std::span<const TimedCubic<Dim>> pieces, bool isChain) {
+    if (!isChain || pieces.size() < 2) {
+        for (const TimedCubic<Dim>& piece : pieces)
+            motions.push_back(cubicMove<Dim>(piece.points, piece.time));
+        return;
+    }
+    CurveMotion<Dim> chain;
+    chain.points = {pieces.front().points.front()};
+    for (const TimedCubic<Dim>& piece : pieces)
+        chain.points.insert(chain.points.end(), piece.points.begin() + 1, piece.points.end());
+    motions.push_back({std::move(chain), pieces.front().time.start, pieces.back().time.end});
+}
+
+/// Returns a path of cubics that is led through a pose. A chain is divided at the ends of its piece around
+/// the time, a spline at each of its points, where its pieces take unequal times.
+template <int Dim>
+std::vector<Motion<Dim>> ledCubics(const Motion<Dim>& motion, std::vector<TimedCubic<Dim>> pieces,
+                                   const Vec<Dim>& place, const Vec<Dim>& by, double time) {
+    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+    const bool isChain = curve && curve->interpolation == Interpolation::Bezier;
+    const std::size_t before = splitCubics<Dim>(pieces, place, by, time);
+    const std::span<const TimedCubic<Dim>> all(pieces);
+    std::vector<Motion<Dim>> result;
+    addPieces<Dim>(result, all.first(before - 1), isChain);
+    addPieces<Dim>(result, all.subspan(before - 1, 2), false);
+    addPieces<Dim>(result, all.subspan(before + 1), isChain);
+    return result;
+}
+
+/// Leads the motion that contains the time through a pose, as two motions or more.
 template <int Dim>
 bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
                   double time) {
     const bool isEven =
         motions[i].ease == Ease::Linear && std::holds_alternative<Translate<Dim>>(motions[i].kind);
-    if (const auto cubic = isEven ? std::nullopt : cubicOf<Dim>(motions[i])) {
-        const auto [before, after] = splitCubic<Dim>(motions[i], *cubic, place, by, time);
-        motions[i] = before;
-        motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(i) + 1, after);
+    if (const auto pieces = cubicsOf<Dim>(motions[i]); !isEven && hasRoom<Dim>(pieces, time)) {
+        const auto parts = ledCubics<Dim>(motions[i], pieces, place, by, time);
+        const auto at = motions.erase(motions.begin() + static_cast<std::ptrdiff_t>(i));
+        motions.insert(at, parts.begin(), parts.end());
         return true;
     }
     const auto path = offsetPathOf<Dim>(motions[i], time);

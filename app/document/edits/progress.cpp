@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/document/design.h"
+#include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/offset_path.h"
 #include "core/motion/constraints.h"
 
@@ -201,6 +202,25 @@ std::optional<std::array<Vec<Dim>, 4>> cubicOf(const Motion<Dim>& motion) {
 }
 
 template <int Dim>
+std::vector<TimedCubic<Dim>> cubicsOf(const Motion<Dim>& motion) {
+    if (const auto whole = cubicOf<Dim>(motion)) return {{*whole, {motion.start, motion.end}}};
+    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+    if (!curve || !isPlain<Dim>(*curve) || motion.ease != Ease::Linear ||
+        curve->interpolation == Interpolation::Polyline)
+        return {};
+    std::vector<TimedCubic<Dim>> cubics;
+    for (const CurvePiece<Dim>& piece : curveOf<Dim>(*curve).pieces) {
+        const auto c = [&](int k) -> Vec<Dim> { return piece.coefficients.col(k); };
+        const Vec<Dim> from = c(0) - curve->points.front();
+        const double start = cubics.empty() ? motion.start : cubics.back().time.end;
+        cubics.push_back({{from, from + c(1) / 3, from + (2 * c(1) + c(2)) / 3, from + c(1) + c(2) + c(3)},
+                          {start, std::lerp(motion.start, motion.end, piece.to)}});
+    }
+    cubics.back().time.end = motion.end;
+    return cubics;
+}
+
+template <int Dim>
 Motion<Dim> cubicMove(const std::array<Vec<Dim>, 4>& points, const MotionTime& time) {
     CurveMotion<Dim> curve;
     curve.points.assign(points.begin(), points.end());
@@ -287,6 +307,7 @@ Design<Dim> withProgress(const Design<Dim>& design, const std::vector<MotionId>&
     template Motion<Dim> straightMove<Dim>(const Vec<Dim>&, const MotionTime&, const Progress&, \
                                            const Vec<Dim>&);                                    \
     template std::optional<std::array<Vec<Dim>, 4>> cubicOf<Dim>(const Motion<Dim>&);           \
+    template std::vector<TimedCubic<Dim>> cubicsOf<Dim>(const Motion<Dim>&);                    \
     template Motion<Dim> cubicMove<Dim>(const std::array<Vec<Dim>, 4>&, const MotionTime&);     \
     template SlowSides slowSidesOf<Dim>(const Motion<Dim>&);                                    \
     template void setSlowSides<Dim>(Motion<Dim>&, const SlowSides&);                            \

@@ -38,6 +38,16 @@ Motion<Dim> straightMove(const Vec<Dim>& by, const MotionTime& time, const Progr
 /// any other motion.
 template <int Dim>
 std::optional<std::array<Vec<Dim>, 4>> cubicOf(const Motion<Dim>& motion);
+/// A cubic of the time: its control points relative to the start of a motion that it belongs to.
+template <int Dim>
+struct TimedCubic {
+    std::array<Vec<Dim>, 4> points;
+    MotionTime time;
+};
+/// Returns the cubics of the time that a motion consists of, one after another; none for any other motion, as
+/// for a path of several pieces that is eased.
+template <int Dim>
+std::vector<TimedCubic<Dim>> cubicsOf(const Motion<Dim>& motion);
 /// Returns the motion along a cubic of the time: a straight move where it is one.
 template <int Dim>
 Motion<Dim> cubicMove(const std::array<Vec<Dim>, 4>& points, const MotionTime& time);

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "app/document/edits/document.h"
+#include "app/document/edits/film_edits.h"
 #include "app/document/edits/key_edits.h"
 #include "app/document/edits/pose_edits.h"
 #include "app/document/edits/progress.h"
@@ -274,19 +275,68 @@ void TestKeys::randomEditsKeepTheRest_data() {
 
 namespace {
 
-/// A random edit of a few keys of one handle, or of its motions.
+/// A late pin, the cycle or a marker: none of these changes a motion.
 template <int Dim>
-Project randomEdit(const Project& project, int handle, std::mt19937& random, double& from, double& to) {
+Project randomAddition(const Project& project, std::mt19937& random) {
+    const double time = std::uniform_real_distribution<double>(0.5, 6)(random);
+    const auto& design = std::get<Design<Dim>>(project.design);
+    const auto marks = static_cast<int>(project.markers.size());
+    switch (random() % 5) {
+        case 0:
+            if (design.handles.size() >= 8) break;
+            {
+                Project next = project;
+                const std::vector<Vec<Dim>> at = {Vec<Dim>::Zero()};
+                next.design =
+                    withHandle<Dim>(design, at, "Late " + std::to_string(design.handles.size()), time);
+                return next;
+            }
+        case 1:
+            return *withoutCycle(project);
+        case 2:
+            if (marks > 0) return *withoutMarker(project, marks - 1);
+            break;
+        case 3:
+            return *withMarker(project, time, "Marker");
+        default:
+            break;
+    }
+    return random() % 2 == 0 ? *withCycle(project, time, {}) : *withCycle(project, {}, time);
+}
+
+/// A pose of a handle: any one, or a copy of one that it or another handle has, mirrored or not.
+template <int Dim>
+CopiedKey randomPose(const Project& project, int handle, std::mt19937& random,
+                     const std::vector<Vec<Dim>>& starts) {
+    CopiedKey copy{handle, 0, Amount::Zero(), {random() % 2 == 0, random() % 2 == 0}};
+    for (int k = 0; k < Dim; ++k) copy.offset[k] = std::uniform_real_distribution<double>(-5, 5)(random);
+    const int other = static_cast<int>(random() % starts.size());
+    const std::vector<double> times = keyTimes(project.design, other);
+    if (times.empty() || random() % 2 == 0) return copy;
+    const double time = times[random() % times.size()];
+    copy = copiedKeys<Dim>(std::get<Design<Dim>>(project.design), {{other, time}}, starts).at(0);
+    copy.handle = handle;
+    if (random() % 2 == 0) copy.offset[0] = -copy.offset[0];
+    return copy;
+}
+
+/// A random edit of a few keys of one handle, or of its motions; the handle is −1 for one of none.
+template <int Dim>
+Project randomEdit(const Project& project, int& handle, std::mt19937& random, double& from, double& to) {
     const auto upTo = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
+    if (upTo(12) == 0) {
+        handle = -1;
+        return randomAddition<Dim>(project, random);
+    }
     const std::vector<double> times = keyTimes(project.design, handle);
-    const std::vector<Vec<Dim>> starts(3, Vec<Dim>::Zero());
+    const std::vector<Vec<Dim>> starts(std::get<Design<Dim>>(project.design).handles.size(),
+                                       Vec<Dim>::Zero());
     const int what = times.empty() ? 5 : times.size() > 30 ? upTo(2) : upTo(7);
     if (what == 5) {
-        CopiedKey copy{handle, 0, Amount::Zero(), {upTo(2) == 0, upTo(2) == 0}};
-        for (int k = 0; k < Dim; ++k) copy.offset[k] = uniform(-5, 5);
+        const CopiedKey copy = randomPose<Dim>(project, handle, random, starts);
         const double time = uniform(0, 8);
         std::vector<KeyId> pasted;
         Project next = *withKeysPasted<Dim>(project, {copy}, time, starts, pasted);
@@ -326,9 +376,10 @@ Project randomEdit(const Project& project, int handle, std::mt19937& random, dou
 
 }  // namespace
 
-/// Thousands of edits: other handles, and motions that do not touch the edited keys, keep their bits; motions
-/// stay in order; where the handle was at untouched keys it is; undo to the start gives the first file byte
-/// for byte.
+/// Thousands of edits (keys moved, copied, pasted, mirrored, held, removed and eased, recordings made simple,
+/// late pins, cycles and markers): other handles, and motions that do not touch the edited keys, keep their
+/// bits; motions stay in order; where the handle was at untouched keys it is; undo to the start gives the
+/// first file byte for byte.
 void TestKeys::randomEditsKeepTheRest() {
     QFETCH(int, dimension);
     const auto check = [](auto dim) {
@@ -343,17 +394,21 @@ void TestKeys::randomEditsKeepTheRest() {
             stroke.points.push_back(Vec<Dim>::Constant(std::sin(k)));
         }
         motionsOf<Dim>(first, 2) = {{stroke, 0.5, 3}};
+        CurveMotion<Dim> path;
+        for (int k = 0; k < 7; ++k) path.points.push_back(Vec<Dim>::Constant(std::cos(3 * k)));
+        motionsOf<Dim>(first, 2).push_back({path, 3.5, 4.5});
         file.project = std::make_shared<const Project>(first);
         document.open(std::move(file));
         const std::string text = toJson(*document.project());
         int changes = 0;
         for (int round = 0; round < 3000; ++round) {
             const Project before = *document.project();
-            const int handle = static_cast<int>(random() % 3);
+            const int count = static_cast<int>(std::get<Design<Dim>>(before.design).handles.size());
+            int handle = static_cast<int>(random() % static_cast<unsigned>(count));
             double from = 0, to = 0;
             Project after = randomEdit<Dim>(before, handle, random, from, to);
             Project was = before;
-            for (int h = 0; h < 3; ++h) {
+            for (int h = 0; h < count; ++h) {
                 const auto &old = motionsOf<Dim>(was, h), &now = motionsOf<Dim>(after, h);
                 for (std::size_t i = 1; i < now.size(); ++i) QVERIFY(now[i - 1].end <= now[i].start);
                 for (const auto& motion : now) QVERIFY(motion.end > motion.start);
@@ -371,7 +426,7 @@ void TestKeys::randomEditsKeepTheRest() {
                     if (h != handle || time <= left || time >= right)
                         QVERIFY((placeAt<Dim>(after, h, time) - placeAt<Dim>(before, h, time)).norm() < 1e-8);
             }
-            if (after.end == before.end &&
+            if (handle >= 0 && after.end == before.end &&
                 sameBits<Dim>(motionsOf<Dim>(was, handle), motionsOf<Dim>(after, handle)))
                 continue;
             document.change(QStringLiteral("Edit"), std::move(after));

@@ -17,6 +17,8 @@ class TestPoses : public QObject {
     void movesAKeyPose();
     void comesFromWhereItHeld();
     void startsAtRest();
+    void pathsAreSplitExactly_data();
+    void pathsAreSplitExactly();
     void otherKindsAreLeft();
     void longerFilmKeepsItsTimes();
     void randomPosesKeepTheRest_data();
@@ -105,6 +107,57 @@ void TestPoses::startsAtRest() {
     QVERIFY(!posed<2>(film<2>(), 1, 0, {1, 0}));
 }
 
+void TestPoses::pathsAreSplitExactly_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("interpolation");
+    QTest::addColumn<int>("motions");
+    for (const int dimension : {2, 3}) {
+        QTest::addRow("chain, %dD", dimension) << dimension << int(Interpolation::Bezier) << 4;
+        QTest::addRow("spline, %dD", dimension) << dimension << int(Interpolation::Spline) << 7;
+    }
+}
+
+/// A chain of four cubics, and a spline through seven points of unequal distances: at all times the pin is
+/// where it was, plus the displacement times a factor that rises from the path's start to the pose and falls
+/// to its end. The places before are the trajectory's own.
+void TestPoses::pathsAreSplitExactly() {
+    QFETCH(int, dimension);
+    QFETCH(int, interpolation);
+    QFETCH(int, motions);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> any(-5, 5);
+        CurveMotion<Dim> curve;
+        curve.interpolation = static_cast<Interpolation>(interpolation);
+        for (int k = 0; k < (curve.interpolation == Interpolation::Bezier ? 13 : 7); ++k) {
+            Vec<Dim> point;
+            for (int i = 0; i < Dim; ++i) point[i] = any(random);
+            curve.points.push_back(k == 0 ? Vec<Dim>(Vec<Dim>::Zero()) : point);
+        }
+        Project before = film<Dim>();
+        std::get<Design<Dim>>(before.design).handles[0].motions = {{curve, 0.5, 3.5}};
+        const Vec<Dim> by = 2 * Vec<Dim>::Unit(0) - Vec<Dim>::Unit(1);
+        const double time = 1.7;
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        QCOMPARE(int(std::get<Design<Dim>>(after->design).handles[0].motions.size()), motions);
+        double worst = 0;
+        for (int k = 0; k <= 400; ++k) {
+            const double t = 4 * k / 400.0;
+            const double factor =
+                std::clamp(std::min((t - 0.5) / (time - 0.5), (3.5 - t) / (3.5 - time)), 0.0, 1.0);
+            const Vec<Dim> wanted = placeAt<Dim>(before, 0, t) + factor * by;
+            worst = std::max(worst, (placeAt<Dim>(*after, 0, t) - wanted).norm());
+        }
+        QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
 void TestPoses::otherKindsAreLeft() {
     Project project = film<2>();
     Rotate<2> turn;
@@ -161,7 +214,10 @@ void TestPoses::randomPosesKeepTheRest() {
                 auto& motions = std::get<Design<Dim>>(project.design).handles[0].motions;
                 motions[1].ease = static_cast<Ease>(round / 50 % 4);
                 CurveMotion<Dim> curve;
-                for (int k = 0; k < 4; ++k) curve.points.push_back(vector());
+                const bool isSpline = round / 50 % 3 == 1;
+                if (isSpline) curve.interpolation = Interpolation::Spline;
+                const int points = isSpline ? 6 : round / 50 % 3 == 0 ? 4 : 10;
+                for (int k = 0; k < points; ++k) curve.points.push_back(vector());
                 std::get<Design<Dim>>(project.design).handles[1].motions = {{curve, 0.5, 3}};
                 Recorded<Dim> stroke;
                 for (int k = 0; k < 6; ++k) stroke.times.push_back(k), stroke.points.push_back(vector());
