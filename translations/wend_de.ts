@@ -5541,8 +5541,8 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
-        <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, ST-Map, Netz oder Ansicht</translation>
+        <source>Export what is shown as a picture, film, sequence, ST map, mesh or view</source>
+        <translation>Schreiben, was zu sehen ist: als Bild, Film, Sequenz, ST-Map, Netz oder Ansicht</translation>
     </message>
 </context>
 <context>

@@ -5541,8 +5541,8 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
-        <translation>Exportar lo que se ve: como imagen, secuencia, mapa ST, malla o vista</translation>
+        <source>Export what is shown as a picture, film, sequence, ST map, mesh or view</source>
+        <translation>Exportar lo que se ve: como imagen, película, secuencia, mapa ST, malla o vista</translation>
     </message>
 </context>
 <context>

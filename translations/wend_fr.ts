@@ -5541,8 +5541,8 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
-        <translation>Exporter ce qui est affiché&#x202f;: image, séquence, ST map, maillage ou vue</translation>
+        <source>Export what is shown as a picture, film, sequence, ST map, mesh or view</source>
+        <translation>Exporter ce qui est affiché&#x202f;: image, film, séquence, ST map, maillage ou vue</translation>
     </message>
 </context>
 <context>

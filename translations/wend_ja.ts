@@ -5531,8 +5531,8 @@
         <translation>%1%</translation>
     </message>
     <message>
-        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
-        <translation>表示中のものを、画像、連番、ST マップ、メッシュ、ビューとして書き出します</translation>
+        <source>Export what is shown as a picture, film, sequence, ST map, mesh or view</source>
+        <translation>表示中のものを、画像、フィルム、連番、ST マップ、メッシュ、ビューとして書き出します</translation>
     </message>
 </context>
 <context>

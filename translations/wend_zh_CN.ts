@@ -5531,8 +5531,8 @@
         <translation>%1%</translation>
     </message>
     <message>
-        <source>Export what is shown as a picture, sequence, ST map, mesh or view</source>
-        <translation>导出所显示的内容：图片、序列、ST 贴图、网格或视图</translation>
+        <source>Export what is shown as a picture, film, sequence, ST map, mesh or view</source>
+        <translation>导出所显示的内容：图片、影片、序列、ST 贴图、网格或视图</translation>
     </message>
 </context>
 <context>

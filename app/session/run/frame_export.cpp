@@ -3,6 +3,7 @@
 #include <QDir>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/document/domain.h"
 #include "app/document/file/named_files.h"
@@ -74,27 +75,33 @@ FrameSpan FrameExport::span(bool loop) const {
     return frameSpan(*m_project, m_seconds, outputs);
 }
 
-Extent<2> FrameExport::extent(ExportKind kind) const {
-    Extent<2> all = extentOf<2>(m_pose, m_rest->cells);
-    if (!isMotion(kind)) return all;
-    for (const FramePtr& frame : m_motion)
-        if (const auto flat = posed<2>(frame)) {
-            const Extent<2> one = extentOf<2>(inPixels(*flat->built, flat->pose), m_rest->cells);
-            all.low = all.low.cwiseMin(one.low);
-            all.high = all.high.cwiseMax(one.high);
-        }
-    return all;
+/// A span that begins or ends between two frames has both.
+Extent<2> FrameExport::extent(ExportKind kind, bool loop) const {
+    if (!isMotion(kind)) return extentOf<2>(m_pose, m_rest->cells);
+    const auto [from, to] = span(loop);
+    std::optional<Extent<2>> all;
+    for (std::size_t k = 0; k < m_motion.size(); ++k) {
+        const bool isBefore = k + 1 < m_motion.size() && m_motion[k + 1]->time <= from;
+        const auto flat = posed<2>(m_motion[k]);
+        if (isBefore || !flat) continue;
+        const Extent<2> one = extentOf<2>(inPixels(*flat->built, flat->pose), m_rest->cells);
+        if (!all) all = one;
+        all->low = all->low.cwiseMin(one.low);
+        all->high = all->high.cwiseMax(one.high);
+        if (m_motion[k]->time >= to) break;
+    }
+    return all ? *all : extentOf<2>(m_pose, m_rest->cells);
 }
 
-View FrameExport::view(ExportKind kind, const CanvasChoice& canvas) const {
-    return canvasView(m_size, extent(kind), isMotion(kind) ? canvas.forFrames() : canvas);
+View FrameExport::view(ExportKind kind, const CanvasChoice& canvas, bool loop) const {
+    return canvasView(m_size, extent(kind, loop), isMotion(kind) ? canvas.forFrames() : canvas);
 }
 
 /// Returns the overhang. The outline is grown beyond what is visible, so whatever of it is outside at rest is
 /// no loss.
-Overhang FrameExport::overhang(ExportKind kind) const {
+Overhang FrameExport::overhang(ExportKind kind, bool loop) const {
     if (!m_picture) return {};
-    const Extent<2> shape = extent(kind), rest = extentOf<2>(m_source->points, m_source->cells);
+    const Extent<2> shape = extent(kind, loop), rest = extentOf<2>(m_source->points, m_source->cells);
     const auto beyond = [](double by, double free) {
         return by > std::max(free, 0.0) + 0.5 ? static_cast<int>(std::ceil(std::min(by, 1e9))) : 0;
     };

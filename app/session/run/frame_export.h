@@ -49,10 +49,11 @@ class FrameExport {
     /// Returns the source position of every pixel of the picture.
     Image stMapOf(const View& view) const;
     const std::vector<float>& depths() const { return m_depths; }
-    /// Returns the view that the canvas shows; for a sequence, of all of the motion. Throws InputError.
-    View view(ExportKind kind, const CanvasChoice& canvas) const;
+    /// Returns the view that the canvas shows; for a sequence or film, of all of its frames: see span().
+    /// Throws InputError.
+    View view(ExportKind kind, const CanvasChoice& canvas, bool loop = false) const;
     /// Returns what a canvas of the picture's size cuts off.
-    Overhang overhang(ExportKind kind) const;
+    Overhang overhang(ExportKind kind, bool loop = false) const;
     WarpOptions warpOptions(const RunOptions& options) const;
 
     /// Writes the file, all of a sequence, whose name contains ####, or a film. `remark` receives what the
@@ -71,7 +72,7 @@ class FrameExport {
                    std::string& remark) const;
     void writeFrames(ExportKind kind, const std::string& path, const RunOptions& options,
                      const RunWatch& watch) const;
-    Extent<2> extent(ExportKind kind) const;
+    Extent<2> extent(ExportKind kind, bool loop) const;
 
     std::shared_ptr<const Project> m_project;
     std::string m_name;  // of the project, for messages and paths

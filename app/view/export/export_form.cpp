@@ -201,9 +201,10 @@ void ExportForm::tieRate(const OptionField& changed) {
 }
 
 void ExportForm::tieWidth() {
-    CanvasChoice canvas = runOptionsFrom(values()).canvas;
+    const RunOptions options = runOptionsFrom(values());
+    CanvasChoice canvas = options.canvas;
     canvas.scale = 1;
-    const double own = shape()->view(kind(), canvas).width;
+    const double own = shape()->view(kind(), canvas, options.outputs.loop).width;
     field("--scale")->setNumber(100 * field("--width")->number() / own);
 }
 
@@ -211,7 +212,8 @@ void ExportForm::tieWidth() {
 void ExportForm::showWidth() {
     if (!isPicture()) return;
     try {
-        field("--width")->setNumber(shape()->view(kind(), runOptionsFrom(values()).canvas).width);
+        const RunOptions options = runOptionsFrom(values());
+        field("--width")->setNumber(shape()->view(kind(), options.canvas, options.outputs.loop).width);
     } catch (const InputError&) {  // the preview shows the reason
     }
 }
@@ -265,7 +267,8 @@ void ExportForm::showDepths() {
 
 void ExportForm::showCrop() {
     const bool cuts = isPicture() && field("--canvas")->value() == "picture";
-    const Overhang over = cuts ? shape()->overhang(kind()) : Overhang{};
+    const Overhang over =
+        cuts ? shape()->overhang(kind(), runOptionsFrom(values()).outputs.loop) : Overhang{};
     QStringList sides;
     const auto add = [&sides](int by, const QString& text) {
         if (by > 0) sides << text.arg(QLocale().toString(by));
@@ -291,7 +294,8 @@ QString ExportForm::pixels() const {
         return kind() == ExportKind::Frames ? tr("%n shapes of %1", nullptr, count).arg(one) : one;
     }
     try {
-        const View view = shape()->view(kind(), runOptionsFrom(values()).canvas);
+        const RunOptions options = runOptionsFrom(values());
+        const View view = shape()->view(kind(), options.canvas, options.outputs.loop);
         const QString one =
             tr("%1 × %2 pixels").arg(locale.toString(view.width), locale.toString(view.height));
         return isMotion(kind()) ? tr("%n pictures of %1", nullptr, count).arg(one) : one;

@@ -31,11 +31,15 @@ View smaller(const View& view, const QSize& room) {
     return small;
 }
 
+View viewOf(const FrameExport& shape, const PreviewRequest& request) {
+    return shape.view(request.kind, request.options.canvas, request.options.outputs.loop);
+}
+
 QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, const PreviewRequest& request,
                       std::stop_token stop) {
     WarpOptions options = shape.warpOptions(request.options);
     options.stop = std::move(stop);
-    const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
+    const View view = smaller(viewOf(shape, request), request.room);
     if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
     QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
     const std::string file = "picture" + request.extension;
@@ -49,7 +53,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
 
 /// The map's red and green, as a compositing program shows them.
 QImage mapPreview(const FrameExport& shape, const PreviewRequest& request) {
-    const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
+    const View view = smaller(viewOf(shape, request), request.room);
     const Image map = shape.stMapOf(view);
     const Image shown = converted(map, {PixelType::UInt8, 4, true, true});
     return QImage(reinterpret_cast<const uchar*>(shown.data.data()), shown.width, shown.height,

@@ -89,6 +89,13 @@ QString questionOf(OwnFile own, const QString& name) {
     return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);
 }
 
+/// Returns how much of a run is done. Its progress within a step, which names both, does not count.
+double wholePart(const std::string& work, double part, double deforming) {
+    if (deforming == 0) return part;
+    if (work == "deforming") return deforming * part;
+    return work == "warping" ? deforming + (1 - deforming) * part : 0;
+}
+
 }  // namespace
 
 Exporter::Exporter(ShapeSession& session, QWidget& window)
@@ -186,11 +193,14 @@ void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
     const auto shape = shownShape();
     if (kind == ExportKind::Frames && !isAnimation(path.toStdString())) path = withNumber(path);
     emit begun();
-    run(workOf(kind, options.outputs.count), path, [=](const RunWatch& watch, std::string& remark) {
-        RunWatch heard = watch;
-        if (kind != ExportKind::Mesh) heard.notice = {};  // a mesh names what its format does not hold
-        shape->write(kind, path.toStdString(), options, heard, remark);
-    });
+    // A canvas that fits is known when all frames are: only then are they painted.
+    const double deforming = !isMotion(kind) ? 0 : options.canvas.kind == Canvas::Fit ? 0.5 : 1;
+    run(workOf(kind, options.outputs.count), path, deforming,
+        [=](const RunWatch& watch, std::string& remark) {
+            RunWatch heard = watch;
+            if (kind != ExportKind::Mesh) heard.notice = {};  // a mesh names what its format does not hold
+            shape->write(kind, path.toStdString(), options, heard, remark);
+        });
 }
 
 void Exporter::exportMaterial(MaterialPart part) {
@@ -210,14 +220,15 @@ void Exporter::writeMaterial(MaterialPart part, const QString& path) {
     if (!shown) return;
     const auto picture = m_session.document().picture();
     emit begun();
-    run(tr("Writing the picture …"), path, [=](const RunWatch&, std::string&) {
+    run(tr("Writing the picture …"), path, 0, [=](const RunWatch&, std::string&) {
         const PictureFrame frame =
             pictureFrame(picture ? picture->width : 0, picture ? picture->height : 0, *shown->rest);
         writeImage(path.toStdString(), materialPicture(part, frame, *shown->rest, *shown->material));
     });
 }
 
-void Exporter::run(const QString& what, const QString& path, Job job) {
+/// `deforming` is the share of the work that it takes to deform the shape.
+void Exporter::run(const QString& what, const QString& path, double deforming, Job job) {
     auto* dialog = new QProgressDialog(what, tr("Cancel"), 0, 1000, &m_window);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setMinimumDuration(400);
@@ -227,9 +238,11 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     auto source = std::make_shared<std::stop_source>();
     m_stop = source;
     connect(dialog, &QProgressDialog::canceled, this, [source] { source->request_stop(); });
-    const auto show = [this, shown = QPointer<QProgressDialog>(dialog)](const std::string&, double part) {
-        m_out.call([shown, part] {
-            if (shown) shown->setValue(static_cast<int>(1000 * part));
+    const auto show = [this, deforming, shown = QPointer<QProgressDialog>(dialog)](const std::string& work,
+                                                                                   double part) {
+        const double done = wholePart(work, part, deforming);
+        m_out.call([shown, done] {
+            if (shown) shown->setValue(std::max(shown->value(), static_cast<int>(1000 * done)));
         });
     };
     // Futures would slice an exception.

@@ -74,7 +74,7 @@ class Exporter : public QObject {
     };
     void ask(ExportKind kind);
     QString askName(const ExportForm& form);
-    void run(const QString& what, const QString& path, Job job);
+    void run(const QString& what, const QString& path, double deforming, Job job);
     void tell(const Result& result, const QString& path);
     std::shared_ptr<const FrameExport> shownShape() const;
     FramePtr shownFrame();

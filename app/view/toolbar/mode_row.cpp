@@ -98,7 +98,8 @@ QToolButton* ModeRow::makeExport(const Actions& actions) {
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_export->setIconSize({kIcon, kIcon});
     m_export->setFocusPolicy(Qt::TabFocus);
-    describe(m_export, tr("Export"), tr("Export what is shown as a picture, sequence, ST map, mesh or view"));
+    describe(m_export, tr("Export"),
+             tr("Export what is shown as a picture, film, sequence, ST map, mesh or view"));
     return m_export;
 }
 

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 
 #include "app/document/domain.h"
+#include "app/document/edits/film_edits.h"
 #include "app/panels/fields/option_field.h"
 #include "app/session/run/run_options.h"
 #include "app/view/actions/actions.h"
@@ -34,6 +35,7 @@ class TestExportDialog : public QObject {
     void cropIsToldAndFits();
     void littleThatIsCutOffIsToldToo();
     void cropsAreToldSideBySide();
+    void aLoopFitsItsCycle();
     void previewIsWhatIsWritten();
     void whatHasNoAlphaIsPreviewedOnItsGround();
     void framesAreNumbered();
@@ -318,6 +320,31 @@ void TestExportDialog::whatHasNoAlphaIsPreviewedOnItsGround() {
                 24,
             qPrintable(a.name() + ' ' + b.name()));
     }
+}
+
+/// A canvas that fits a film of the cycle is around the frames of the cycle alone.
+void TestExportDialog::aLoopFitsItsCycle() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 45);
+    session().document().change(QStringLiteral("Cycle"), withCycle(*session().document().project(), 0, 0.3));
+    QVERIFY(settle(session()));
+    CanvasChoice fit;
+    fit.kind = Canvas::Fit;
+    const auto heightUpTo = [&](double end) {
+        double low = 1e9, high = -1e9;
+        for (const FramePtr& frame : session().track().frames()) {
+            const auto flat = posed<2>(frame);
+            low = std::min(low, flat->pose.row(1).minCoeff());
+            high = std::max(high, flat->pose.row(1).maxCoeff());
+            if (frame->time >= end) break;
+        }
+        return high - low;
+    };
+    const int loop = shape()->view(ExportKind::Film, fit, true).height;
+    const int all = shape()->view(ExportKind::Film, fit, false).height;
+    QVERIFY2(std::abs(loop - heightUpTo(0.3)) <= 6, qPrintable(QString::number(loop)));
+    QVERIFY2(std::abs(all - heightUpTo(1)) <= 6, qPrintable(QString::number(all)));
+    QVERIFY(all > loop + 12);
 }
 
 /// At its own size, decoded by Qt.
