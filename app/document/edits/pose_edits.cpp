@@ -7,6 +7,7 @@
 #include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/offset_path.h"
 #include "app/document/edits/progress.h"
+#include "app/document/edits/rigid_path.h"
 #include "app/document/edits/timing_edits.h"
 #include "app/document/project.h"
 
@@ -77,6 +78,36 @@ std::vector<Motion<Dim>> ledCubics(const Motion<Dim>& motion, std::vector<TimedC
     return result;
 }
 
+/// Leads a motion that rotates its handle, too, through a pose, as two tables of poses.
+template <int Dim>
+bool splitRigid(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
+                double time) {
+    const Motion<Dim> own = motions[i];
+    const auto start = startOfRigid<Dim>(own, time, place);
+    if (!start) return false;
+    const auto before = ledRigidly<Dim>(own, {own.start, time}, *start, by, 0, 1);
+    const auto after = ledRigidly<Dim>(own, {time, own.end}, *start, by, 1, 0);
+    if (!before || !after) return false;
+    motions[i] = *before;
+    motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(i) + 1, *after);
+    return true;
+}
+
+/// Returns the motion that ends at a pose, led there; nothing if it cannot be.
+template <int Dim>
+std::optional<Motion<Dim>> ledTo(const Motion<Dim>& motion, const Vec<Dim>& place, const Vec<Dim>& by) {
+    if (const auto offset = offsetOf<Dim>(motion)) return led<Dim>(motion, by, 0, 1, place - *offset);
+    const auto start = startOfRigid<Dim>(motion, motion.end, place);
+    return start ? ledRigidly<Dim>(motion, {motion.start, motion.end}, *start, by, 0, 1) : std::nullopt;
+}
+
+/// Returns the motion that starts at a pose, led from there; nothing if it cannot be.
+template <int Dim>
+std::optional<Motion<Dim>> ledFrom(const Motion<Dim>& motion, const Vec<Dim>& place, const Vec<Dim>& by) {
+    if (const auto on = led<Dim>(motion, by, 1, 0, place + by)) return on;
+    return ledRigidly<Dim>(motion, {motion.start, motion.end}, place, by, 1, 0);
+}
+
 /// Leads the motion that contains the time through a pose, as two motions or more.
 template <int Dim>
 bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
@@ -90,7 +121,7 @@ bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Di
         return true;
     }
     const auto path = offsetPathOf<Dim>(motions[i], time);
-    if (!path) return false;
+    if (!path) return splitRigid<Dim>(motions, i, place, by, time);
     const auto [before, after] = split<Dim>(*path, time);
     const Vec<Dim> start = place - path->at(time);
     motions[i] = motionAlong<Dim>(before.led(by, 0, 1), start);
@@ -121,10 +152,10 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
     std::vector<Motion<Dim>> result(motions.begin(), previous == motions.end() ? next : previous);
     double key = time;
     if (previous != motions.end()) {
-        const auto offset = offsetOf<Dim>(*previous);
-        if (!offset) return false;
+        const auto before = ledTo<Dim>(*previous, place, by);
+        if (!before) return false;
         key = previous->end;
-        result.push_back(*led<Dim>(*previous, by, 0, 1, place - *offset));
+        result.push_back(*before);
     } else {
         const double from =
             std::max(result.empty() ? 0 : result.back().end, std::max(handle.activeFrom, 0.0));
@@ -134,8 +165,8 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
     }
     if (next != motions.end()) {
         const bool follows = next->start - key < kShortestMotion;
-        const auto path = follows ? led<Dim>(*next, by, 1, 0, place + by)
-                                  : Motion<Dim>{Translate<Dim>{-by}, key, next->start};
+        const auto path =
+            follows ? ledFrom<Dim>(*next, place, by) : Motion<Dim>{Translate<Dim>{-by}, key, next->start};
         if (!path) return false;
         result.push_back(*path);
         result.insert(result.end(), follows ? next + 1 : next, motions.end());

@@ -20,6 +20,8 @@ class TestPoses : public QObject {
     void pathsAreSplitExactly_data();
     void pathsAreSplitExactly();
     void otherKindsAreLeft();
+    void rotationsAreKept_data();
+    void rotationsAreKept();
     void longerFilmKeepsItsTimes();
     void randomPosesKeepTheRest_data();
     void randomPosesKeepTheRest();
@@ -160,11 +162,77 @@ void TestPoses::pathsAreSplitExactly() {
 
 void TestPoses::otherKindsAreLeft() {
     Project project = film<2>();
-    Rotate<2> turn;
-    turn.angle = 1;
-    std::get<Design<2>>(project.design).handles[0].motions[1].kind = turn;
+    CurveMotion<2> grows;
+    grows.points = {{0, 0}, {1, 0}, {2, 1}, {3, 3}};
+    grows.scale = 2;
+    std::get<Design<2>>(project.design).handles[0].motions[1].kind = grows;
     QVERIFY(!posed<2>(project, 0, 2.5, {1, 0}));
     QVERIFY(posed<2>(project, 0, 0.5, {1, 0}));
+}
+
+void TestPoses::rotationsAreKept_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("kind");
+    for (const int dimension : {2, 3}) {
+        QTest::addRow("rotation, %dD", dimension) << dimension << 0;
+        QTest::addRow("frame, %dD", dimension) << dimension << 1;
+        QTest::addRow("rotation at a key, %dD", dimension) << dimension << 2;
+    }
+}
+
+/// Three points of a body that rotates: they move beside where they were by the same displacement, times its
+/// factor; before the motion and after it they are where they were.
+void TestPoses::rotationsAreKept() {
+    QFETCH(int, dimension);
+    QFETCH(int, kind);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        Project before = film<Dim>();
+        auto& motion = std::get<Design<Dim>>(before.design).handles[0].motions[1];  // from 2 to 3
+        if (kind == 1) {
+            CurveMotion<Dim> curve;
+            curve.frame = FrameKind::Minimal;
+            for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {3.0, 2.0}, {2.0, 4.0}})
+                curve.points.push_back(x * Vec<Dim>::Unit(0) + y * Vec<Dim>::Unit(Dim - 1));
+            motion.kind = curve;
+        } else {
+            Rotate<Dim> turn;
+            turn.centre = 3 * Vec<Dim>::Unit(1);
+            turn.axis = Vec<Dim>::Constant(1).normalized();
+            turn.angle = 4;  // more than half a turn
+            motion.kind = turn;
+        }
+        motion.ease = Ease::InOut;
+        const double time = kind == 2 ? 3 : 2.4;
+        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1);
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        const auto& handle = std::get<Design<Dim>>(after->design).handles[0];
+        QCOMPARE(int(handle.motions.size()), kind == 2 ? 2 : 3);
+        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {
+            const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[0]);
+            return timeline.bodyAt(t, Side::Before).position(p);
+        };
+        double worst = 0;
+        for (int k = 0; k <= 80; ++k) {
+            const double t = k / 20.0;
+            const double rises = (t - 2) / (time - 2), falls = kind == 2 ? 1 : (3 - t) / (3 - time);
+            const double factor = std::clamp(std::min(rises, falls), 0.0, 1.0);
+            for (int i = 0; i < Dim; ++i) {
+                const Vec<Dim> p = Vec<Dim>::Unit(i), off = at(*after, t, p) - at(before, t, p) - factor * by;
+                worst = std::max(worst, off.norm());
+                if (t <= 2 || (t >= 3 && kind != 2) || t == time) QVERIFY(off.norm() < 1e-9);
+            }
+        }
+        QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
+        Project again = *after;
+        const auto file = toJson(again);
+        QVERIFY(file.find("\"poses\"") != std::string::npos);
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
 }
 
 void TestPoses::longerFilmKeepsItsTimes() {
