@@ -22,6 +22,8 @@ template <int Dim>
 constexpr int kLarge = Dim == 2 ? 16000 : 8000;
 template <int Dim>
 constexpr int kAim = Dim == 2 ? 5000 : 2000;
+// The same for a solid that springs back fully, which takes several factors for a frame.
+constexpr int kLargeElastic = 2500, kAimElastic = 1500;
 // Factor on the number of vertices where too few of them connect separate parts.
 constexpr int kFiner = 2;
 // A body is not used if it has more than this fraction of the shape's vertices.
@@ -214,8 +216,11 @@ class CoarseBody<Dim>::Holding {
 template <int Dim>
 std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::of(const Shape<Dim>& shape) {
     const int most = shape.rest->vertexCount() / kWorthwhile;
-    if (shape.rest->vertexCount() <= kLarge<Dim> || !shape.rest->parts.empty()) return nullptr;
-    for (const int aim : {kAim<Dim>, kFiner * kAim<Dim>}) try {
+    const bool takesFactors = Dim == 3 && std::isinf(shape.material->memory);
+    const int large = takesFactors ? kLargeElastic : kLarge<Dim>;
+    const int first = takesFactors ? kAimElastic : kAim<Dim>;
+    if (shape.rest->vertexCount() <= large || !shape.rest->parts.empty()) return nullptr;
+    for (const int aim : {first, kFiner * first}) try {
             SimplicialMesh<Dim> mesh = coarseMesh<Dim>(*shape.rest, std::min(aim, most));
             if (mesh.vertexCount() <= most) return std::make_shared<const CoarseBody>(shape, std::move(mesh));
         } catch (const InputError&) {  // a finer body may work; otherwise the shape itself is dragged

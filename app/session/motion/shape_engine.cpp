@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "app/document/design.h"
 #include "app/document/edits/handle_edits.h"
@@ -171,10 +172,12 @@ void ShapeEngineOf<Dim>::readyDrag() try {
     m_live.reset();
 }
 
-/// Reuses the body for other handles, other active handles and other materials.
+/// Reuses the body for other handles, other active handles and other materials, unless these are of the kind
+/// that has another body: see CoarseBody::of().
 template <int Dim>
 std::shared_ptr<const CoarseBody<Dim>> ShapeEngineOf<Dim>::bodyOf(const BuiltPtr& shape) {
-    if (!m_bodyOf || m_bodyOf->rest != shape->rest)
+    const auto isElastic = [](const Shape<Dim>& one) { return std::isinf(one.material->memory); };
+    if (!m_bodyOf || m_bodyOf->rest != shape->rest || isElastic(*m_bodyOf) != isElastic(*shape))
         m_body = CoarseBody<Dim>::of(*shape);
     else if (m_body && m_bodyOf->material != shape->material)
         m_body = m_body->with(*shape->material);
