@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>Scaled Jacobian</source>
-        <translation>Skalierte Jacobi-Determinante</translation>
+        <translation>Jacobi (skaliert)</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -1312,7 +1312,7 @@
     </message>
     <message>
         <source>Smallest dihedral angle</source>
-        <translation>Kleinster Flächenwinkel</translation>
+        <translation>Min. Diederwinkel</translation>
     </message>
 </context>
 <context>
