@@ -415,6 +415,10 @@
         <translation>ist schreibgeschützt: erst beschreibbar machen oder einen anderen Namen wählen</translation>
     </message>
     <message>
+        <source>is a model or a mesh of a kind that is not read (%1); these are: %2</source>
+        <translation>ist ein Modell oder Netz einer Art, die nicht gelesen wird (%1); gelesen werden: %2</translation>
+    </message>
+    <message>
         <source>a JPEG XL picture</source>
         <translation>ein JPEG-XL-Bild</translation>
     </message>
@@ -1293,6 +1297,22 @@
     <message>
         <source>Keep</source>
         <translation>Erhalt</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Jacobi (skaliert)</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Seitenverhältnis</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>Kleinster Winkel</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Min. Diederwinkel</translation>
     </message>
 </context>
 <context>
@@ -3958,6 +3978,42 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>Dreiecke mit mehr als dem Zehnfachen ihrer Fläche oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Überlagerung zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Farben von</translation>
+    </message>
+    <message>
+        <source>The value of the first colour. A typed value locks the scale; “≤” in the legend says that some places have less.</source>
+        <translation>Der Wert der ersten Farbe. Ein eingegebener Wert hält die Skala fest; „≤“ in der Legende heißt, dass Stellen darunter liegen.</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Farben bis</translation>
+    </message>
+    <message>
+        <source>The value of the last colour. A typed value locks the scale; “≥” in the legend says that some places have more.</source>
+        <translation>Der Wert der letzten Farbe. Ein eingegebener Wert hält die Skala fest; „≥“ in der Legende heißt, dass Stellen darüber liegen.</translation>
+    </message>
+    <message>
+        <source>Spreads the colours evenly over the orders of magnitude of the values.</source>
+        <translation>Verteilt die Farben gleichmäßig über die Größenordnungen der Werte.</translation>
+    </message>
+    <message>
+        <source>Colours from, to</source>
+        <translation>Farben von, bis</translation>
+    </message>
+    <message>
+        <source>These colours are those of the four energies.</source>
+        <translation>Diese Farben sind die der vier Energien.</translation>
+    </message>
+    <message>
+        <source>The scale of this measure is fixed.</source>
+        <translation>Die Skala dieses Maßes liegt fest.</translation>
     </message>
 </context>
 <context>
@@ -7941,6 +7997,22 @@
     <message>
         <source>“Repair” does not help: the cage carries the surface as it is.</source>
         <translation>„Reparieren“ hilft nicht: der Käfig trägt die Oberfläche, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>One hole has %1 edges: fill up to %1</source>
+        <translation>Ein Loch hat %1 Kanten: bis %1 füllen</translation>
+    </message>
+    <message>
+        <source>%1 holes have up to %2 edges: fill up to %2</source>
+        <translation>%1 Löcher haben bis zu %2 Kanten: bis %2 füllen</translation>
+    </message>
+    <message>
+        <source>No hole is larger</source>
+        <translation>Kein Loch ist größer</translation>
+    </message>
+    <message>
+        <source>Sets the largest hole that the repair fills to this.</source>
+        <translation>Setzt das größte Loch, das die Reparatur füllt, auf diesen Wert.</translation>
     </message>
 </context>
 <context>

@@ -415,6 +415,10 @@
         <translation>es de solo lectura: hágalo antes modificable o elija otro nombre</translation>
     </message>
     <message>
+        <source>is a model or a mesh of a kind that is not read (%1); these are: %2</source>
+        <translation>es un modelo o una malla de un tipo que no se lee (%1); se leen: %2</translation>
+    </message>
+    <message>
         <source>a JPEG XL picture</source>
         <translation>una imagen JPEG XL</translation>
     </message>
@@ -1293,6 +1297,22 @@
     <message>
         <source>Keep</source>
         <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Jacobiano escalado</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Relación de aspecto</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>Ángulo mínimo</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Ángulo diedro mínimo</translation>
     </message>
 </context>
 <context>
@@ -3958,6 +3978,42 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>Triángulos de más de diez veces su área, o de menos de una décima parte. Un clic muestra el lugar siguiente; la superposición los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarítmica</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Colores desde</translation>
+    </message>
+    <message>
+        <source>The value of the first colour. A typed value locks the scale; “≤” in the legend says that some places have less.</source>
+        <translation>El valor del primer color. Un valor escrito fija la escala; «≤» en la leyenda dice que hay lugares con menos.</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Colores hasta</translation>
+    </message>
+    <message>
+        <source>The value of the last colour. A typed value locks the scale; “≥” in the legend says that some places have more.</source>
+        <translation>El valor del último color. Un valor escrito fija la escala; «≥» en la leyenda dice que hay lugares con más.</translation>
+    </message>
+    <message>
+        <source>Spreads the colours evenly over the orders of magnitude of the values.</source>
+        <translation>Reparte los colores por igual entre los órdenes de magnitud de los valores.</translation>
+    </message>
+    <message>
+        <source>Colours from, to</source>
+        <translation>Colores desde, hasta</translation>
+    </message>
+    <message>
+        <source>These colours are those of the four energies.</source>
+        <translation>Estos colores son los de las cuatro energías.</translation>
+    </message>
+    <message>
+        <source>The scale of this measure is fixed.</source>
+        <translation>La escala de esta medida es fija.</translation>
     </message>
 </context>
 <context>
@@ -7941,6 +7997,22 @@
     <message>
         <source>“Repair” does not help: the cage carries the surface as it is.</source>
         <translation>«Reparar» no lo soluciona: la jaula lleva la superficie tal como está.</translation>
+    </message>
+    <message>
+        <source>One hole has %1 edges: fill up to %1</source>
+        <translation>Un agujero tiene %1 aristas: rellenar hasta %1</translation>
+    </message>
+    <message>
+        <source>%1 holes have up to %2 edges: fill up to %2</source>
+        <translation>%1 agujeros tienen hasta %2 aristas: rellenar hasta %2</translation>
+    </message>
+    <message>
+        <source>No hole is larger</source>
+        <translation>Ningún agujero es mayor</translation>
+    </message>
+    <message>
+        <source>Sets the largest hole that the repair fills to this.</source>
+        <translation>Fija en esto el mayor agujero que rellena la reparación.</translation>
     </message>
 </context>
 <context>

@@ -415,6 +415,10 @@
         <translation>est en lecture seule&#x202f;: rendez-le d’abord modifiable, ou choisissez un autre nom</translation>
     </message>
     <message>
+        <source>is a model or a mesh of a kind that is not read (%1); these are: %2</source>
+        <translation>est un modèle ou un maillage d’un type qui n’est pas lu (%1) ; sont lus : %2</translation>
+    </message>
+    <message>
         <source>a JPEG XL picture</source>
         <translation>une image JPEG XL</translation>
     </message>
@@ -1293,6 +1297,22 @@
     <message>
         <source>Keep</source>
         <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Jacobien normalisé</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Rapport d’aspect</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>Plus petit angle</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Plus petit angle dièdre</translation>
     </message>
 </context>
 <context>
@@ -3958,6 +3978,42 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>Triangles de plus de dix fois leur aire, ou de moins d’un dixième. Un clic montre l’endroit suivant ; l’incrustation les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Couleurs de</translation>
+    </message>
+    <message>
+        <source>The value of the first colour. A typed value locks the scale; “≤” in the legend says that some places have less.</source>
+        <translation>La valeur de la première couleur. Une valeur saisie fige l’échelle ; « ≤ » dans la légende dit que des endroits ont moins.</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Couleurs jusqu’à</translation>
+    </message>
+    <message>
+        <source>The value of the last colour. A typed value locks the scale; “≥” in the legend says that some places have more.</source>
+        <translation>La valeur de la dernière couleur. Une valeur saisie fige l’échelle ; « ≥ » dans la légende dit que des endroits ont plus.</translation>
+    </message>
+    <message>
+        <source>Spreads the colours evenly over the orders of magnitude of the values.</source>
+        <translation>Répartit les couleurs également sur les ordres de grandeur des valeurs.</translation>
+    </message>
+    <message>
+        <source>Colours from, to</source>
+        <translation>Couleurs de, à</translation>
+    </message>
+    <message>
+        <source>These colours are those of the four energies.</source>
+        <translation>Ces couleurs sont celles des quatre énergies.</translation>
+    </message>
+    <message>
+        <source>The scale of this measure is fixed.</source>
+        <translation>L’échelle de cette mesure est fixe.</translation>
     </message>
 </context>
 <context>
@@ -7941,6 +7997,22 @@
     <message>
         <source>“Repair” does not help: the cage carries the surface as it is.</source>
         <translation>«&#x202f;Réparer&#x202f;» ne suffit pas&#x202f;: la cage porte la surface telle qu’elle est.</translation>
+    </message>
+    <message>
+        <source>One hole has %1 edges: fill up to %1</source>
+        <translation>Un trou a %1 arêtes : remplir jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>%1 holes have up to %2 edges: fill up to %2</source>
+        <translation>%1 trous ont jusqu’à %2 arêtes : remplir jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>No hole is larger</source>
+        <translation>Aucun trou n’est plus grand</translation>
+    </message>
+    <message>
+        <source>Sets the largest hole that the repair fills to this.</source>
+        <translation>Règle sur cette valeur le plus grand trou que la réparation remplit.</translation>
     </message>
 </context>
 <context>

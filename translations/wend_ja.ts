@@ -415,6 +415,10 @@
         <translation>は読み取り専用です。先に書き込み可能にするか、別の名前を選んでください</translation>
     </message>
     <message>
+        <source>is a model or a mesh of a kind that is not read (%1); these are: %2</source>
+        <translation>は読み込めない種類のモデルまたはメッシュです（%1）。読み込めるもの：%2</translation>
+    </message>
+    <message>
         <source>a JPEG XL picture</source>
         <translation>JPEG XL 画像</translation>
     </message>
@@ -1293,6 +1297,22 @@
     <message>
         <source>Keep</source>
         <translation>保持</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>スケール済みヤコビアン</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>アスペクト比</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>最小の角度</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>最小の二面角</translation>
     </message>
 </context>
 <context>
@@ -3955,6 +3975,42 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>面積が 10 倍を超えた、または 10 分の 1 未満になった三角形です。クリックすると次の箇所を表示し、オーバーレイでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>対数</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>色の下限</translation>
+    </message>
+    <message>
+        <source>The value of the first colour. A typed value locks the scale; “≤” in the legend says that some places have less.</source>
+        <translation>最初の色の値です。入力した値は尺度を固定します。凡例の「≤」は、それより小さい場所があることを示します。</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>色の上限</translation>
+    </message>
+    <message>
+        <source>The value of the last colour. A typed value locks the scale; “≥” in the legend says that some places have more.</source>
+        <translation>最後の色の値です。入力した値は尺度を固定します。凡例の「≥」は、それより大きい場所があることを示します。</translation>
+    </message>
+    <message>
+        <source>Spreads the colours evenly over the orders of magnitude of the values.</source>
+        <translation>色を値の桁に均等に割り当てます。</translation>
+    </message>
+    <message>
+        <source>Colours from, to</source>
+        <translation>色の範囲</translation>
+    </message>
+    <message>
+        <source>These colours are those of the four energies.</source>
+        <translation>これらの色は 4 つのエネルギーの色です。</translation>
+    </message>
+    <message>
+        <source>The scale of this measure is fixed.</source>
+        <translation>この尺度の目盛りは固定です。</translation>
     </message>
 </context>
 <context>
@@ -7924,6 +7980,22 @@
     <message>
         <source>“Repair” does not help: the cage carries the surface as it is.</source>
         <translation>「修復」では直せませんが、サーフェスはそのままケージに追従します。</translation>
+    </message>
+    <message>
+        <source>One hole has %1 edges: fill up to %1</source>
+        <translation>1 つの穴は辺が %1 本：%1 本まで埋める</translation>
+    </message>
+    <message>
+        <source>%1 holes have up to %2 edges: fill up to %2</source>
+        <translation>%1 個の穴は辺が %2 本まで：%2 本まで埋める</translation>
+    </message>
+    <message>
+        <source>No hole is larger</source>
+        <translation>これより大きい穴はありません</translation>
+    </message>
+    <message>
+        <source>Sets the largest hole that the repair fills to this.</source>
+        <translation>修復で埋める最大の穴をこの値にします。</translation>
     </message>
 </context>
 <context>

@@ -415,6 +415,10 @@
         <translation>是只读的：请先使其可写，或选择其他名称</translation>
     </message>
     <message>
+        <source>is a model or a mesh of a kind that is not read (%1); these are: %2</source>
+        <translation>是无法读取的模型或网格类型（%1）；可以读取：%2</translation>
+    </message>
+    <message>
         <source>a JPEG XL picture</source>
         <translation>JPEG XL 图片</translation>
     </message>
@@ -1293,6 +1297,22 @@
     <message>
         <source>Keep</source>
         <translation>保持</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>缩放雅可比</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>长宽比</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>最小角</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>最小二面角</translation>
     </message>
 </context>
 <context>
@@ -3955,6 +3975,42 @@
     <message>
         <source>Triangles with more than ten times their area, or less than a tenth of it. A click goes to the next place; the overlay marks them in red.</source>
         <translation>面积超过原来十倍或不足十分之一的三角形。单击查看下一处；叠加层中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>颜色下限</translation>
+    </message>
+    <message>
+        <source>The value of the first colour. A typed value locks the scale; “≤” in the legend says that some places have less.</source>
+        <translation>第一种颜色的值。输入的值会锁定标尺；图例中的“≤”表示有些位置的值更小。</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>颜色上限</translation>
+    </message>
+    <message>
+        <source>The value of the last colour. A typed value locks the scale; “≥” in the legend says that some places have more.</source>
+        <translation>最后一种颜色的值。输入的值会锁定标尺；图例中的“≥”表示有些位置的值更大。</translation>
+    </message>
+    <message>
+        <source>Spreads the colours evenly over the orders of magnitude of the values.</source>
+        <translation>将颜色均匀分布在数值的各个数量级上。</translation>
+    </message>
+    <message>
+        <source>Colours from, to</source>
+        <translation>颜色范围</translation>
+    </message>
+    <message>
+        <source>These colours are those of the four energies.</source>
+        <translation>这些颜色是四种能量的颜色。</translation>
+    </message>
+    <message>
+        <source>The scale of this measure is fixed.</source>
+        <translation>此度量的标尺是固定的。</translation>
     </message>
 </context>
 <context>
@@ -7924,6 +7980,22 @@
     <message>
         <source>“Repair” does not help: the cage carries the surface as it is.</source>
         <translation>“修复”无效：笼体按原样承载该表面。</translation>
+    </message>
+    <message>
+        <source>One hole has %1 edges: fill up to %1</source>
+        <translation>有一个孔有 %1 条边：填充到 %1</translation>
+    </message>
+    <message>
+        <source>%1 holes have up to %2 edges: fill up to %2</source>
+        <translation>%1 个孔最多有 %2 条边：填充到 %2</translation>
+    </message>
+    <message>
+        <source>No hole is larger</source>
+        <translation>没有更大的孔</translation>
+    </message>
+    <message>
+        <source>Sets the largest hole that the repair fills to this.</source>
+        <translation>将修复所填充的最大孔设为此值。</translation>
     </message>
 </context>
 <context>

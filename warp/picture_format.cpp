@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/mesh_of_file.h"
 #include "warp/tga_check.h"
 
 namespace wend {
@@ -136,6 +138,70 @@ bool arePoints(std::string_view head) {
            head.find_first_of("0123456789") != std::string_view::npos;
 }
 
+/// Extensions of models and meshes that are not read, and what they are.
+constexpr std::pair<std::string_view, std::string_view> kModels[] = {
+    {".gltf", "glTF of several files"},
+    {".fbx", "FBX"},
+    {".dae", "COLLADA"},
+    {".step", "STEP"},
+    {".stp", "STEP"},
+    {".iges", "IGES"},
+    {".igs", "IGES"},
+    {".brep", "BREP"},
+    {".x_t", "Parasolid"},
+    {".sldprt", "SolidWorks"},
+    {".ifc", "IFC"},
+    {".3dm", "Rhino"},
+    {".dxf", "DXF"},
+    {".dwg", "DWG"},
+    {".blend", "Blender"},
+    {".3ds", "3D Studio"},
+    {".max", "3ds Max"},
+    {".ma", "Maya"},
+    {".mb", "Maya"},
+    {".abc", "Alembic"},
+    {".lwo", "LightWave"},
+    {".x3d", "X3D"},
+    {".wrl", "VRML"},
+    {".usd", "USD"},
+    {".usda", "USD"},
+    {".usdc", "USD"},
+    {".usdz", "USD"},
+    {".amf", "AMF"},
+    {".pvtu", "VTK's of several files"},
+    {".pvtp", "VTK's of several files"},
+    {".vtm", "VTK's of several files"},
+    {".pvd", "VTK's of several files"},
+    {".vts", "VTK's structured grid"},
+    {".vtr", "VTK's rectilinear grid"},
+    {".vti", "VTK's image data"},
+    {".vtkhdf", "VTKHDF"},
+    {".unv", "I-DEAS"},
+    {".neu", "Gambit"},
+    {".cas", "Fluent"},
+    {".cdb", "Ansys"},
+    {".op2", "Nastran's results"},
+    {".k", "LS-DYNA"},
+    {".vol", "Netgen"},
+    {".su2", "SU2"},
+    {".mphtxt", "COMSOL"},
+    {".ugrid", "UGRID"},
+    {".meshb", "Medit in bytes"},
+    {".h5", "HDF5 without a mesh format: .med, .cgns, .exo, or .xdmf beside it"},
+    {".nc", "netCDF"},
+    {".face", "TetGen: open its .node"},
+    {".edge", "TetGen: open its .node"},
+    {".neigh", "TetGen: open its .node"},
+    {".poly", "TetGen: open its .node"},
+    {".smesh", "TetGen: open its .node"}};
+
+std::string modelNamed(const std::string& path) {
+    const std::string extension = lowerExtension(path);
+    for (const auto& [known, what] : kModels)
+        if (known == extension) return std::string(what);
+    return {};
+}
+
 std::string kindOfOther(std::string_view head) {
     if (const auto known = marked(kNotRead, head); known != kNotRead.end()) return known->what;
     if (arePoints(head)) return "a list of points without a surface";
@@ -151,6 +217,12 @@ PictureFormat pictureFormat(const InputFile& file) {
     if (known != kRead.end() && isInItsContainer(known->what, head)) return known->what;
     if (isSvg(file, head)) return PictureFormat::Svg;
     if (isTga(head, static_cast<double>(file.size()))) return PictureFormat::Tga;
+    if (const std::string model = modelNamed(file.path()); !model.empty()) {
+        std::string read;
+        for (const std::string& one : readableMeshExtensions()) read += " " + one;
+        throw InputError(file.path(), "is a model or a mesh of a kind that is not read (" + model +
+                                          "); these are:" + read);
+    }
     throw InputError(file.path(), "is " + kindOfOther(head) +
                                       ". Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, "
                                       "Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures");

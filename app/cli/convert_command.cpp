@@ -58,9 +58,6 @@ void convertMesh(const Conversion& conversion, OutputSet& files) {
     requireShapeFormat(conversion.to, extension, 3);
     const auto mesh = sharedMeshFile(conversion.from);
     if (extension == ".stl" && conversion.options.binary()) conversion.tell(roundingText(pointsOf(*mesh)));
-    std::string missing;
-    for (const std::string& notice : mesh->notices) missing += (missing.empty() ? "" : ", ") + notice;
-    if (!missing.empty()) conversion.terminal.warn(conversion.from + ": is read without " + missing);
     conversion.tell(lostInFile("mesh" + extension, *mesh, conversion.options));
     files.add(conversion.to, extension,
               [&](const std::string& file) { writeMeshFile(file, *mesh, conversion.options); });

@@ -96,6 +96,7 @@ constexpr const char* kSentences[] = {
         "Core",
         "is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, "
         "JPEG 2000, camera raw and other pictures"),
+    QT_TRANSLATE_NOOP("Core", "is a model or a mesh of a kind that is not read (%1); these are: %2"),
     QT_TRANSLATE_NOOP("Core", "a JPEG XL picture"),
     QT_TRANSLATE_NOOP("Core", "a GIMP picture (XCF)"),
     QT_TRANSLATE_NOOP("Core", "a PDF document"),

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
@@ -33,6 +34,9 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_lock(new QToolButton(this)),
       m_details(new QWidget(this)),
       m_smooth(new QCheckBox(tr("Smooth colo&urs"), m_details)),
+      m_low(new ExactBox(m_details)),
+      m_high(new ExactBox(m_details)),
+      m_logarithmic(new QCheckBox(tr("Logarithmic"), m_details)),
       m_angle(new QLabel(m_details)),
       m_area(new QLabel(m_details)),
       m_length(new QLabel(m_details)),
@@ -50,7 +54,17 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     arrange();
     setDimension(2);
     connect(&m_session, &ShapeSession::frameChanged, this, &DistortionPanel::takeFrame);
+    for (ExactBox* box : {m_low, m_high})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &DistortionPanel::chooseRange);
+    connect(m_logarithmic, &QCheckBox::toggled, this, [this] {
+        m_range.logarithmic = m_logarithmic->isChecked();
+        fitLogarithm(shownValues(m_session, measure()));
+        takeFrame();
+        emit mapChanged();
+    });
     connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
+        const QSignalBlocker quiet(m_logarithmic);
+        m_logarithmic->setChecked(false);
         m_keep->setChecked(false);
         takeFrame();
         emit mapChanged();
@@ -91,6 +105,27 @@ void DistortionPanel::makeControls() {
         m_smooth, tr("Smooth colours"),
         tr("Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its "
            "value."));
+    m_low->setObjectName(QStringLiteral("mapLow"));
+    m_high->setObjectName(QStringLiteral("mapHigh"));
+    for (ExactBox* box : {m_low, m_high}) {
+        box->setDecimals(4);
+        box->setRange(-1e9, 1e9);
+        box->setSingleStep(0.01);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+    describe(
+        m_low, tr("Colours from"),
+        tr("The value of the first colour. A typed value locks the scale; “≤” in the legend says that some "
+           "places have less."));
+    describe(
+        m_high, tr("Colours to"),
+        tr("The value of the last colour. A typed value locks the scale; “≥” in the legend says that some "
+           "places have more."));
+    m_logarithmic->setObjectName(QStringLiteral("mapLogarithmic"));
+    describe(m_logarithmic, tr("Logarithmic"),
+             tr("Spreads the colours evenly over the orders of magnitude of the values."));
     m_keep->setCheckable(true);
     m_keep->setStatusTip(tr("Keeps the range of the colours, to compare different shapes and energies."));
     m_lock->setDefaultAction(m_keep);
@@ -115,9 +150,52 @@ void DistortionPanel::arrange() {
     details->setContentsMargins(16, 4, 16, 10);
     details->setSpacing(6);
     details->addWidget(m_smooth);
+    details->addLayout(rangeRow());
+    details->addWidget(m_logarithmic);
     details->addLayout(totals());
     layout->addLayout(sideBySide({m_lock, nullptr}));
     layout->addLayout(sideBySide({m_find, nullptr}));
+}
+
+QLayout* DistortionPanel::rangeRow() {
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(4);
+    auto* label = new QLabel(tr("Colours from, to"), m_details);
+    label->setProperty("role", "second");
+    rows->addWidget(label);
+    rows->addLayout(sideBySide({m_low, m_high}));
+    return rows;
+}
+
+/// Takes the range that was typed, unless it is empty or the logarithm of its low end does not exist.
+void DistortionPanel::chooseRange() {
+    const double low = m_low->exact(), high = m_high->exact();
+    if (!(low < high) || (m_logarithmic->isChecked() && low <= 0)) return showRange();
+    m_range.low = low;
+    m_range.high = high;
+    m_keep->setChecked(true);
+    takeFrame();
+    emit mapChanged();
+}
+
+/// Raises the low end of a logarithmic range to the smallest value above zero, of at most six orders.
+void DistortionPanel::fitLogarithm(const std::vector<double>& values) {
+    if (!m_range.logarithmic || m_range.low > 0) return;
+    double least = m_range.high;
+    for (const double value : values)
+        if (value > 0) least = std::min(least, value);
+    m_range.low = std::max(least, 1e-6 * m_range.high);
+    if (m_range.low >= m_range.high) m_range.low = m_range.high / 10;
+}
+
+/// Shows the ends of the range, and which of its settings the measure leaves open.
+void DistortionPanel::showRange() {
+    m_low->put(m_range.low);
+    m_high->put(m_range.high);
+    const bool isFixed = measure() == Measure::Phi;
+    for (QWidget* box : std::initializer_list<QWidget*>{m_low, m_high})
+        allow(box, !isFixed, tr("These colours are those of the four energies."));
+    allow(m_logarithmic, leavesScale(measure()), tr("The scale of this measure is fixed."));
 }
 
 QLayout* DistortionPanel::totals() {
@@ -249,7 +327,7 @@ void DistortionPanel::setMeasure(Measure measure) {
 bool DistortionPanel::hasPicture(const ShapeFrame& frame) {
     if (frame.dimension == 2) return true;
     const auto& skin = static_cast<const PosedFrame<3>&>(frame).built->skin;
-    return skin && !skin->materials.empty();
+    return skin && (!skin->materials.empty() || !skin->colours.empty());
 }
 
 void DistortionPanel::takeFrame() {
@@ -263,21 +341,26 @@ void DistortionPanel::takeFrame() {
     const std::vector<double> values = shownValues(m_session, measure());
     if (!m_keep->isChecked()) {
         m_range = rangeOf(values, measure(), m_dimension);
-        emit mapChanged();
+        m_range.logarithmic = m_logarithmic->isChecked() && leavesScale(measure());
+        fitLogarithm(values);
     }
-    m_legend->set(measure(), m_range, m_dimension, values);
+    findBeyond(values, m_range);
+    if (!m_keep->isChecked()) emit mapChanged();
+    m_legend->set(measure(), m_range, m_dimension, values, restValues(m_session, measure()));
+    showRange();
 }
 
 void DistortionPanel::showTotals(const ShapeFrame& frame) {
     const Distortion& distortion = *frame.distortion;
     const QLocale locale;
-    const auto text = [&locale](double value) { return locale.toString(value, 'f', 4); };
+    const QString about = frame.live || m_session.isStale() ? QStringLiteral("≈ ") : QString();
+    const auto text = [&](double value) { return about + locale.toString(value, 'f', 4); };
     m_angle->setText(text(distortion.totalAngle));
     m_area->setText(text(distortion.totalVolume));
     m_length->setText(text(distortion.totalMetric));
     allow(m_find, worstOf(distortion, measure()).cell >= 0,
           tr("No place is farther from rest than another."));
-    m_worst->setText(worstText(distortion, measure(), m_dimension));
+    m_worst->setText(about + worstText(distortion, measure(), m_dimension));
     const QString error = locale.toString(frame.pinError, 'f', 2);
     m_pinError->setText(m_session.document().picture() ? tr("%1 px").arg(error) : error);
     m_time->setText(tr("%1 ms").arg(locale.toString(frame.milliseconds, 'f', 0)));

@@ -14,6 +14,8 @@ class QToolButton;
 
 namespace wend {
 
+class ExactBox;
+
 /// The distortion of the shape: the map with its legend, three totals, the worst place, self-crossings and
 /// blown-up cells.
 class DistortionPanel : public QWidget {
@@ -55,6 +57,10 @@ class DistortionPanel : public QWidget {
     void arrange();
     QLayout* totals();
     void takeFrame();
+    QLayout* rangeRow();
+    void chooseRange();
+    void fitLogarithm(const std::vector<double>& values);
+    void showRange();
     void showTotals(const ShapeFrame& frame);
     void describeFaults();
     void showFaults();
@@ -71,6 +77,8 @@ class DistortionPanel : public QWidget {
     QToolButton* m_lock;
     QWidget* m_details;
     QCheckBox* m_smooth;
+    ExactBox *m_low, *m_high;  // the ends of the range
+    QCheckBox* m_logarithmic;
     QLabel* m_angle;
     QLabel* m_area;
     QLabel* m_length;

@@ -57,6 +57,32 @@ void paintHistogram(QPainter& painter, const QRect& where, const std::vector<int
     }
 }
 
+/// Draws another histogram as a line over it.
+void paintOutline(QPainter& painter, const QRect& where, const std::vector<int>& counts,
+                  const QColor& colour) {
+    const int most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
+    if (most == 0) return;
+    const double width = static_cast<double>(where.width()) / static_cast<double>(counts.size());
+    QPolygonF line;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double y =
+            where.bottom() + 1 - std::sqrt(static_cast<double>(counts[i]) / most) * where.height();
+        line << QPointF(where.left() + static_cast<double>(i) * width, y)
+             << QPointF(where.left() + static_cast<double>(i + 1) * width, y);
+    }
+    painter.setPen(QPen(colour, 1.25));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+}
+
+/// The values at the ends, which some may lie beyond.
+QString lowText(Measure measure, const MeasureRange& range) {
+    return (range.below ? QStringLiteral("≤ ") : QString()) + measureText(measure, range.low);
+}
+QString highText(Measure measure, const MeasureRange& range) {
+    return (range.above ? QStringLiteral("≥ ") : QString()) + measureText(measure, range.high);
+}
+
 }  // namespace
 
 Legend::Legend(QWidget* parent) : QWidget(parent) {
@@ -68,14 +94,15 @@ QSize Legend::sizeHint() const {
     return {160, kBars + kBar + 4 + fontMetrics().height()};
 }
 
-void Legend::set(Measure measure, const MeasureRange& range, int dimension,
-                 const std::vector<double>& values) {
+void Legend::set(Measure measure, const MeasureRange& range, int dimension, const std::vector<double>& values,
+                 const std::vector<double>& before) {
     m_measure = measure;
     m_range = range;
     m_histogram = histogramOf(values, measure, range, kParts);
-    setAccessibleDescription(tr("%1: from %2 to %3")
-                                 .arg(measureName(measure, dimension), measureText(measure, range.low),
-                                      measureText(measure, range.high)));
+    m_before = before.empty() ? std::vector<int>() : histogramOf(before, measure, range, kParts);
+    setAccessibleDescription(
+        tr("%1: from %2 to %3")
+            .arg(measureName(measure, dimension), lowText(measure, range), highText(measure, range)));
     update();
 }
 
@@ -84,6 +111,7 @@ void Legend::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor text = Theme::of(palette()).secondText;
     paintHistogram(painter, QRect(0, 0, width(), kBars - 1), m_histogram, text);
+    paintOutline(painter, QRect(0, 0, width(), kBars - 1), m_before, palette().color(QPalette::WindowText));
     paintLegend(painter, rect().adjusted(0, kBars, 0, 0), m_measure, m_range, text);
 }
 
@@ -120,9 +148,9 @@ void paintLegend(QPainter& painter, const QRect& where, Measure measure, const M
         paintStops(painter, text, range.dimension);
         return;
     }
-    painter.drawText(text, Qt::AlignLeft, measureText(measure, range.low));
+    painter.drawText(text, Qt::AlignLeft, lowText(measure, range));
     painter.drawText(text, Qt::AlignHCenter, measureText(measure, valueAt(range, measure, 0.5)));
-    painter.drawText(text, Qt::AlignRight, measureText(measure, range.high));
+    painter.drawText(text, Qt::AlignRight, highText(measure, range));
 }
 
 LegendLock::LegendLock(QAction& keep, QWidget& view) : QToolButton(&view) {

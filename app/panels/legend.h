@@ -7,14 +7,14 @@
 namespace wend {
 
 /// A bar with the colours of a measure and the values at its ends and middle; above it how much of the shape
-/// has which.
+/// has which, and perhaps had at rest. "≥" and "≤" at the ends say that values lie beyond.
 class Legend : public QWidget {
     Q_OBJECT
 
   public:
     explicit Legend(QWidget* parent = nullptr);
     void set(Measure measure, const MeasureRange& range, int dimension = 2,
-             const std::vector<double>& values = {});
+             const std::vector<double>& values = {}, const std::vector<double>& before = {});
     static constexpr int kParts = 48;  // of the histogram
     const std::vector<int>& histogram() const { return m_histogram; }
     QSize sizeHint() const override;
@@ -25,7 +25,7 @@ class Legend : public QWidget {
   private:
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
-    std::vector<int> m_histogram;
+    std::vector<int> m_histogram, m_before;  // of the shape, and of that at rest as a line
 };
 
 /// Paints the bar and its values into a rectangle, in the painter's font.

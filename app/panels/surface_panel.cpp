@@ -28,6 +28,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_preview(new QPushButton(tr("See the repair"), this)),
       m_repair(new QPushButton(tr("Repair"), this)),
       m_fit(new QPushButton(this)),
+      m_fillUp(new QPushButton(this)),
       m_hole(new OptionField("domain.repair.largestHole", this)) {
     m_previous->setArrowType(Qt::LeftArrow);
     m_next->setArrowType(Qt::RightArrow);
@@ -35,6 +36,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     m_fixText->setMinimumHeight(3 * fontMetrics().lineSpacing());  // buttons below stay where they are
     m_show->setCheckable(true);
     m_preview->setCheckable(true);
+    m_fillUp->setObjectName(QStringLiteral("fillUp"));
     arrange();
     describeControls();
     connectControls();
@@ -55,6 +57,7 @@ void SurfacePanel::arrange() {
     layout->addLayout(sideBySide({m_show, m_save}));
     m_hole->setWidth(kControlWidth, 80);
     layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
+    layout->addWidget(m_fillUp);
     layout->addLayout(sideBySide({m_preview, m_repair}));
     layout->addWidget(m_fit);
 }
@@ -101,6 +104,10 @@ void SurfacePanel::connectControls() {
     });
     connect(m_repair, &QPushButton::clicked, this, [this] { emit repairRequested(largestHole()); });
     connect(m_hole, &OptionField::changed, this, [this] { emit limitChanged(largestHole()); });
+    connect(m_fillUp, &QPushButton::clicked, this, [this] {
+        m_hole->setNumber(m_edges);
+        emit limitChanged(largestHole());
+    });
     connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
 }
 
@@ -160,6 +167,17 @@ void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {
     if (!m_preview->isChecked()) return;
     m_preview->setChecked(!repair.isEmpty());
     emit repairShown(m_preview->isChecked());
+}
+
+/// The button stays in its place, disabled, where no hole is left.
+void SurfacePanel::tellOfHoles(const std::vector<int>& edges) {
+    m_edges = edges.empty() ? 0 : *std::ranges::max_element(edges);
+    const QString found =
+        edges.size() == 1 ? tr("One hole has %1 edges: fill up to %1").arg(m_edges)
+                          : tr("%1 holes have up to %2 edges: fill up to %2").arg(edges.size()).arg(m_edges);
+    m_fillUp->setText(m_edges > largestHole() ? found : tr("No hole is larger"));
+    describe(m_fillUp, m_fillUp->text(), tr("Sets the largest hole that the repair fills to this."));
+    offer(m_fillUp, m_edges > largestHole());
 }
 
 QString SurfacePanel::verdict(bool helps) const {

@@ -31,6 +31,8 @@ class SurfacePanel : public QWidget {
     void showProblems(const Contents& contents);
     /// Reports whether the full repair produces a closed surface, and what it would do.
     void tellOfRepair(bool helps, const QString& repair);
+    /// Tells the numbers of edges of the holes that the repair leaves, and offers to fill them, too.
+    void tellOfHoles(const std::vector<int>& edges);
     int largestHole() const;
     /// Looks at the place where it is.
     void showPlace() { step(0); }
@@ -78,10 +80,11 @@ class SurfacePanel : public QWidget {
     QLabel *m_title, *m_text, *m_case, *m_fixText;
     QComboBox* m_kind;
     QToolButton *m_previous, *m_next;
-    QPushButton *m_show, *m_save, *m_fix, *m_fixAll, *m_preview, *m_repair, *m_fit;
+    QPushButton *m_show, *m_save, *m_fix, *m_fixAll, *m_preview, *m_repair, *m_fit, *m_fillUp;
     OptionField* m_hole;
     Contents m_contents;
     int m_number = 0;
+    int m_edges = 0;  // of the largest hole that stays
 };
 
 }  // namespace wend

@@ -37,7 +37,10 @@ QString totalsOf(const ShapeSession& session) {
     if (!session.frame()) return CompareView::tr("is being computed …");
     const Distortion& distortion = *session.frame()->distortion;
     const QLocale locale;
-    const auto text = [&locale](double value) { return locale.toString(value, 'f', 3); };
+    const bool about = session.frame()->live || session.isStale();
+    const auto text = [&](double value) {
+        return (about ? QStringLiteral("≈ ") : QString()) + locale.toString(value, 'f', 3);
+    };
     const QString all = session.frame()->dimension == 3 ? CompareView::tr("angle %1 · volume %2 · stretch %3")
                                                         : CompareView::tr("angle %1 · area %2 · stretch %3");
     return all.arg(text(distortion.totalAngle), text(distortion.totalVolume), text(distortion.totalMetric));

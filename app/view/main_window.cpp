@@ -268,6 +268,7 @@ void MainWindow::connectChoices() {
     auto* pictures = new PictureKeeper(m_session.document(), *this);
     connect(m_actions->replacePicture, &QAction::triggered, pictures, &PictureKeeper::askReplace);
     connect(m_actions->drawingSize, &QAction::triggered, pictures, &PictureKeeper::askSize);
+    connect(pictures, &PictureKeeper::resized, m_actions->fit, &QAction::trigger);
     connect(pictures, &PictureKeeper::said, m_banner, &InfoBanner::tell);
     connect(motion, &MotionChooser::failed, this,
             [this](const QString& text) { m_banner->tell(Topic::Opening, text); });

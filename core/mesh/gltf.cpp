@@ -1,5 +1,6 @@
 #include "core/mesh/gltf.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/mesh/error.h"
+#include "core/mesh/formats/colours.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 
@@ -33,7 +35,7 @@ class Buffer {
     }
 
     int floats(const std::vector<float>& values, int components, int target, bool range) {
-        static constexpr std::array<const char*, 4> kTypes = {"", "SCALAR", "VEC2", "VEC3"};
+        static constexpr std::array<const char*, 5> kTypes = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
         Json accessor = {{"bufferView", view(values.data(), values.size() * sizeof(float), target)},
                          {"componentType", kFloat},
                          {"count", values.size() / components},
@@ -88,6 +90,16 @@ std::vector<float> flattenUv(const Eigen::Matrix2Xd& uv) {
     for (Eigen::Index i = 0; i < uv.cols(); ++i) {
         values.push_back(static_cast<float>(uv(0, i)));
         values.push_back(static_cast<float>(1 - uv(1, i)));
+    }
+    return values;
+}
+
+/// Returns colours of vertices as light, which glTF has them in.
+std::vector<float> flattenColours(const std::vector<std::array<double, 4>>& colours) {
+    std::vector<float> values;
+    for (const auto& colour : colours) {
+        for (std::size_t k = 0; k < 3; ++k) values.push_back(static_cast<float>(formats::lightOf(colour[k])));
+        values.push_back(static_cast<float>(colour[3]));
     }
     return values;
 }
@@ -197,6 +209,8 @@ GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::
     scene.triangles = one.triangles;
     scene.points = doubled(poses.front());
     scene.uv = one.uv;
+    if (!skin.colours.empty())
+        for (const int v : one.vertices) scene.colours.push_back(skin.colours[static_cast<std::size_t>(v)]);
     scene.materialOf = skin.materialOf;
     scene.materials = skin.materials;
     scene.smooth = true;
@@ -240,6 +254,8 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     Json attributes = {{"POSITION", buffer.floats(flatten(relative, zUp), 3, kArrayBuffer, true)}};
     if (scene.uv.cols() > 0)
         attributes["TEXCOORD_0"] = buffer.floats(flattenUv(scene.uv), 2, kArrayBuffer, false);
+    if (!scene.colours.empty())
+        attributes["COLOR_0"] = buffer.floats(flattenColours(scene.colours), 4, kArrayBuffer, false);
     if (scene.smooth)
         attributes["NORMAL"] =
             buffer.floats(flatten(vertexNormals(scene.points, scene.triangles), zUp), 3, kArrayBuffer, false);
@@ -255,6 +271,8 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     if (materials.empty()) materials.push_back({"surface", {0.8F, 0.8F, 0.8F, 1}, scene.texture});
     Textures textures;
     for (const SkinMaterial& one : materials) addMaterial(gltf, buffer, textures, one, scene.isUnlit);
+    if (std::ranges::any_of(scene.colours, [](const auto& colour) { return colour[3] < 1; }))
+        for (Json& one : gltf["materials"]) one["alphaMode"] = "BLEND";
     if (scene.isUnlit) gltf["extensionsUsed"] = {"KHR_materials_unlit"};
     addAnimation(gltf, buffer, mesh, scene, zUp);
     gltf["meshes"] = Json::array({mesh});

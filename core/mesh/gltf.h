@@ -11,9 +11,10 @@ namespace wend {
 struct GltfScene {
     std::string name = "shape";
     std::vector<std::array<int, 3>> triangles;
-    Points<3> points;             // the unanimated pose
-    Eigen::Matrix2Xd uv;          // per vertex, origin at the bottom left; empty for none
-    std::string texture;          // path of a PNG or JPEG to embed; empty for none
+    Points<3> points;                            // the unanimated pose
+    Eigen::Matrix2Xd uv;                         // per vertex, origin at the bottom left; empty for none
+    std::vector<std::array<double, 4>> colours;  // per vertex, as those of a skin; empty for none
+    std::string texture;                         // path of a PNG or JPEG to embed; empty for none
     std::vector<int> materialOf;  // per triangle, into materials (−1: none); empty: one material
     std::vector<SkinMaterial> materials;
     bool smooth = false;           // with normals, in every pose; else the reader shades facets

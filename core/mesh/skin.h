@@ -25,10 +25,11 @@ struct Skin {
     std::vector<std::array<int, 3>> uvCorners;
     std::vector<int> materialOf;  // per triangle, into materials (−1: none); empty if there are none
     std::vector<SkinMaterial> materials;
-    std::vector<int> labels;              // per triangle; empty if there are none
-    std::vector<std::string> labelNames;  // names of the labels 1, 2, …, if they have some
-    std::string path;                     // the source file; empty for a boundary
-    std::vector<std::string> warnings;    // missing files that it names
+    std::vector<std::array<double, 4>> colours;  // per vertex, from 0 to 1 (sRGB); empty if there are none
+    std::vector<int> labels;                     // per triangle; empty if there are none
+    std::vector<std::string> labelNames;         // names of the labels 1, 2, …, if they have some
+    std::string path;                            // the source file; empty for a boundary
+    std::vector<std::string> warnings;           // missing files that it names
 
     int vertexCount() const { return static_cast<int>(points.cols()); }
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "core/mesh/error.h"
+#include "core/mesh/formats/colours.h"
 #include "core/mesh/formats/gltf_read.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
@@ -58,6 +60,41 @@ MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector
     return file;
 }
 
+constexpr std::size_t kMostColours = 256;  // of faces
+
+/// Adds a material for every colour that the faces of a file have, unless there are too many.
+void addFaceColours(const MeshFile& file, Skin& skin) {
+    const std::vector<formats::Colour> colours = formats::coloursOf(file, true);
+    if (!skin.materials.empty() || colours.size() != static_cast<std::size_t>(file.cells.size())) return;
+    std::map<formats::Colour, int> known;
+    std::vector<int> materialOf;
+    for (const int c : file.cellOfTriangle) {
+        const formats::Colour& colour = colours[static_cast<std::size_t>(c)];
+        const auto [found, isNew] = known.try_emplace(colour, static_cast<int>(known.size()));
+        if (known.size() > kMostColours) return;
+        materialOf.push_back(found->second);
+    }
+    skin.materials.resize(known.size());
+    for (const auto& [colour, number] : known) {
+        SkinMaterial& material = skin.materials[static_cast<std::size_t>(number)];
+        material.name = "colour " + std::to_string(number + 1);
+        std::ranges::transform(colour, material.colour.begin(),
+                               [](double part) { return static_cast<float>(part); });
+    }
+    skin.materialOf = std::move(materialOf);
+}
+
+/// Returns what a .glb file does not hold of a file that is drawn by it.
+std::string lostInGltf(const MeshFile& file, const MeshWriteOptions& options) {
+    MeshFile drawn = file;
+    std::erase_if(drawn.fields, [&](const MeshField& field) {
+        return formats::isColour(field, false) || isNormals(field) ||
+               (formats::isColour(field, true) && formats::coloursOf(file, true).size() <= kMostColours);
+    });
+    std::erase_if(drawn.groups, [](const MeshGroup& group) { return group.material; });
+    return formats::lostInGltf(drawn, options);
+}
+
 }  // namespace
 
 Skin readSkin(const std::string& path, MeshNeeds needs) {
@@ -66,6 +103,7 @@ Skin readSkin(const std::string& path, MeshNeeds needs) {
     skin.path = path;
     skin.points = file.points;
     skin.triangles = file.triangles;
+    skin.colours = formats::coloursOf(file, false);
     if (hasExtension(path, ".obj")) {
         formats::addObjLook(readInput(path), file, skin);
         return skin;
@@ -77,6 +115,7 @@ Skin readSkin(const std::string& path, MeshNeeds needs) {
         skin.uvCorners = file.triangles;
     }
     if (isVolume(file)) return skin;
+    addFaceColours(file, skin);
     formats::SurfaceLabels labels = formats::surfaceLabels(file);
     skin.labels = std::move(labels.labels);
     skin.labelNames = std::move(labels.names);
@@ -100,8 +139,7 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
         return writeMeshFile(path, toMeshFile(skin, points, fields), options);
     fs::path folder = fs::path(path).parent_path();
     if (isTemporary(path)) folder = folder.parent_path();  // where the file will be
-    writeWhole(path, formats::withVertices(readInput(skin.path), points,
-                                           fs::path(skin.path).parent_path().string(), folder.string()));
+    writeWhole(path, formats::withVertices(readInput(skin.path), skin, points, folder.string()));
 }
 
 void requireSkinHeldBy(const std::string& path, const Skin& skin) {
@@ -110,11 +148,12 @@ void requireSkinHeldBy(const std::string& path, const Skin& skin) {
         throw InputError(path, "the format cannot hold points and lines without triangles");
 }
 
-/// An OBJ file stays what it is, and .glb is for looking at.
+/// An OBJ file stays what it is.
 std::string lostInSkin(const std::string& path, const Skin& skin, const MeshWriteOptions& options) {
     const bool kept = hasExtension(path, ".obj") && hasExtension(skin.path, ".obj");
-    if (skin.path.empty() || kept || hasExtension(path, ".glb")) return {};
-    return lostInFile(path, readMeshFile(skin.path, MeshNeeds::Points), options);
+    if (skin.path.empty() || kept) return {};
+    const MeshFile file = readMeshFile(skin.path, MeshNeeds::Points);
+    return hasExtension(path, ".glb") ? lostInGltf(file, options) : lostInFile(path, file, options);
 }
 
 std::vector<std::string> skinFileExtensions() {

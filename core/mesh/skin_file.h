@@ -20,10 +20,10 @@ Skin readSkin(const std::string& path, MeshNeeds needs = MeshNeeds::Cells);
 std::vector<std::string> lookFilesOf(const std::string& path);
 
 /// Writes the skin with its vertices at `points`, by extension: .glb, and the surface formats of
-/// writeMeshFile. An OBJ file from an OBJ file keeps its polygons, texture, groups and materials; normals are
-/// dropped, because they no longer match. `fields` (per vertex or triangle of the skin) are written if the
-/// format supports them, and so are lines of the skin's file. Throws InputError, also for a format that
-/// cannot hold points without triangles if the skin has none.
+/// writeMeshFile. An OBJ file from an OBJ file keeps its polygons, texture, groups and materials; normals
+/// turn with the surface. `fields` (per vertex or triangle of the skin) are written if the format supports
+/// them, and so are lines of the skin's file. Throws InputError, also for a format that cannot hold points
+/// without triangles if the skin has none.
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
                const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 

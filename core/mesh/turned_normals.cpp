@@ -9,18 +9,6 @@
 namespace wend {
 namespace {
 
-using Turns = std::vector<Eigen::Quaterniond>;
-
-Turns turnsOf(const Points<3>& before, const MeshFile& file) {
-    const Points<3> old = vertexNormals(before, file.triangles),
-                    now = vertexNormals(file.points, file.triangles);
-    Turns turns(static_cast<std::size_t>(old.cols()), Eigen::Quaterniond::Identity());
-    for (Eigen::Index v = 0; v < old.cols(); ++v)
-        if (old.col(v) != now.col(v) && !old.col(v).isZero() && !now.col(v).isZero())
-            turns[static_cast<std::size_t>(v)].setFromTwoVectors(old.col(v), now.col(v));
-    return turns;
-}
-
 MeshField* vertexField(MeshFile& file, const std::string& name) {
     const auto found = std::ranges::find_if(file.fields, [&](const auto& field) {
         return !field.perCell && field.components == 1 && field.name == name;
@@ -28,7 +16,7 @@ MeshField* vertexField(MeshFile& file, const std::string& name) {
     return found == file.fields.end() ? nullptr : &*found;
 }
 
-bool isNormals(const MeshField& field) {
+bool isVectorOfNormals(const MeshField& field) {
     std::string name = field.name;
     for (char& c : name)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -45,19 +33,36 @@ void turn(const Eigen::Quaterniond& by, double& x, double& y, double& z) {
 
 }  // namespace
 
+std::vector<Eigen::Quaterniond> turnsOf(const Points<3>& before, const Points<3>& now,
+                                        const std::vector<std::array<int, 3>>& triangles) {
+    const Points<3> old = vertexNormals(before, triangles), turned = vertexNormals(now, triangles);
+    std::vector<Eigen::Quaterniond> turns(static_cast<std::size_t>(old.cols()),
+                                          Eigen::Quaterniond::Identity());
+    for (Eigen::Index v = 0; v < old.cols(); ++v)
+        if (old.col(v) != turned.col(v) && !old.col(v).isZero() && !turned.col(v).isZero())
+            turns[static_cast<std::size_t>(v)].setFromTwoVectors(old.col(v), turned.col(v));
+    return turns;
+}
+
 /// Finds the fields that are normals, and turns each vertex's by the rotation from its normal before to the
 /// present one.
 void turnNormals(const Points<3>& before, MeshFile& file) {
     MeshField *x = vertexField(file, "nx"), *y = vertexField(file, "ny"), *z = vertexField(file, "nz");
     const bool apart = x && y && z;
-    if (!apart && std::ranges::none_of(file.fields, isNormals)) return;
-    const Turns turns = turnsOf(before, file);
+    if (!apart && std::ranges::none_of(file.fields, isVectorOfNormals)) return;
+    const std::vector<Eigen::Quaterniond> turns = turnsOf(before, file.points, file.triangles);
     for (std::size_t v = 0; v < turns.size(); ++v) {
         if (apart) turn(turns[v], x->values[v], y->values[v], z->values[v]);
         for (MeshField& field : file.fields)
-            if (isNormals(field))
+            if (isVectorOfNormals(field))
                 turn(turns[v], field.values[3 * v], field.values[3 * v + 1], field.values[3 * v + 2]);
     }
+}
+
+bool isNormals(const MeshField& field) {
+    const bool isPart = !field.perCell && field.components == 1 && field.name.size() == 2;
+    return isVectorOfNormals(field) ||
+           (isPart && (field.name == "nx" || field.name == "ny" || field.name == "nz"));
 }
 
 }  // namespace wend

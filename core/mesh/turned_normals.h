@@ -1,14 +1,29 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
 #include "core/mesh/types.h"
 
 namespace wend {
 
+struct MeshField;
 struct MeshFile;
+
+/// The fields of the components of normals of vertices.
+inline constexpr std::array<const char*, 3> kNormalNames = {"nx", "ny", "nz"};
+
+/// Returns for every vertex the smallest rotation from the normal of a surface there to that after a move.
+std::vector<Eigen::Quaterniond> turnsOf(const Points<3>& before, const Points<3>& now,
+                                        const std::vector<std::array<int, 3>>& triangles);
 
 /// Turns the normals of vertices that are fields of a file (nx, ny, nz, or three components of a name with
 /// "normal") as its triangles turned from `before` to their present points: by the smallest rotation between
 /// the surface's own normals there. Where nothing moves, they keep their bits.
 void turnNormals(const Points<3>& before, MeshFile& file);
+
+/// Returns whether a field has normals of vertices, or a component of them.
+bool isNormals(const MeshField& field);
 
 }  // namespace wend

@@ -30,6 +30,7 @@ uniform bool coloursOfTriangles;
 uniform sampler2D colours;
 uniform int firstTriangle;
 uniform bool textured;
+uniform bool isTinted;  // by colours of the vertices
 uniform sampler2D picture;
 // Another colour for each triangle lies over what is then gray, as in pictures.
 uniform sampler2D map;
@@ -64,6 +65,7 @@ vec4 surfaceColour(float blur) {
     ivec2 place = ivec2(triangle % width, triangle / width);
     vec4 colour = texelFetch(colours, place, 0);
     if (textured) colour *= texture(picture, vertex.uv, blur);
+    if (isTinted) colour.rgb *= vertex.colour.rgb;
     if (mapOpacity == 0.0) return colour;
     if (isPaint) {
         vec4 paint = paintColour(place);

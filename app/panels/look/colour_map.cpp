@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "app/document/design.h"
 #include "app/session/colours.h"
 #include "app/session/motion/fields.h"
+#include "app/session/motion/rest_frame.h"
 #include "core/energy/distortion.h"
+#include "core/mesh/cell_shape.h"
 
 namespace wend {
 
@@ -72,6 +75,23 @@ double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return frame.distortion->angle[cell];
 }
 
+template <int Dim>
+CellShape shapeOf(const PosedFrame<Dim>& frame, int cell) {
+    return cellShape<Dim>(frame.pose, frame.rest->cells[cell]);
+}
+template <int Dim>
+double scaledJacobian(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return shapeOf(frame, cell).scaledJacobian;
+}
+template <int Dim>
+double aspectRatio(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return shapeOf(frame, cell).aspectRatio;
+}
+template <int Dim>
+double smallestAngle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return 180 / std::numbers::pi * shapeOf(frame, cell).minAngle;
+}
+
 constexpr double kNothing = 1e-9;          // below: distances and speeds count as zero
 constexpr double kLeastDistortion = 1e-6;  // of distortions: less is none
 
@@ -99,14 +119,22 @@ const MeasureRow kMeasures[] = {
                QT_TRANSLATE_NOOP("Measure", "Influence of the pin")},
     MeasureRow{Measure::CellSize, false, Scale::Logarithm, 1.01, "", "", nullptr, sizeAt<2>, sizeAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Cell size")},
+    MeasureRow{Measure::ScaledJacobian, true, Scale::Even, kNothing, "", "", nullptr, scaledJacobian<2>,
+               scaledJacobian<3>, QT_TRANSLATE_NOOP("Measure", "Scaled Jacobian")},
+    MeasureRow{Measure::AspectRatio, true, Scale::Even, 1.01, "", "", nullptr, aspectRatio<2>, aspectRatio<3>,
+               QT_TRANSLATE_NOOP("Measure", "Aspect ratio")},
+    MeasureRow{Measure::SmallestAngle, true, Scale::Even, 1, "", "°", nullptr, smallestAngle<2>,
+               smallestAngle<3>, QT_TRANSLATE_NOOP("Measure", "Smallest angle"), nullptr,
+               QT_TRANSLATE_NOOP("Measure", "Smallest dihedral angle")},
 };
 
 const MeasureRow& rowOf(Measure measure) {
     return *std::ranges::find(kMeasures, measure, &MeasureRow::measure);
 }
 
-bool isLogarithmic(Scale scale) {
-    return scale == Scale::Logarithm || scale == Scale::Ratio || scale == Scale::Times;
+bool isLogarithmic(Scale scale, const MeasureRange& range) {
+    const bool isChosen = scale == Scale::Even && range.logarithmic && range.low > 0;
+    return isChosen || scale == Scale::Logarithm || scale == Scale::Ratio || scale == Scale::Times;
 }
 
 /// Returns the distance of a value from rest.
@@ -206,10 +234,28 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
     return row.scale == Scale::Ratio ? MeasureRange{std::exp(-span), std::exp(span)} : MeasureRange{0, span};
 }
 
+bool leavesScale(Measure measure) {
+    return rowOf(measure).scale == Scale::Even;
+}
+
+void findBeyond(const std::vector<double>& values, MeasureRange& range) {
+    const double rounding = 1e-9 * (range.high - range.low);
+    range.below = std::ranges::any_of(values, [&](double value) { return value < range.low - rounding; });
+    range.above = std::ranges::any_of(values, [&](double value) { return value > range.high + rounding; });
+}
+
+std::vector<double> restValues(const ShapeSession& session, Measure measure) {
+    const bool isQuality = measure == Measure::ScaledJacobian || measure == Measure::AspectRatio ||
+                           measure == Measure::SmallestAngle;
+    if (!isQuality || !session.frame()) return {};
+    if (session.frame()->dimension == 2) return cellValues<2>(*atRest<2>(session.frame<2>()), measure);
+    return cellValues<3>(*atRest<3>(session.frame<3>()), measure);
+}
+
 double positionIn(const MeasureRange& range, Measure measure, double value) {
     const Scale scale = rowOf(measure).scale;
     if (scale == Scale::Energies) return stopOfPhi(value, range.dimension) / (kEnergyStops - 1);
-    if (!isLogarithmic(scale)) return (value - range.low) / (range.high - range.low);
+    if (!isLogarithmic(scale, range)) return (value - range.low) / (range.high - range.low);
     const double low = std::log(range.low), high = std::log(range.high);
     return (std::log(std::max(value, 1e-9 * range.low)) - low) / (high - low);
 }
@@ -217,7 +263,7 @@ double positionIn(const MeasureRange& range, Measure measure, double value) {
 double valueAt(const MeasureRange& range, Measure measure, double position) {
     const Scale scale = rowOf(measure).scale;
     if (scale == Scale::Energies) return phiAtStop(position * (kEnergyStops - 1), range.dimension);
-    if (!isLogarithmic(scale)) return range.low + position * (range.high - range.low);
+    if (!isLogarithmic(scale, range)) return range.low + position * (range.high - range.low);
     return range.low * std::pow(range.high / range.low, position);
 }
 

@@ -23,6 +23,10 @@ std::vector<Measure> measuresOf(int dimension);
 struct MeasureRange {
     double low = 0, high = 1;
     int dimension = 2;
+    bool logarithmic = false;           // where the measure leaves the choice, and low is positive
+    bool below = false, above = false;  // some values are beyond its ends
+
+    bool operator==(const MeasureRange&) const = default;
 };
 
 /// Returns the session's field that a measure needs: velocity, influence or none.
@@ -46,6 +50,12 @@ std::optional<double> plainValue(const ShapeSession& session, Measure measure);
 double paintedPart(double place, double plainPlace);
 /// Returns a range without the largest hundredth of the values, never empty. φ always has the same range.
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension = 2);
+/// Returns whether a measure is even unless its range is logarithmic.
+bool leavesScale(Measure measure);
+/// Sets whether values lie beyond the ends.
+void findBeyond(const std::vector<double>& values, MeasureRange& range);
+/// Returns the values of a quality of cells at rest; none for other measures.
+std::vector<double> restValues(const ShapeSession& session, Measure measure);
 /// Returns the position of a value in the range, in [0, 1]; area, stiffness and cell size are logarithmic,
 /// area with 1 in the middle; φ as on the energy slider.
 double positionIn(const MeasureRange& range, Measure measure, double value);

@@ -150,9 +150,9 @@ template <int Dim>
 std::vector<MeshField> fieldsFor(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                                  const Points<Dim>& velocity) {
     std::vector<MeshField> fields = shapeFields(shape, pose, velocity);
-    if (path != "-" && lowerExtension(path) != ".vtu") return fields;
     const SimplicialMesh<Dim>& rest = *shape.rest;
     fields.push_back(vectorField<Dim>("displacement", pose - rest.points));
+    if (Dim == 3 && path != "-" && isSkinFile(path)) return fields;  // without those of cells
     fields.push_back(gradientField<Dim>(rest, pose));
     addQuality(cellShapes<Dim>(pose, rest.cells), "", fields);
     addQuality(cellShapes<Dim>(rest.points, rest.cells), "_rest", fields);

@@ -16,6 +16,8 @@
 namespace wend {
 namespace {
 
+constexpr const char* kUnused = "vertices that no cell uses";
+
 template <int Dim>
 using Key = std::array<int, Dim>;
 
@@ -133,7 +135,7 @@ void findProblems(const SimplicialMesh<Dim>& mesh, const std::map<Key<Dim>, std:
     add("cells that overlap a neighbour", foldedCells<Dim>(mesh, facets));
     add(Dim == 2 ? "cells at edges of more than two" : "cells at faces of more than two",
         crowdedCells<Dim>(facets));
-    add("vertices that no cell uses", unusedVertices<Dim>(mesh), false);
+    add(kUnused, unusedVertices<Dim>(mesh), false);
 }
 
 /// Adds parts that are connected by vertices or edges only.
@@ -213,6 +215,18 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
             {"vertices at the place of an earlier one", coincident(file.points), false});
 }
 
+/// Takes vertices off the list of unused ones that the file's own cells use, as between corners.
+void forgetNodes(const MeshFile& file, std::vector<MeshProblem>& problems) {
+    std::vector<bool> used(static_cast<std::size_t>(file.points.cols()), false);
+    for (const int v : file.cells.nodes) used[static_cast<std::size_t>(v)] = true;
+    for (MeshProblem& problem : problems)
+        if (problem.what == kUnused)
+            std::erase_if(problem.where, [&](int v) { return used[static_cast<std::size_t>(v)]; });
+    std::erase_if(problems, [](const MeshProblem& problem) {
+        return problem.what == kUnused && problem.where.empty();
+    });
+}
+
 void collectSuspects(MeshInspection& inspection) {
     for (const MeshProblem& problem : inspection.problems)
         if (problem.fatal)
@@ -267,6 +281,7 @@ MeshInspection inspect(const MeshFile& file) {
     } else {
         inspectSurface(file, inspection);
     }
+    forgetNodes(file, inspection.problems);
     if (inspection.dimension > 0) collectSuspects(inspection);
     return inspection;
 }

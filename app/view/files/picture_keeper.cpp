@@ -177,7 +177,11 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
                 fitted.domain.size = {reading.picture->width, reading.picture->height};
         }
         m_document.keepPicture(fitted.domain.path, fitted.domain.readings, reading.picture);
+        const bool isResized =
+            reading.picture && was &&
+            (was->width != reading.picture->width || was->height != reading.picture->height);
         m_document.change(name, std::move(fitted));
+        if (isResized) emit resized();
         if (!told.isEmpty()) tell(told);  // the change takes earlier lines back
     });
 }

@@ -34,6 +34,8 @@ class PictureKeeper : public QObject {
     void reload();
 
   signals:
+    /// The picture has another size now.
+    void resized();
     /// Emits a message for the banner; an empty text withdraws the last one of that topic.
     void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
 

@@ -18,8 +18,7 @@ struct MapLook {
     bool smooth = false;           // without the edges of its cells
 
     bool operator==(const MapLook& o) const {
-        return std::tie(measure, range.low, range.high, range.dimension, opacity, smooth) ==
-               std::tie(o.measure, o.range.low, o.range.high, o.range.dimension, o.opacity, o.smooth);
+        return std::tie(measure, range, opacity, smooth) == std::tie(o.measure, o.range, o.opacity, o.smooth);
     }
 };
 

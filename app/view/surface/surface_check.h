@@ -82,6 +82,7 @@ class SurfaceCheck : public QObject {
     void tellOfRepair();
     void showRepair(bool shown);
     QString repairText() const;
+    static std::vector<int> holesIn(const SurfaceProblems& problems);
     static QString wouldDo(const std::vector<std::pair<QString, int>>& repairs);
 
     ShapeSession& m_session;

@@ -2,12 +2,14 @@
 
 #include <QLocale>
 #include <QStringList>
+#include <map>
 #include <utility>
 
 #include "app/document/domain.h"
 #include "app/document/in_background.h"
 #include "app/panels/surface_panel.h"
 #include "app/view/surface/surface_check.h"
+#include "core/mesh/disjoint_sets.h"
 #include "core/meshing/fix_all.h"
 
 namespace wend {
@@ -124,7 +126,23 @@ void SurfaceCheck::tryLimit(int largestHole) {
                  });
 }
 
+/// Returns the numbers of edges of the holes: open edges that hang together.
+std::vector<int> SurfaceCheck::holesIn(const SurfaceProblems& problems) {
+    std::map<int, int> places;  // of vertices
+    for (const auto& edge : problems.openEdges)
+        for (const int v : edge) places.try_emplace(v, static_cast<int>(places.size()));
+    DisjointSets sets(static_cast<int>(places.size()));
+    for (const auto& edge : problems.openEdges) sets.join(places[edge[0]], places[edge[1]]);
+    std::map<int, int> counts;
+    for (const auto& edge : problems.openEdges) ++counts[sets.root(places[edge[0]])];
+    std::vector<int> edges;
+    for (const auto& [set, count] : counts) edges.push_back(count);
+    return edges;
+}
+
 void SurfaceCheck::tellOfRepair() {
+    m_panel.tellOfHoles(m_session.document().domain().repair ? std::vector<int>()
+                                                             : holesIn(m_repaired->left));
     const bool done = m_session.document().domain().repair;
     m_panel.tellOfRepair(!done && m_repaired->left.boundsVolume(), done ? QString() : repairText());
 }

@@ -118,7 +118,8 @@ void splitAtSeams(DrawMesh& mesh, const Skin& skin, const std::vector<int>& orde
 }
 
 QRgb colourOf(const Skin& skin, int material) {
-    if (material < 0 || material >= static_cast<int>(skin.materials.size())) return qRgb(204, 204, 204);
+    if (material < 0 || material >= static_cast<int>(skin.materials.size()))
+        return skin.colours.empty() ? qRgb(204, 204, 204) : qRgb(255, 255, 255);
     const SkinMaterial& look = skin.materials[material];
     if (!look.texture.empty()) return qRgb(255, 255, 255);
     const auto byte = [](float x) { return static_cast<int>(std::lround(255 * std::clamp(x, 0.0F, 1.0F))); };
@@ -141,7 +142,18 @@ void setParts(DrawMesh& mesh, const Skin& skin, const std::vector<int>& order) {
         if (mesh.parts.empty() || mesh.parts.back().material != material)
             mesh.parts.push_back({static_cast<int>(t), 0, material});
         ++mesh.parts.back().count;
-        if (!skin.materialOf.empty()) mesh.colours.push_back(colourOf(skin, material));
+        if (!skin.materialOf.empty() || !skin.colours.empty())
+            mesh.colours.push_back(colourOf(skin, material));
+    }
+}
+
+/// Sets the colours of the vertices, which are multiplied with those of the triangles.
+void setTints(DrawMesh& mesh, const Skin& skin) {
+    if (skin.colours.empty()) return;
+    const auto byte = [](double x) { return static_cast<int>(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
+    for (const DrawMesh::Vertex& vertex : mesh.vertices) {
+        const auto& colour = skin.colours[static_cast<std::size_t>(vertex.point)];
+        mesh.tints.push_back(qRgb(byte(colour[0]), byte(colour[1]), byte(colour[2])));
     }
 }
 
@@ -155,6 +167,10 @@ Points<3> placesIn(const Points<3>& pose, const std::vector<CutSurface::Corner>&
 }
 
 }  // namespace
+
+bool hasOwnColours(const Skin& skin) {
+    return !skin.materials.empty() || !skin.colours.empty();
+}
 
 CutPoints::CutPoints(const CutSurface& surface) {
     std::vector<int> ofVertex;
@@ -251,6 +267,7 @@ DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding) {
     setParts(mesh, skin, order);
     setVertices(mesh, SmoothGroups(mesh.triangles, skin.points, {}));
     if (!skin.uvCorners.empty()) splitAtSeams(mesh, skin, order);
+    setTints(mesh, skin);
     return mesh;
 }
 

@@ -23,6 +23,7 @@ struct DrawMesh {
     std::vector<std::array<int, 3>> corners;    // vertices
     std::vector<Vertex> vertices;
     std::vector<Eigen::Vector2f> uv;  // of the vertices; empty if there is no texture
+    std::vector<QRgb> tints;          // of the vertices; empty if the skin has no colours of vertices
     std::vector<int> cells;           // per triangle: the cell behind
     std::vector<QRgb> colours;        // per triangle: of its material; empty without materials
     std::vector<Part> parts;          // the triangles one after another
@@ -51,6 +52,9 @@ DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
 DrawMesh drawSection(const CutSurface& section);
 /// A surface embedded in a solid, with its texture points and materials.
 DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
+
+/// Returns whether a skin has materials, or colours of vertices.
+bool hasOwnColours(const Skin& skin);
 
 /// Returns the points of a solid's surface in a pose.
 Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose);

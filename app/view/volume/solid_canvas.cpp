@@ -12,7 +12,8 @@ namespace wend {
 
 namespace {
 
-constexpr QRgb kSectionColour = 0xffe3b48e;                   // of the face of a cut, while no map is shown
+// Of the face of a cut while no map is shown: a rose that no map has.
+constexpr QRgb kSectionColour = 0xffd6a8b8;
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 
@@ -101,7 +102,7 @@ QRgb SolidCanvas::plainColour() const {
 bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
-           (frame.built->cage || !m_session.document().domain().detail.empty() || !skin->materials.empty());
+           (frame.built->cage || !m_session.document().domain().detail.empty() || hasOwnColours(*skin));
 }
 
 bool SolidCanvas::hasDetail() const {

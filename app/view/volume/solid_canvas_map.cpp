@@ -52,8 +52,8 @@ void SolidCanvas::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) c
                                     plain ? paintedPart(place, plainPlace) : 1));
     }
     picture.paint = paintOf(*frame.rest, colours, sharpCells<3>(*frame.rest, values));
-    const bool hasOwnColours = picture.materials && !picture.skin->materials.empty();
-    picture.paint.opacity = hasOwnColours ? paintOpacity(opacity) : 1;
+    const bool isColoured = picture.materials && hasOwnColours(*picture.skin);
+    picture.paint.opacity = isColoured ? paintOpacity(opacity) : 1;
 }
 
 void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
@@ -62,7 +62,7 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
     const auto own = [&](QRgb map) { return m_viewport.isDimmed() ? dimmed(map) : map; };
     const auto values = cellValues<3>(frame, measure, fieldOf<3>(m_session, measure));
     picture.section.reset();
-    picture.materials = picture.materials && !picture.skin->materials.empty();
+    picture.materials = picture.materials && hasOwnColours(*picture.skin);
     picture.cellColours.clear();
     for (const double value : values)
         picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));

@@ -83,7 +83,8 @@ bool SurfaceRenderer::initialize() {
 void SurfaceRenderer::create(Triangles& triangles) {
     triangles.array.create();
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
-    for (QOpenGLBuffer* buffer : {&triangles.vertices, &triangles.uv, &triangles.places, &triangles.indices})
+    for (QOpenGLBuffer* buffer :
+         {&triangles.vertices, &triangles.uv, &triangles.tints, &triangles.places, &triangles.indices})
         buffer->create();
     triangles.vertices.setUsagePattern(QOpenGLBuffer::DynamicDraw);
     triangles.indices.bind();
@@ -96,6 +97,8 @@ void SurfaceRenderer::create(Triangles& triangles) {
                                 bufferOffset(offsetof(Corner, normal)));
     triangles.uv.bind();
     m_gl->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    triangles.tints.bind();  // QRgb: blue, green, red and alpha in memory
+    m_gl->glVertexAttribPointer(3, GL_BGRA, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
     triangles.places.bind();
     m_gl->glVertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
@@ -121,6 +124,7 @@ void SurfaceRenderer::release() {
     for (Triangles* triangles : all) {
         triangles->vertices.destroy();
         triangles->uv.destroy();
+        triangles->tints.destroy();
         triangles->places.destroy();
         triangles->indices.destroy();
         triangles->colours.reset();
@@ -144,6 +148,15 @@ void SurfaceRenderer::setMesh(Layer layer, const DrawMesh& mesh) {
     triangles.indices.bind();
     triangles.indices.allocate(mesh.corners.data(),
                                triangles.count * static_cast<int>(sizeof(mesh.corners[0])));
+    triangles.isTinted = !mesh.tints.empty();
+    if (triangles.isTinted) {
+        m_gl->glEnableVertexAttribArray(3);
+        triangles.tints.bind();
+        triangles.tints.allocate(mesh.tints.data(),
+                                 static_cast<int>(mesh.tints.size() * sizeof(mesh.tints[0])));
+    } else {
+        m_gl->glDisableVertexAttribArray(3);
+    }
     if (mesh.uv.empty()) {
         m_gl->glDisableVertexAttribArray(2);
         return;
@@ -302,6 +315,7 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
     (triangles.map ? triangles.map : m_noTexture)->bind(2);
     (m_ramp ? m_ramp : m_noTexture)->bind(3);
     program.setUniformValue("coloursOfTriangles", true);
+    program.setUniformValue("isTinted", materials && triangles.isTinted);
     program.setUniformValue("isSmooth", triangles.isSmooth);
     program.setUniformValue("hasRamp", m_ramp != nullptr);
     program.setUniformValue("isPaint", m_paint > 0);

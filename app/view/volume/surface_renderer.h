@@ -107,11 +107,12 @@ class SurfaceRenderer {
     struct Triangles {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer}, uv{QOpenGLBuffer::VertexBuffer},
-            places{QOpenGLBuffer::VertexBuffer}, indices{QOpenGLBuffer::IndexBuffer};
+            tints{QOpenGLBuffer::VertexBuffer}, places{QOpenGLBuffer::VertexBuffer},
+            indices{QOpenGLBuffer::IndexBuffer};
         std::unique_ptr<QOpenGLTexture> colours, map;
         std::vector<DrawMesh::Part> parts;
         int count = 0;
-        bool isSmooth = false;
+        bool isSmooth = false, isTinted = false;
     };
     struct Corner {
         std::array<float, 3> position, normal;

@@ -15,17 +15,12 @@ using Numbers = std::vector<std::int64_t>;
 
 constexpr std::int64_t kName = 33;  // of names, with a 0 at the end
 
-/// The sides of elements that stand for cells of the dimension below: (element, side), both from 0.
-struct ExodusSide {
-    int element, side;
-};
-
 class ExodusPrinter {
   public:
     explicit ExodusPrinter(const MeshFile& mesh) : m_mesh(mesh) {
         for (int c = 0; c < mesh.cells.size(); ++c)
             m_dimension = std::max(m_dimension, mesh.cells.dimension(c));
-        findSides();
+        m_sideOf = sidesInExodus(mesh);
         makeBlocks();
     }
 
@@ -88,30 +83,6 @@ class ExodusPrinter {
         add(name, {dimension, "len_name"}, std::move(letters));
     }
 
-    /// Finds the cells of the dimension below that are sides of others: only they can be in side sets.
-    void findSides() {
-        std::map<std::vector<int>, std::pair<int, int>> sides;
-        for (int c = 0; c < m_mesh.cells.size(); ++c) {
-            if (m_mesh.cells.dimension(c) != m_dimension) continue;
-            const auto all = exodusSidesOf(m_mesh.cells.kinds[static_cast<std::size_t>(c)]);
-            for (std::size_t s = 0; s < all.size(); ++s) {
-                std::vector<int> key;
-                for (const int k : all[s]) key.push_back(m_mesh.cells[c][static_cast<std::size_t>(k)]);
-                std::ranges::sort(key);
-                sides.try_emplace(key, c, static_cast<int>(s));
-            }
-        }
-        m_sideOf.resize(static_cast<std::size_t>(m_mesh.cells.size()), {-1, -1});
-        for (int c = 0; c < m_mesh.cells.size(); ++c) {
-            const CellKind kind = m_mesh.cells.kinds[static_cast<std::size_t>(c)];
-            if (m_mesh.cells.dimension(c) != m_dimension - 1) continue;
-            const auto corners = m_mesh.cells[c].first(static_cast<std::size_t>(factsOf(kind).corners));
-            std::vector<int> key(corners.begin(), corners.end());
-            std::ranges::sort(key);
-            if (const auto side = sides.find(key); side != sides.end())
-                m_sideOf[static_cast<std::size_t>(c)] = {side->second.first, side->second.second};
-        }
-    }
     bool isSide(int c) const { return m_sideOf[static_cast<std::size_t>(c)].element >= 0; }
 
     /// Divides the cells that are no sides into blocks in the order of their first cells, and numbers them.
@@ -311,6 +282,34 @@ class ExodusPrinter {
 };
 
 }  // namespace
+
+/// Finds the cells of the dimension below that are sides of others: only they can be in side sets.
+std::vector<ExodusSide> sidesInExodus(const MeshFile& mesh) {
+    int dimension = 0;
+    for (int c = 0; c < mesh.cells.size(); ++c) dimension = std::max(dimension, mesh.cells.dimension(c));
+    std::map<std::vector<int>, std::pair<int, int>> sides;
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        if (mesh.cells.dimension(c) != dimension) continue;
+        const auto all = exodusSidesOf(mesh.cells.kinds[static_cast<std::size_t>(c)]);
+        for (std::size_t s = 0; s < all.size(); ++s) {
+            std::vector<int> key;
+            for (const int k : all[s]) key.push_back(mesh.cells[c][static_cast<std::size_t>(k)]);
+            std::ranges::sort(key);
+            sides.try_emplace(key, c, static_cast<int>(s));
+        }
+    }
+    std::vector<ExodusSide> sideOf(static_cast<std::size_t>(mesh.cells.size()), {-1, -1});
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+        const CellKind kind = mesh.cells.kinds[static_cast<std::size_t>(c)];
+        if (mesh.cells.dimension(c) != dimension - 1) continue;
+        const auto corners = mesh.cells[c].first(static_cast<std::size_t>(factsOf(kind).corners));
+        std::vector<int> key(corners.begin(), corners.end());
+        std::ranges::sort(key);
+        if (const auto side = sides.find(key); side != sides.end())
+            sideOf[static_cast<std::size_t>(c)] = {side->second.first, side->second.second};
+    }
+    return sideOf;
+}
 
 std::vector<std::string> printExodus(const MeshFile& mesh, const MeshWriteOptions&) {
     return {ExodusPrinter(mesh).print()};

@@ -6,6 +6,7 @@
 #include "core/mesh/formats/gltf_read.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <map>
@@ -14,6 +15,7 @@
 
 #include "core/mesh/error.h"
 #include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/colours.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 
@@ -246,6 +248,7 @@ class GltfReader {
         const std::vector<std::size_t> order = orderOf(primitive, positions.count());
         const int firstCell = m_file.cells.size(), firstTexture = static_cast<int>(m_texture.size() / 2);
         const bool textured = readTexture(attributes, positions.count());
+        readColours(attributes, vertexOf);
         for (const auto& [kind, corners] : cellsOf(primitive.value("mode", 4), order)) {
             std::vector<int> cell;
             for (const std::size_t corner : corners) cell.push_back(vertexOf[corner]);
@@ -304,6 +307,21 @@ class GltfReader {
         return has;
     }
 
+    /// Reads the colours of vertices, which are light; where equal points have several, the first one counts.
+    void readColours(const Json& attributes, const std::vector<int>& vertexOf) {
+        if (!attributes.contains("COLOR_0")) return;
+        const Accessor colours(m_gltf, attributes["COLOR_0"].get<std::size_t>(), m_chunks.binary);
+        if (colours.count() != vertexOf.size() || colours.width() < 3)
+            throw InputError("has a wrong number of colours");
+        for (std::size_t i = 0; i < vertexOf.size(); ++i) {
+            Colour colour{1, 1, 1, 1};
+            for (std::size_t k = 0; k < colours.width(); ++k)
+                colour[k] =
+                    k < 3 ? shownOf(std::clamp(colours.number(i, k), 0.0, 1.0)) : colours.number(i, k);
+            m_colours.try_emplace(vertexOf[i], colour);
+        }
+    }
+
     struct GltfCell {
         CellKind kind;
         std::vector<std::size_t> corners;
@@ -339,6 +357,11 @@ class GltfReader {
     void collectPoints() {
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3,
                                                            static_cast<Eigen::Index>(m_points.size() / 3));
+        if (!m_colours.empty()) {
+            std::vector<Colour> colours(m_points.size() / 3, Colour{1, 1, 1, 1});
+            for (const auto& [vertex, colour] : m_colours) colours[static_cast<std::size_t>(vertex)] = colour;
+            addColours(m_file, colours, false);
+        }
         if (!hasTexture()) return;
         m_file.uv = Eigen::Matrix2Xd::Zero(2, m_file.points.cols());
         std::vector<char> isSet(static_cast<std::size_t>(m_file.points.cols()), 0);
@@ -395,6 +418,7 @@ class GltfReader {
     std::set<std::size_t> m_visited;
     std::vector<Node> m_nodes;
     std::map<std::array<double, 3>, int> m_places;  // of the node's vertices
+    std::map<int, Colour> m_colours;                // of vertices
     std::vector<double> m_points, m_texture;
     bool m_hasTexture = true;
     std::vector<std::array<int, 3>> m_textureCorners;

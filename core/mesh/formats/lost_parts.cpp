@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
+#include <span>
 
+#include "core/mesh/formats/colours.h"
+#include "core/mesh/formats/exodus.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/scanner.h"
+#include "core/mesh/turned_normals.h"
 
 namespace wend::formats {
 namespace {
@@ -51,7 +56,10 @@ class Remaking {
             addParts(m_bag.tetrahedra, firstQ, q, c, m_bag.cellOfTetrahedron);
         }
         for (MeshField& field : m_bag.fields)
-            if (field.perCell) field.ofCells = taken(field);
+            if (field.perCell) {
+                field.ofCells = taken(field.ofCells, field.components);
+                if (!field.beyond.empty()) field.beyond = taken(field.beyond, field.components);
+            }
         takeGroups(old.size());
     }
 
@@ -81,12 +89,13 @@ class Remaking {
         m_bag.cells.add(kind, nodes);
         m_from.push_back(from);
     }
-    std::vector<double> taken(const MeshField& field) const {
-        std::vector<double> values;
-        values.reserve(m_from.size() * static_cast<std::size_t>(field.components));
+    template <class T>
+    std::vector<T> taken(const std::vector<T>& all, int components) const {
+        std::vector<T> values;
+        values.reserve(m_from.size() * static_cast<std::size_t>(components));
         for (const int c : m_from) {
-            const auto first = field.ofCells.begin() + static_cast<std::ptrdiff_t>(c) * field.components;
-            values.insert(values.end(), first, first + field.components);
+            const auto first = all.begin() + static_cast<std::ptrdiff_t>(c) * components;
+            values.insert(values.end(), first, first + components);
         }
         return values;
     }
@@ -134,9 +143,11 @@ bool namesATag(const MeshField& field) {
     return field.components == 1 && std::ranges::count(tags, field.name) > 0;
 }
 
-bool isColour(const MeshField& field) {
-    constexpr std::string_view colours[] = {"red", "green", "blue"};
-    return !field.perCell && std::ranges::count(colours, field.name) > 0;
+/// Returns whether a format without fields holds one as a tag, a colour, a normal or an attribute.
+bool holdsField(const MeshFormat& format, const MeshField& field) {
+    return namesATag(field) || (format.holdsColours && isColour(field, false)) ||
+           (format.holdsFaceColours && isColour(field, true)) || (format.holdsNormals && isNormals(field)) ||
+           (format.print == printTetgen && field.name == "attribute");
 }
 
 /// What the names of groups are like in a format: letters that become underscores, and the most bytes.
@@ -145,10 +156,12 @@ struct NameRule {
     std::size_t longest;
 };
 constexpr NameRule kNameRules[] = {{".obj", " \t", 1000}, {".inp", ",\"=", 80}, {".med", "", 80}};
+/// The same for those of fields.
+constexpr NameRule kFieldRules[] = {{".ply", " \t", 1000}, {".med", "/", 64}, {".cgns", "/", 32}};
 
-/// Returns whether a file has another name for a group.
-bool changesName(const MeshFormat& format, const std::string& name) {
-    return std::ranges::any_of(kNameRules, [&](const NameRule& rule) {
+/// Returns whether a file has another name for a group or a field.
+bool changesName(const MeshFormat& format, const std::string& name, std::span<const NameRule> rules) {
+    return std::ranges::any_of(rules, [&](const NameRule& rule) {
         return rule.extension == format.extensions.front() &&
                (name.find_first_of(rule.replaced) != std::string::npos || name.size() > rule.longest);
     });
@@ -217,7 +230,7 @@ class Losses {
             } else if (!group.name.empty() && !m_format.holdsNames(group)) {
                 ++names;
             } else {
-                changed += !group.material && changesName(m_format, group.name);
+                changed += !group.material && changesName(m_format, group.name, kNameRules);
             }
         }
         if (ofVertices > 0) m_lost.push_back(counted(ofVertices, "group of vertices", "groups of vertices"));
@@ -234,14 +247,52 @@ class Losses {
     void countFields() {
         std::vector<std::string> lost;
         for (const MeshField& field : m_bag.fields) {
-            const bool held =
-                m_format.holdsFields || namesATag(field) || (m_format.holdsColours && isColour(field));
-            if (!held) lost.push_back(field.name);
+            if (!m_format.holdsFields && !holdsField(m_format, field)) lost.push_back(field.name);
         }
         if (!lost.empty()) m_lost.push_back(counted(lost.size(), "field", "fields") + listed(lost));
+        countChangedFields();
+        if (const std::size_t cells = cellsWithoutValues(); cells > 0)
+            m_lost.push_back("the values of " + counted(cells, "cell", "cells") + " of lower dimension");
         if (!m_bag.fileFields.empty() && !m_format.holdsFileFields)
             m_lost.push_back(counted(m_bag.fileFields.size(), "field of the file", "fields of the file"));
         if (m_bag.uv.cols() > 0 && !m_format.holdsTexture) m_lost.push_back("texture coordinates");
+    }
+
+    void countChangedFields() {
+        const auto changed = std::ranges::count_if(m_bag.fields, [this](const MeshField& field) {
+            const bool spelled = m_format.print == printCgns && field.components == 3;  // with an X behind
+            return changesName(m_format, field.name + (spelled ? "X" : ""), kFieldRules);
+        });
+        if (changed > 0)
+            m_changed.push_back((changed == 1 ? "the name of 1 field is"
+                                              : "the names of " + std::to_string(changed) + " fields are") +
+                                std::string(" changed to what the format allows"));
+    }
+    /// Returns how many cells have values that are not in the file: in CGNS files those of lower dimensions,
+    /// in Exodus files those in side sets.
+    std::size_t cellsWithoutValues() const {
+        const bool exodus = m_format.print == printExodus;
+        if (!exodus && m_format.print != printCgns) return 0;
+        std::vector<char> isLost(static_cast<std::size_t>(m_bag.cells.size()), 0);
+        int highest = 0;
+        for (int c = 0; c < m_bag.cells.size(); ++c) highest = std::max(highest, m_bag.cells.dimension(c));
+        std::vector<ExodusSide> sides;
+        if (exodus) sides = sidesInExodus(m_bag);
+        for (std::size_t c = 0; c < isLost.size(); ++c)
+            isLost[c] = exodus ? sides[c].element >= 0 : m_bag.cells.dimension(static_cast<int>(c)) < highest;
+        std::size_t count = 0;
+        for (std::size_t c = 0; c < isLost.size(); ++c) count += isLost[c] && hasValue(c);
+        return count;
+    }
+    /// Returns whether a field other than the number of a group has a value for a cell.
+    bool hasValue(std::size_t cell) const {
+        return std::ranges::any_of(m_bag.fields, [cell](const MeshField& field) {
+            if (!field.perCell || namesATag(field)) return false;
+            const auto first = field.ofCells.begin() +
+                               static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(field.components));
+            return std::any_of(first, first + field.components,
+                               [](double value) { return !std::isnan(value); });
+        });
     }
 
     const MeshFormat& m_format;

@@ -168,6 +168,10 @@ MeshFile withBoundary(MeshFile mesh) {
         mesh.cells.add(CellKind::Triangle, facet.vertices);
     }
     for (MeshField& field : mesh.fields)
+        if (field.perCell && !field.beyond.empty())
+            field.beyond.resize(
+                field.beyond.size() + behind.size() * static_cast<std::size_t>(field.components), 0);
+    for (MeshField& field : mesh.fields)
         for (std::size_t i = 0; !field.ofCells.empty() && i < behind.size(); ++i)
             for (int k = 0; k < field.components; ++k)
                 field.ofCells.push_back(
@@ -199,9 +203,13 @@ MeshFile inOrder(const MeshFile& mesh, const std::vector<int>& order) {
         if (!field.perCell) continue;
         const auto width = static_cast<std::ptrdiff_t>(field.components);
         bag.fields[f].ofCells.clear();
+        bag.fields[f].beyond.clear();
         for (const int c : order) {
             const auto first = field.ofCells.begin() + c * width;
             bag.fields[f].ofCells.insert(bag.fields[f].ofCells.end(), first, first + width);
+            if (field.beyond.empty()) continue;
+            const auto more = field.beyond.begin() + c * width;
+            bag.fields[f].beyond.insert(bag.fields[f].beyond.end(), more, more + width);
         }
     }
     for (MeshGroup& group : bag.groups) {

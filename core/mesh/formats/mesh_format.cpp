@@ -182,7 +182,7 @@ const std::vector<MeshFormat>& meshFormats() {
     static const std::vector<MeshFormat> formats = {
         // name, extensions, together, tetrahedra, withBoundary, fields, binary; article, reader, printer,
         // cells,
-        // groups, texture, colours, fields of the file
+        // groups, texture, colours, fields of the file, colours of faces, normals
         {{"Wavefront OBJ", {".obj"}, 1, false, false, false, false},
          "a ",
          readObj,
@@ -190,6 +190,9 @@ const std::vector<MeshFormat>& meshFormats() {
          holdsObj,
          All,
          true,
+         true,
+         false,
+         false,
          true},
         {{"PLY", {".ply"}, 1, false, false, true, true},
          "a ",
@@ -199,7 +202,17 @@ const std::vector<MeshFormat>& meshFormats() {
          Numbers,
          true,
          true},
-        {{"OFF", {".off"}, 1, false, false, false, false}, "an ", readOff, printOff, holdsOff},
+        {{"OFF", {".off"}, 1, false, false, false, false},
+         "an ",
+         readOff,
+         printOff,
+         holdsOff,
+         None,
+         true,
+         true,
+         false,
+         true,
+         true},
         {{"STL", {".stl"}, 1, false, false, false, true}, "an ", readStl, printStl, holdsTriangles, Names},
         {{"VTP (ParaView)", {".vtp"}, 1, false, false, true, true},
          "a ",
@@ -334,6 +347,13 @@ std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWri
     if (format.print == printStl && options.binary()) asked.groups = GroupsHeld::None;
     if (format.print == printGmsh && options.gmshVersion == 2) asked.groups = GroupsHeld::Names;
     return lostParts(asked, bagFor(format, mesh, options));
+}
+
+std::string lostInGltf(const MeshFile& mesh, const MeshWriteOptions& options) {
+    MeshFormat format{
+        {"binary glTF", {".glb"}, 1, false, false, false, true}, "a ", nullptr, nullptr, holdsTriangles};
+    format.holdsTexture = true;
+    return lostParts(format, bagFor(format, mesh, options));
 }
 
 }  // namespace wend::formats

@@ -41,6 +41,7 @@ struct MeshFormat : MeshFormatFacts {
     bool (*holds)(CellKind kind);
     GroupsHeld groups = GroupsHeld::None;
     bool holdsTexture = false, holdsColours = false, holdsFileFields = false;
+    bool holdsFaceColours = false, holdsNormals = false;  // where fields are not held
 
     /// Returns whether a file holds a group; `isMain` says that the group represents some cell, see
     /// mainGroups.
@@ -75,6 +76,9 @@ std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
 /// Describes in one line what a file of the format does not hold of a mesh that was read; empty if it holds
 /// everything.
 std::string lostIn(const MeshFormat& format, const MeshFile& mesh, const MeshWriteOptions& options);
+
+/// Returns the same for a binary glTF file, which holds triangles with their texture.
+std::string lostInGltf(const MeshFile& mesh, const MeshWriteOptions& options);
 
 /// A format that is read, but not written as a mesh.
 struct InputFormat {

@@ -2,29 +2,31 @@
 // from the end.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/colours.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
+#include "core/mesh/turned_normals.h"
 
 namespace wend::formats {
 namespace {
 
-/// Keywords that say nothing about positions, colours, texture coordinates, cells or groups.
+/// Keywords that say nothing about positions, normals, colours, texture coordinates, cells or groups.
 constexpr std::string_view passedOver[] = {
-    "vn",       "vp",       "s",     "mg",         "mtllib",    "usemap", "maplib", "bevel",
-    "c_interp", "d_interp", "lod",   "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",
-    "step",     "curv",     "curv2", "surf",       "parm",      "trim",   "hole",   "scrv",
-    "sp",       "end",      "con",   "call",       "csh",       "ctech",  "stech"};
-
-constexpr const char* kColours[] = {"red", "green", "blue"};
+    "vp",       "s",     "mg",         "mtllib",    "usemap", "maplib", "bevel", "c_interp",
+    "d_interp", "lod",   "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",  "step",
+    "curv",     "curv2", "surf",       "parm",      "trim",   "hole",   "scrv",  "sp",
+    "end",      "con",   "call",       "csh",       "ctech",  "stech"};
 
 struct Corner {
-    std::int64_t vertex, texture;  // counted from 0; texture is −1 if there is none
-    std::size_t offset;            // in the file, for errors: a face may precede its vertices
+    std::int64_t vertex, texture, normal;  // counted from 0; −1 if there is none
+    std::size_t offset;                    // in the file, for errors: a face may precede its vertices
 };
 
 class ObjReader {
@@ -36,7 +38,8 @@ class ObjReader {
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3, vertexCount());
         addCells();
         addTexture(m_file);
-        addColours();
+        addVertexColours();
+        addNormals();
         for (MeshGroup& group : m_groups)
             if (!group.cells.empty()) m_file.groups.push_back(std::move(group));
         finishCells(m_file, [this](int cell) {
@@ -56,6 +59,8 @@ class ObjReader {
             vertex();
         else if (keyword == "vt")
             textureCoordinates();
+        else if (keyword == "vn")
+            numbers(m_normals, {"x", "y", "z"});
         else if (keyword == "f" || keyword == "l" || keyword == "p")
             cell(keyword[0]);
         else if (keyword == "g" || keyword == "o" || keyword == "usemtl")
@@ -123,11 +128,23 @@ class ObjReader {
     }
     Corner corner(std::string_view word) const {
         const auto slash = word.find('/');
-        Corner corner{resolved(word.substr(0, slash), vertexCount()), -1, m_scanner.offset() - word.size()};
+        Corner corner{resolved(word.substr(0, slash), vertexCount()), -1, -1,
+                      m_scanner.offset() - word.size()};
         if (slash == std::string_view::npos) return corner;
         const auto texture = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
         if (!texture.empty()) corner.texture = resolved(texture, textureCount());
+        const auto second = word.find('/', slash + 1);
+        if (second != std::string_view::npos && second + 1 < word.size())
+            corner.normal = normalNamed(word.substr(second + 1));
         return corner;
+    }
+    /// Returns −1 for a number that names no normal, which is no reason to refuse a file.
+    std::int64_t normalNamed(std::string_view text) const {
+        const auto count = static_cast<std::int64_t>(m_normals.size() / 3);
+        const double number = parseNumber(text).value_or(0);
+        if (!(std::abs(number) < 2147483647)) return -1;
+        const auto whole = static_cast<std::int64_t>(number);
+        return std::max<std::int64_t>(whole < 0 ? count + whole : whole - 1, -1);
     }
     std::int64_t resolved(std::string_view text, std::int64_t countSoFar) const {
         const auto number = m_scanner.integerFrom(text, "a vertex number");
@@ -164,11 +181,31 @@ class ObjReader {
         cells.add(nodes.size() == 1 ? CellKind::Vertex : CellKind::PolyVertex, nodes);
     }
     /// Only if every vertex has one.
-    void addColours() {
+    void addVertexColours() {
         if (m_colours.empty() || m_colours.size() != m_points.size()) return;
+        std::vector<Colour> colours;
+        for (std::size_t at = 0; at < m_colours.size(); at += 3)
+            colours.push_back({m_colours[at], m_colours[at + 1], m_colours[at + 2], 1});
+        addColours(m_file, colours, false);
+    }
+    /// Adds the normals of vertices, (0, 0, 0) where there is none, unless the corners of one have several.
+    void addNormals() {
+        const auto count = static_cast<std::int64_t>(m_normals.size() / 3);
+        std::vector<std::int64_t> normalOf(static_cast<std::size_t>(vertexCount()), -1);
+        bool single = true, has = false;
+        for (const Corner& corner : m_corners) {
+            if (corner.normal < 0) continue;
+            std::int64_t& known = normalOf[static_cast<std::size_t>(corner.vertex)];
+            single = single && corner.normal < count && (known < 0 || known == corner.normal);
+            known = corner.normal;
+            has = true;
+        }
+        if (has && !single) m_file.notices.emplace_back("its list of normals of corners");
+        if (!has || !single) return;
         for (std::size_t k = 0; k < 3; ++k) {
-            MeshField field{kColours[k], false, 1, {}, {}, Scalar::Float32};
-            for (std::size_t at = k; at < m_colours.size(); at += 3) field.values.push_back(m_colours[at]);
+            MeshField field{kNormalNames[k], false, 1, {}};
+            for (const std::int64_t normal : normalOf)
+                field.values.push_back(normal < 0 ? 0 : m_normals[3 * static_cast<std::size_t>(normal) + k]);
             m_file.fields.push_back(std::move(field));
         }
     }
@@ -185,7 +222,7 @@ class ObjReader {
 
     Scanner m_scanner;
     MeshFile m_file;
-    std::vector<double> m_points, m_colours, m_textures;
+    std::vector<double> m_points, m_colours, m_textures, m_normals;
     std::vector<Corner> m_corners;
     std::vector<std::size_t> m_sizes, m_offsets;  // of each cell its corners and its place
     std::vector<char> m_kinds;                    // and its keyword
@@ -195,20 +232,6 @@ class ObjReader {
     std::map<std::pair<std::pair<bool, std::string>, int>, std::size_t> m_known;
     std::vector<std::pair<bool, std::string>> m_current;  // groups of the cells that follow
 };
-
-/// Returns colours from 0 to 1, or nothing.
-std::vector<double> coloursOf(const MeshFile& bag) {
-    std::vector<double> colours(3 * static_cast<std::size_t>(bag.points.cols()));
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto field = std::ranges::find_if(bag.fields, [&](const auto& one) {
-            return !one.perCell && one.components == 1 && one.name == kColours[k];
-        });
-        if (field == bag.fields.end()) return {};
-        const double full = field->type == Scalar::UInt8 ? 255 : 1;
-        for (std::size_t v = 0; v < field->values.size(); ++v) colours[3 * v + k] = field->values[v] / full;
-    }
-    return colours;
-}
 
 /// The lines that name the groups of each cell, where they change.
 class GroupLines {
@@ -244,6 +267,19 @@ class GroupLines {
     std::string m_name, m_material;
 };
 
+/// Prints the normals of vertices, and returns whether there are some.
+bool printNormals(const MeshFile& mesh, TextWriter& out) {
+    std::array<const MeshField*, 3> parts{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const MeshField& field : mesh.fields)
+            if (!field.perCell && field.components == 1 && field.name == kNormalNames[k]) parts[k] = &field;
+    if (!parts[0] || !parts[1] || !parts[2]) return false;
+    for (std::size_t v = 0; v < parts[0]->values.size(); ++v)
+        out << "vn " << parts[0]->values[v] << ' ' << parts[1]->values[v] << ' ' << parts[2]->values[v]
+            << '\n';
+    return true;
+}
+
 }  // namespace
 
 MeshFile readObj(std::span<const MeshSource> files) {
@@ -252,15 +288,16 @@ MeshFile readObj(std::span<const MeshSource> files) {
 
 std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions&) {
     TextWriter out;
-    const std::vector<double> colours = coloursOf(mesh);
+    const std::vector<Colour> colours = coloursOf(mesh, false);
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
         const auto p = mesh.points.col(v);
         out << "v " << p.x() << ' ' << p.y() << ' ' << p.z();
         for (std::size_t k = 0; !colours.empty() && k < 3; ++k)
-            out << ' ' << colours[3 * static_cast<std::size_t>(v) + k];
+            out << ' ' << colours[static_cast<std::size_t>(v)][k];
         out << '\n';
     }
     for (const auto& uv : mesh.uv.colwise()) out << "vt " << uv.x() << ' ' << uv.y() << '\n';
+    const bool normals = printNormals(mesh, out);
     GroupLines groups(mesh);
     for (int c = 0; c < mesh.cells.size(); ++c) {
         groups.print(c, out);
@@ -269,6 +306,7 @@ std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions&)
         for (const int v : mesh.cells[c]) {
             out << ' ' << v + 1;
             if (mesh.uv.cols() && dimension == 2) out << '/' << v + 1;
+            if (normals && dimension == 2) out << (mesh.uv.cols() ? "/" : "//") << v + 1;
         }
         out << '\n';
     }

@@ -201,14 +201,57 @@ class LookReader {
     int m_material = -1, m_group = -1;
 };
 
-/// Turns "v/vt/vn" into "v/vt", and "v//vn" into "v".
-std::string withoutNormal(std::string_view corner) {
-    const auto first = corner.find('/');
-    if (first == std::string_view::npos) return std::string(corner);
-    const auto second = corner.find('/', first + 1);
-    if (second == std::string_view::npos) return std::string(corner);
-    return std::string(corner.substr(0, second == first + 1 ? first : second));
-}
+/// The normals of a file, turned with the vertices that have them: each pair of a vertex and a normal gets
+/// one of its own, in the order of use.
+class TurnedNormals {
+  public:
+    TurnedNormals(const std::string& bytes, std::vector<Eigen::Quaterniond> turns)
+        : m_turns(std::move(turns)) {
+        eachLine(bytes, [this](std::string_view line) {
+            if (takeWord(line) != "vn") return;
+            Eigen::Vector3d normal;
+            for (double& part : normal) part = numberOr(takeWord(line), 0);
+            m_normals.push_back(normal);
+        });
+    }
+    /// Returns whether none has turned: then all stay as they are.
+    bool areKept() const {
+        return std::ranges::all_of(m_turns, [](const auto& turn) { return turn.vec().isZero(); });
+    }
+    /// Passes a line with a normal: later ones may count back from it.
+    void pass() { ++m_passed; }
+    /// Returns a corner with its new number, and prints its normal if it is new. `vertices` precede it.
+    std::string corner(std::string_view word, std::int64_t vertices, TextWriter& out) {
+        const auto first = word.find('/');
+        const auto second = first == word.npos ? word.npos : word.find('/', first + 1);
+        if (second == word.npos) return std::string(word);
+        const std::string_view before = word.substr(0, second == first + 1 ? first : second);
+        const auto vertex = placeOf(word.substr(0, first), vertices),
+                   normal = placeOf(word.substr(second + 1), m_passed);
+        if (vertex < 0 || vertex >= std::ssize(m_turns) || normal < 0 || normal >= std::ssize(m_normals))
+            return std::string(before);
+        const auto [known, isNew] = m_numbers.try_emplace({vertex, normal}, m_numbers.size() + 1);
+        if (isNew) {
+            const Eigen::Quaterniond& turn = m_turns[static_cast<std::size_t>(vertex)];
+            const Eigen::Vector3d& old = m_normals[static_cast<std::size_t>(normal)];
+            const Eigen::Vector3d turned = turn.vec().isZero() ? old : Eigen::Vector3d(turn * old);
+            out << "vn " << turned.x() << ' ' << turned.y() << ' ' << turned.z() << '\n';
+        }
+        return std::string(before) + (second == first + 1 ? "//" : "/") + std::to_string(known->second);
+    }
+
+  private:
+    /// Returns the place of a number of the file, which counts from 1, or back from what precedes it.
+    static std::int64_t placeOf(std::string_view text, std::int64_t count) {
+        const auto number = static_cast<std::int64_t>(numberOr(text, 0));
+        return number < 0 ? count + number : number - 1;
+    }
+
+    std::vector<Eigen::Quaterniond> m_turns;
+    std::vector<Eigen::Vector3d> m_normals;
+    std::int64_t m_passed = 0;
+    std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> m_numbers;
+};
 
 std::string renamed(const std::string& file, const std::string& oldFolder, const std::string& newFolder) {
     const fs::path whole = fs::absolute(fs::path(oldFolder) / file).lexically_normal();
@@ -238,22 +281,28 @@ std::vector<std::string> objLookFiles(const std::string& bytes, const std::strin
     return files;
 }
 
-std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,
+std::string withVertices(const std::string& bytes, const Skin& skin, const Points<3>& points,
                          const std::string& newFolder) {
+    const std::string oldFolder = fs::path(skin.path).parent_path().string();
     TextWriter out;
+    TurnedNormals normals(bytes, turnsOf(skin.points, points, skin.triangles));
+    const bool kept = normals.areKept();
     Eigen::Index vertex = 0;
     eachLine(bytes, [&](std::string_view line) {
         std::string_view rest = line;
         const auto keyword = takeWord(rest);
-        if (keyword == "vn") return;
+        if (keyword == "vn" && !kept) return normals.pass();
         if (keyword == "v" && vertex < points.cols()) {
             for (int k = 0; k < 3; ++k) takeWord(rest);
             out << "v " << points(0, vertex) << ' ' << points(1, vertex) << ' ' << points(2, vertex);
             if (!rest.empty()) out << ' ' << rest;  // a weight or a colour
             ++vertex;
         } else if (keyword == "f") {
-            out << 'f';
-            while (!rest.empty() && rest.front() != '#') out << ' ' << withoutNormal(takeWord(rest));
+            std::string corners = "f";
+            while (!rest.empty() && rest.front() != '#')
+                corners +=
+                    ' ' + (kept ? std::string(takeWord(rest)) : normals.corner(takeWord(rest), vertex, out));
+            out << corners;
         } else if (keyword == "mtllib") {
             out << "mtllib " << renamed(std::string(rest), oldFolder, newFolder);
         } else {

@@ -15,9 +15,9 @@ void addObjLook(const std::string& bytes, const MeshFile& file, Skin& skin);
 /// Returns the material files that an OBJ file names, and the pictures that those name.
 std::vector<std::string> objLookFiles(const std::string& bytes, const std::string& path);
 
-/// Returns the bytes of an OBJ file with other vertices: without normals, and with its material files named
-/// from `newFolder` instead of `oldFolder`.
-std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,
+/// Returns the bytes of a skin's OBJ file with other vertices: its normals turn with the surface, and its
+/// material files are named from `newFolder` instead of its own.
+std::string withVertices(const std::string& bytes, const Skin& skin, const Points<3>& points,
                          const std::string& newFolder);
 
 }  // namespace wend::formats

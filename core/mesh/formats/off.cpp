@@ -1,13 +1,19 @@
 // The Object File Format has "OFF", the numbers of vertices, faces and edges, then the vertices and the
-// faces. Colours, normals and texture coordinates (COFF, NOFF, STOFF) are skipped, and so is what geomview
-// may write first: "appearance { … }". The word OFF may be missing. Faces beyond the stated number are read.
+// faces. Vertices may have normals, colours and texture coordinates (STCNOFF, with any of ST, C and N), and
+// faces colours: bytes, or numbers from 0 to 1. What geomview may write first is skipped: "appearance { … }".
+// The word OFF may be missing. Faces beyond the stated number are read.
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <span>
 
 #include "core/mesh/formats/cell_split.h"
+#include "core/mesh/formats/colours.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
+#include "core/mesh/turned_normals.h"
 
 namespace wend::formats {
 namespace {
@@ -28,14 +34,24 @@ bool beginsWithNumber(Scanner& scanner) {
     return end != 0 && end != rest.npos && std::isspace(static_cast<unsigned char>(rest[end]));
 }
 
-/// Returns whether vertices have more than their position on the same line.
-bool readHeader(Scanner& scanner) {
+/// What vertices have beside their position, in this order.
+struct OffHeader {
+    bool normals = false, colours = false, texture = false;
+};
+
+OffHeader readHeader(Scanner& scanner) {
+    OffHeader header;
     passAppearance(scanner);
-    if (beginsWithNumber(scanner)) return false;
+    if (beginsWithNumber(scanner)) return header;
     auto word = scanner.word("the word OFF");
     const auto whole = word;
-    for (const std::string_view prefix : {"ST", "C", "N"})
-        if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+    for (const auto& [prefix, has] : {std::pair<std::string_view, bool*>{"ST", &header.texture},
+                                      {"C", &header.colours},
+                                      {"N", &header.normals}})
+        if (word.starts_with(prefix)) {
+            word.remove_prefix(prefix.size());
+            *has = true;
+        }
     if (word == "4OFF" || word == "nOFF")
         scanner.fail(inQuotes(whole) +
                      (word == "4OFF" ? ": its points have four coordinates"
@@ -43,7 +59,7 @@ bool readHeader(Scanner& scanner) {
                      "; only points in space, which have three, are read");
     if (word != "OFF") scanner.fail("begins with " + inQuotes(whole) + " instead of OFF: no OFF file");
     if (scanner.nextIs("BINARY")) scanner.fail("a binary OFF file is not read");
-    return whole != "OFF";
+    return header;
 }
 
 int readVertexNumber(Scanner& scanner, int vertexCount) {
@@ -54,21 +70,129 @@ int readVertexNumber(Scanner& scanner, int vertexCount) {
     return static_cast<int>(index);
 }
 
+/// Returns the numbers on the rest of a line.
+std::vector<double> numbersOnLine(Scanner& scanner, const char* what) {
+    std::vector<double> numbers;
+    while (!scanner.atLineEnd()) numbers.push_back(scanner.real(what));
+    return numbers;
+}
+
+/// Collects colours of vertices or faces, which are all bytes or all numbers from 0 to 1.
+class ColourList {
+  public:
+    /// Takes three or four components; less are no colour, but an entry of a list that is not in the file.
+    void take(std::span<const double> parts) {
+        ++m_count;
+        if (parts.size() < 3) return;
+        Colour& colour = m_colours.emplace_back(Colour{0, 0, 0, -1});
+        for (std::size_t k = 0; k < std::min<std::size_t>(parts.size(), 4); ++k) {
+            colour[k] = parts[k];
+            m_inBytes = m_inBytes || parts[k] > 1;
+        }
+    }
+    void addTo(MeshFile& file, bool perCell) {
+        if (m_colours.empty()) return;
+        if (m_colours.size() != m_count) {
+            file.notices.push_back("the colours of " + std::to_string(m_colours.size()) + " of its " +
+                                   std::to_string(m_count) + (perCell ? " faces" : " vertices"));
+            return;
+        }
+        for (Colour& colour : m_colours) {
+            if (colour[3] < 0) colour[3] = m_inBytes ? 255 : 1;
+            if (m_inBytes)
+                for (double& part : colour) part /= 255;
+        }
+        addColours(file, m_colours, perCell);
+    }
+
+  private:
+    std::vector<Colour> m_colours;
+    std::size_t m_count = 0;
+    bool m_inBytes = false;
+};
+
+/// Takes what a vertex has beside its position.
+class VertexLooks {
+  public:
+    explicit VertexLooks(OffHeader header) : m_header(header) {}
+    void take(Scanner& scanner) {
+        std::vector<double> numbers = numbersOnLine(scanner, "a number of a vertex");
+        std::span<const double> rest(numbers);
+        const auto taken = [&rest](std::size_t count) {
+            const auto part = rest.first(std::min(count, rest.size()));
+            rest = rest.subspan(part.size());
+            return part;
+        };
+        if (m_header.normals)
+            if (const auto normal = taken(3); normal.size() == 3)
+                m_normals.insert(m_normals.end(), normal.begin(), normal.end());
+        if (m_header.colours)
+            m_colours.take(taken(rest.size() - std::min<std::size_t>(m_header.texture ? 2 : 0, rest.size())));
+        if (m_header.texture)
+            if (const auto uv = taken(2); uv.size() == 2) m_uv.insert(m_uv.end(), uv.begin(), uv.end());
+    }
+    void addTo(MeshFile& file) {
+        const auto count = static_cast<std::size_t>(file.points.cols());
+        if (m_normals.size() == 3 * count && count > 0)
+            for (std::size_t k = 0; k < 3; ++k) {
+                MeshField field{kNormalNames[k], false, 1, {}};
+                for (std::size_t v = 0; v < count; ++v) field.values.push_back(m_normals[3 * v + k]);
+                file.fields.push_back(std::move(field));
+            }
+        m_colours.addTo(file, false);
+        if (m_uv.size() == 2 * count)
+            file.uv = Eigen::Map<const Eigen::Matrix2Xd>(m_uv.data(), 2, static_cast<Eigen::Index>(count));
+    }
+
+  private:
+    OffHeader m_header;
+    std::vector<double> m_normals, m_uv;
+    ColourList m_colours;
+};
+
+/// Returns a field of one component per vertex, or null.
+const MeshField* vertexValues(const MeshFile& mesh, const char* name) {
+    for (const MeshField& field : mesh.fields)
+        if (!field.perCell && field.components == 1 && field.name == name) return &field;
+    return nullptr;
+}
+
+/// Prints a colour in bytes if all are whole ones, with its alpha if `whole`.
+void printColour(TextWriter& out, const Colour& colour, bool inBytes, bool whole) {
+    for (std::size_t k = 0; k < (whole ? 4 : 3); ++k) {
+        out << ' ';
+        if (inBytes)
+            out << std::lround(255 * colour[k]);
+        else
+            out << colour[k];
+    }
+}
+
+bool areBytes(const std::vector<Colour>& colours) {
+    return std::ranges::all_of(colours, [](const Colour& colour) {
+        return std::ranges::all_of(
+            colour, [](double part) { return std::abs(255 * part - std::round(255 * part)) < 1e-3; });
+    });
+}
+
 }  // namespace
 
-/// Reads the counts, the vertices and the faces, whose colours are skipped.
+/// Reads the counts, the vertices and the faces.
 MeshFile readOff(std::span<const MeshSource> files) {
     Scanner scanner(files[0].bytes, '#');
-    const bool decorated = readHeader(scanner);
+    const OffHeader header = readHeader(scanner);
     const int vertexCount = scanner.count("vertices", 6);
     const int faceCount = scanner.count("faces", 2);
     if (!scanner.atLineEnd()) scanner.integer("the number of edges");
 
     MeshFile file;
     file.points.resize(3, vertexCount);
+    const bool decorated = header.normals || header.colours || header.texture;
+    VertexLooks looks(header);
+    ColourList faceColours;
     for (auto p : file.points.colwise()) {
         for (double& coordinate : p) coordinate = scanner.finite("a coordinate");
-        if (decorated) scanner.line();
+        if (decorated) looks.take(scanner);
     }
     std::vector<int> polygon;
     std::vector<std::size_t> offsets;
@@ -80,19 +204,37 @@ MeshFile readOff(std::span<const MeshSource> files) {
             file.cells.addFace(polygon);
         else
             file.cells.add(polygon.size() == 2 ? CellKind::Line : CellKind::PolyVertex, polygon);
-        scanner.line();  // a colour may follow
+        faceColours.take(numbersOnLine(scanner, "a colour"));
     }
+    looks.addTo(file);
+    faceColours.addTo(file, true);
     finishCells(file, [&](int cell) { return scanner.placeOf(offsets[static_cast<std::size_t>(cell)]); });
     return file;
 }
 
 std::vector<std::string> printOff(const MeshFile& mesh, const MeshWriteOptions&) {
+    const std::vector<Colour> colours = coloursOf(mesh, false), ofFaces = coloursOf(mesh, true);
+    const bool bytes = areBytes(colours), bytesOfFaces = areBytes(ofFaces);
+    const bool clear = std::ranges::any_of(ofFaces, [](const Colour& colour) { return colour[3] < 1; });
+    std::array<const MeshField*, 3> normals{};
+    for (std::size_t k = 0; k < 3; ++k) normals[k] = vertexValues(mesh, kNormalNames[k]);
+    const bool hasNormals = normals[0] && normals[1] && normals[2];
     TextWriter out;
-    out << "OFF\n" << mesh.points.cols() << ' ' << mesh.cells.size() << " 0\n";
-    for (const auto& p : mesh.points.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    out << (mesh.uv.cols() ? "ST" : "") << (colours.empty() ? "" : "C") << (hasNormals ? "N" : "") << "OFF\n"
+        << mesh.points.cols() << ' ' << mesh.cells.size() << " 0\n";
+    for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
+        const auto p = mesh.points.col(v);
+        out << p.x() << ' ' << p.y() << ' ' << p.z();
+        for (std::size_t k = 0; hasNormals && k < 3; ++k)
+            out << ' ' << normals[k]->values[static_cast<std::size_t>(v)];
+        if (!colours.empty()) printColour(out, colours[static_cast<std::size_t>(v)], bytes, true);
+        if (mesh.uv.cols()) out << ' ' << mesh.uv(0, v) << ' ' << mesh.uv(1, v);
+        out << '\n';
+    }
     for (int c = 0; c < mesh.cells.size(); ++c) {
         out << mesh.cells[c].size();
         for (const int v : mesh.cells[c]) out << ' ' << v;
+        if (!ofFaces.empty()) printColour(out, ofFaces[static_cast<std::size_t>(c)], bytesOfFaces, clear);
         out << '\n';
     }
     return {std::move(out.text())};

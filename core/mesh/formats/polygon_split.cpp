@@ -12,7 +12,7 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-constexpr double kFarFromPlane = 0.25;  // of the greatest distance between corners
+constexpr double kFarFromPlane = 0.15;  // of the greatest distance between corners
 constexpr double kNoArea = 1e-14;       // of the square of that distance: rounding of the products
 
 /// Adds x to a sum that is kept exactly, as doubles that do not overlap (Shewchuk's GROW-EXPANSION).

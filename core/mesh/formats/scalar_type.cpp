@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace wend::formats {
 namespace {
@@ -83,6 +84,26 @@ void appendReal(std::string& bytes, double value, Scalar type, std::endian order
 
 void appendInteger(std::string& bytes, std::int64_t value, Scalar type, std::endian order) {
     withType(type, [&](auto zero) { append(bytes, static_cast<decltype(zero)>(value), order); });
+}
+
+namespace {
+constexpr double kBeyondInt64 = 9223372036854775808.0;  // 2⁶³, which the highest numbers are rounded to
+}
+
+SplitNumber splitNumber(std::int64_t number) {
+    const auto value = static_cast<double>(number);
+    constexpr auto kHighest = std::numeric_limits<std::int64_t>::max();
+    const std::int64_t beyond =
+        value < kBeyondInt64 ? number - static_cast<std::int64_t>(value) : number - kHighest - 1;
+    return {value, static_cast<std::int16_t>(beyond)};
+}
+
+std::int64_t wholeNumber(SplitNumber split) {
+    constexpr auto kHighest = std::numeric_limits<std::int64_t>::max();
+    constexpr auto kLowest = std::numeric_limits<std::int64_t>::min();
+    if (split.value >= kBeyondInt64) return kHighest + std::min(split.beyond + 1, 0);
+    if (!(split.value >= -kBeyondInt64)) return kLowest;
+    return static_cast<std::int64_t>(split.value) + split.beyond;
 }
 
 }  // namespace wend::formats

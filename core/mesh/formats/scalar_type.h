@@ -22,4 +22,12 @@ std::int64_t decodeInteger(std::string_view bytes, Scalar type, std::endian orde
 void appendReal(std::string& bytes, double value, Scalar type, std::endian order);
 void appendInteger(std::string& bytes, std::int64_t value, Scalar type, std::endian order);
 
+/// Returns a whole number as a double and what it has beyond that, and the number of both.
+struct SplitNumber {
+    double value = 0;
+    std::int16_t beyond = 0;
+};
+SplitNumber splitNumber(std::int64_t number);
+std::int64_t wholeNumber(SplitNumber split);
+
 }  // namespace wend::formats

@@ -179,6 +179,24 @@ double NumberReader::real(Scalar type, const char* what) {
     return m_binary ? decodeReal(m_scanner->raw(sizeOf(type), what), type, m_order) : m_scanner->real(what);
 }
 
+double NumberReader::real(Scalar type, const char* what, std::vector<std::int16_t>& beyond) {
+    if (type != Scalar::Int64 && type != Scalar::UInt64) return real(type, what);
+    SplitNumber split;
+    if (m_binary) {
+        const std::string_view bytes = m_scanner->raw(sizeOf(type), what);
+        split = splitNumber(decodeInteger(bytes, type, m_order));
+        if (type == Scalar::UInt64 && split.value < 0) split = {decodeReal(bytes, type, m_order), 0};
+    } else {
+        const std::string_view word = m_scanner->word(what);
+        std::int64_t number = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        const bool isWhole = error == std::errc() && end == word.data() + word.size();
+        split = isWhole ? splitNumber(number) : SplitNumber{m_scanner->realFrom(word, what), 0};
+    }
+    beyond.push_back(split.beyond);
+    return split.value;
+}
+
 double NumberReader::finite(Scalar type, const char* what) {
     const double value = real(type, what);
     if (!std::isfinite(value)) m_scanner->fail(std::string("not a finite number (") + what + " is expected)");

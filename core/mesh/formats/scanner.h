@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/mesh/formats/scalar_type.h"
 
@@ -83,6 +84,8 @@ class NumberReader {
         : m_scanner(&scanner), m_binary(binary), m_order(order) {}
 
     double real(Scalar type, const char* what);
+    /// Reads a number of a field, and appends to `beyond` what it has beyond the double.
+    double real(Scalar type, const char* what, std::vector<std::int16_t>& beyond);
     double finite(Scalar type, const char* what);
     std::int64_t integer(Scalar type, const char* what);
     /// Reads a count as Scanner::count does, for `numbersEach` numbers of `type` per thing.

@@ -1,6 +1,7 @@
 #include "core/mesh/formats/vtk_fields.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mesh/formats/mesh_bag.h"
 
@@ -52,6 +53,18 @@ std::vector<MeshField> vtkFieldsOf(const MeshFile& bag) {
         fields.push_back({"group", true, 1, {numbers.begin(), numbers.end()}, {}, Scalar::Int32});
     }
     return fields;
+}
+
+std::vector<std::int64_t> longNumbers(const MeshField& field) {
+    if (field.type != Scalar::Int64 && field.type != Scalar::UInt64) return {};
+    constexpr double kHighest = 9223372036854775807.0;
+    std::vector<std::int64_t> numbers;
+    for (std::size_t i = 0; i < field.values.size(); ++i) {
+        if (!(std::abs(field.values[i]) <= kHighest)) return {};
+        const std::int16_t beyond = field.beyond.empty() ? std::int16_t(0) : field.beyond[i];
+        numbers.push_back(wholeNumber({field.values[i], beyond}));
+    }
+    return numbers;
 }
 
 }  // namespace wend::formats

@@ -9,4 +9,8 @@ namespace wend::formats {
 /// a volume, with 0 in its tetrahedra, else "group".
 std::vector<MeshField> vtkFieldsOf(const MeshFile& bag);
 
+/// Returns the numbers of a field whose type is a whole number of eight bytes, all digits of them. Empty for
+/// other types, and where a number is too large for it.
+std::vector<std::int64_t> longNumbers(const MeshField& field);
+
 }  // namespace wend::formats

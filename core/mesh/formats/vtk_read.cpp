@@ -1,6 +1,7 @@
 // VTK's legacy format: UNSTRUCTURED_GRID and POLYDATA, text and binary (big endian), in the cell layouts of
 // version 4 (a size before each cell's corners) and of version 5 (OFFSETS and CONNECTIVITY).
 
+#include <algorithm>
 #include <optional>
 
 #include "core/mesh/formats/cell_split.h"
@@ -133,7 +134,7 @@ class VtkReader {
         return *known;
     }
     /// Values begin on the next line; after binary ones a line end follows, which counts as a blank.
-    std::vector<double> values(std::size_t count, VtkType type) {
+    std::vector<double> values(std::size_t count, VtkType type, std::vector<std::int16_t>* beyond = nullptr) {
         if (m_numbers.binary()) m_scanner.line();
         std::vector<double> numbers;
         if (type.bits && m_numbers.binary()) {
@@ -142,7 +143,9 @@ class VtkReader {
             return numbers;
         }
         numbers.reserve(count);
-        for (std::size_t i = 0; i < count; ++i) numbers.push_back(m_numbers.real(type.scalar, "a value"));
+        for (std::size_t i = 0; i < count; ++i)
+            numbers.push_back(beyond ? m_numbers.real(type.scalar, "a value", *beyond)
+                                     : m_numbers.real(type.scalar, "a value"));
         return numbers;
     }
     std::vector<std::int64_t> wholeNumbers(std::size_t count, Scalar scalar) {
@@ -310,9 +313,10 @@ class VtkReader {
         const std::int64_t packed = static_cast<std::int64_t>((tuples + bits - 1) / bits);
         m_numbers.checkedCount(packed, things.c_str(), static_cast<std::size_t>(components),
                                valueType.scalar);
-        MeshField field{
-            name, m_data == Data::Cells, static_cast<int>(components), values(tuples * components, valueType),
-            {},   valueType.scalar};
+        MeshField field{name, m_data == Data::Cells, static_cast<int>(components), {}, {}, valueType.scalar};
+        field.values = values(tuples * components, valueType, &field.beyond);
+        if (std::ranges::all_of(field.beyond, [](std::int16_t one) { return one == 0; }))
+            field.beyond.clear();
         if (keep) m_fields.push_back({std::move(field), tuples});
         if (!keep && m_data == Data::None) m_file.fileFields.push_back(std::move(field));
     }

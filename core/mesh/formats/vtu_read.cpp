@@ -148,9 +148,22 @@ class VtuReader {
             MeshField& field = m_file.fields[f];
             same = field.name == fields[f].name && field.perCell == fields[f].perCell &&
                    field.components == fields[f].components;
+            appendBeyond(field, fields[f]);
             field.values.insert(field.values.end(), fields[f].values.begin(), fields[f].values.end());
         }
         if (!same) fail(piece, "has other arrays than the piece before it");
+    }
+    static void appendBeyond(MeshField& field, const MeshField& next) {
+        if (field.beyond.empty() && next.beyond.empty()) return;
+        field.beyond.resize(field.values.size(), 0);
+        field.beyond.insert(field.beyond.end(), next.beyond.begin(), next.beyond.end());
+        field.beyond.resize(field.values.size() + next.values.size(), 0);
+    }
+    static void dropZeros(std::vector<std::int16_t>& beyond) {
+        if (std::ranges::all_of(beyond, [](std::int16_t one) { return one == 0; })) beyond.clear();
+    }
+    static auto valuesInto(std::vector<std::int16_t>& beyond) {
+        return [&beyond](auto& reader, Scalar type) { return reader.real(type, "a number", beyond); };
     }
     /// Reads the fields of the file as a whole. Texts are left out, with a notice.
     void readFileFields(pugi::xml_node data) {
@@ -161,11 +174,12 @@ class VtuReader {
                 continue;
             }
             const int components = componentsOf(array);
-            auto values = numbersOf<double>(
-                array, std::nullopt, [](auto& reader, Scalar type) { return reader.real(type, "a number"); });
-            if (values.size() % static_cast<std::size_t>(components))
+            MeshField field{name, false, components, {}, {}, scalarOf(array)};
+            field.values = numbersOf<double>(array, std::nullopt, valuesInto(field.beyond));
+            dropZeros(field.beyond);
+            if (field.values.size() % static_cast<std::size_t>(components))
                 fail(array, "a part of a tuple is left over");
-            m_file.fileFields.push_back({name, false, components, std::move(values), {}, scalarOf(array)});
+            m_file.fileFields.push_back(std::move(field));
         }
     }
 
@@ -296,8 +310,9 @@ class VtuReader {
                 continue;
             }
             const int components = componentsOf(array);
-            MeshField field{name, perCell,        components, reals(array, Count{tuples, components}),
-                            {},   scalarOf(array)};
+            MeshField field{name, perCell, components, {}, {}, scalarOf(array)};
+            field.values = numbersOf<double>(array, Count{tuples, components}, valuesInto(field.beyond));
+            dropZeros(field.beyond);
             if (!perCell && !texture.empty() && field.name == texture && components == 2)
                 addTexture(field);
             else

@@ -117,6 +117,11 @@ class VtuPrinter {
         if (field.type == Scalar::Float64)
             return array<double>(field.name, field.components, field.values, more);
         std::string bytes;
+        if (const auto numbers = longNumbers(field); !numbers.empty()) {
+            for (const std::int64_t one : numbers) appendInteger(bytes, one, field.type, m_encoding.order);
+            openArray(field.name, field.components, vtuScalarName(field.type), more);
+            return closeArray(std::span<const std::int64_t>(numbers), field.components, bytes);
+        }
         for (const double value : field.values) appendReal(bytes, value, field.type, m_encoding.order);
         openArray(field.name, field.components, vtuScalarName(field.type), more);
         closeArray(std::span<const double>(field.values), field.components, bytes);

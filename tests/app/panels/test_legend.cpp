@@ -1,8 +1,13 @@
 #include <QAction>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QToolButton>
+#include <numbers>
+#include <numeric>
 
 #include "app/document/design.h"
 #include "app/panels/distortion_panel.h"
+#include "core/mesh/cell_shape.h"
 #include "tests/support/bar.h"
 
 using namespace wend;
@@ -14,11 +19,103 @@ class TestLegend : public QObject {
   private slots:
     void rangeIsLockedFromTheCard_data() { dimensions(); }
     void rangeIsLockedFromTheCard() { BOTH(lock); }
+    void rangeIsTyped_data() { dimensions(); }
+    void rangeIsTyped() { BOTH(type); }
+    void qualityIsCompared_data() { dimensions(); }
+    void qualityIsCompared() { BOTH(quality); }
 
   private:
     template <int Dim>
     void lock();
+    template <int Dim>
+    void type();
+    template <int Dim>
+    void quality();
+    /// Opens a bar whose one end is pulled.
+    template <int Dim>
+    static bool pull(SolidFixture& f);
 };
+
+template <int Dim>
+bool TestLegend::pull(SolidFixture& f) {
+    if (!f.openProject(Dim, 400)) return false;
+    ShapeSession& session = f.session();
+    for (const double u : {-1.8, 1.8}) session.addPin(Bar<Dim>::place(u, 0));
+    const auto film = copyOf(f.project());
+    designOf<Dim>(*film).handles[1].motions = {{Translate<Dim>{Vec<Dim>::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
+    endOf(*film) = 1;
+    session.document().change(QStringLiteral("Film"), film);
+    if (!settle(session)) return false;
+    session.playback().setTime(1);
+    return QTest::qWaitFor([&] { return session.frame()->time == 1; }, 20000);
+}
+
+/// A typed end locks the range, the legend says what lies beyond, and a logarithmic scale has the geometric
+/// mean of its ends in the middle.
+template <int Dim>
+void TestLegend::type() {
+    if (Dim == 3 && !VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    SolidFixture f;
+    QVERIFY(pull<Dim>(f));
+    f.window().actions().showMap->setChecked(true);
+    DistortionPanel& panel = f.window().properties().distortion();
+    const Legend& legend = *panel.findChild<Legend*>();
+    const auto values = shownValues(f.session(), panel.measure());
+    const double most = *std::ranges::max_element(values), least = *std::ranges::min_element(values);
+    QVERIFY(least > 0 && most > 2 * least);
+    auto* low = panel.details()->findChild<QDoubleSpinBox*>(QStringLiteral("mapLow"));
+    auto* high = panel.details()->findChild<QDoubleSpinBox*>(QStringLiteral("mapHigh"));
+    auto* logarithmic = panel.details()->findChild<QCheckBox*>(QStringLiteral("mapLogarithmic"));
+    high->setValue(2 * most);
+    QVERIFY(panel.keepRange().isChecked());
+    QCOMPARE(panel.range().high, high->value());
+    QVERIFY(!legend.accessibleDescription().contains(QChar(0x2265)));
+    high->setValue((most + least) / 2);
+    QVERIFY(legend.accessibleDescription().contains(QChar(0x2265)));
+    QVERIFY(!legend.accessibleDescription().contains(QChar(0x2264)));
+    high->setValue(low->value() - 1);  // no range
+    QCOMPARE(panel.range().high, high->value());
+    QVERIFY(panel.range().high > panel.range().low);
+    logarithmic->setChecked(true);
+    QVERIFY(panel.range().low > 0);
+    const double middle = std::sqrt(panel.range().low * panel.range().high);
+    QVERIFY(std::abs(positionIn(panel.range(), panel.measure(), middle) - 0.5) < 1e-12);
+    logarithmic->setChecked(false);
+    panel.keepRange().setChecked(false);
+    QCOMPARE(panel.range().low, 0.0);
+    panel.setMeasure(Measure::Phi);
+    QVERIFY(!high->isEnabled() && !logarithmic->isEnabled());
+}
+
+/// The shape of the cells is counted in the histogram, as at rest.
+template <int Dim>
+void TestLegend::quality() {
+    if (Dim == 3 && !VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    SolidFixture f;
+    QVERIFY(pull<Dim>(f));
+    DistortionPanel& panel = f.window().properties().distortion();
+    const auto frame = f.session().frame<Dim>();
+    for (const Measure measure : {Measure::ScaledJacobian, Measure::AspectRatio, Measure::SmallestAngle}) {
+        panel.setMeasure(measure);
+        const auto shapes = cellShapes<Dim>(frame->pose, frame->rest->cells);
+        const auto before = cellShapes<Dim>(frame->rest->points, frame->rest->cells);
+        const auto shown = shownValues(f.session(), measure), rest = restValues(f.session(), measure);
+        QCOMPARE(shown.size(), shapes.size());
+        QCOMPARE(rest.size(), shapes.size());
+        const auto of = [&](const CellShape& shape) {
+            return measure == Measure::ScaledJacobian ? shape.scaledJacobian
+                   : measure == Measure::AspectRatio  ? shape.aspectRatio
+                                                      : 180 / std::numbers::pi * shape.minAngle;
+        };
+        for (std::size_t c = 0; c < shapes.size(); ++c) {
+            QVERIFY(std::abs(shown[c] - of(shapes[c])) < 1e-12 * std::abs(shown[c]));
+            QVERIFY(std::abs(rest[c] - of(before[c])) < 1e-12 * std::abs(rest[c]));
+        }
+        QVERIFY(shown != rest);
+        const auto& counts = panel.findChild<Legend*>()->histogram();
+        QCOMPARE(std::accumulate(counts.begin(), counts.end(), 0), static_cast<int>(shapes.size()));
+    }
+}
 
 /// While one scrubs, the range stays; another click lets it follow again. Panel and card are one.
 template <int Dim>

@@ -166,6 +166,12 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     limit->setValue(2);  // what it would do is told at once
     QVERIFY(QTest::qWaitFor([&] { return !repair->isEnabled(); }, 20000));
     QVERIFY(!panel->findChildren<QLabel*>()[1]->text().contains(QStringLiteral("It would")));
+    auto* fillUp = panel->findChild<QPushButton*>(QStringLiteral("fillUp"));
+    QVERIFY(fillUp && fillUp->isEnabled());
+    QCOMPARE(fillUp->text(), QStringLiteral("One hole has 3 edges: fill up to 3"));
+    QTest::mouseClick(fillUp, Qt::LeftButton);
+    QCOMPARE(limit->value(), 3);
+    QVERIFY(QTest::qWaitFor([&] { return repair->isEnabled() && !fillUp->isEnabled(); }, 20000));
     limit->setValue(7);
     QVERIFY(QTest::qWaitFor([&] { return repair->isEnabled(); }, 20000));
     QTest::mouseClick(repair, Qt::LeftButton);

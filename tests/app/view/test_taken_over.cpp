@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
@@ -15,6 +16,7 @@
 #include "app/panels/group_list.h"
 #include "app/session/opening.h"
 #include "app/session/shape/shape.h"
+#include "app/view/actions/actions.h"
 #include "app/view/actions/toolbox.h"
 #include "app/view/export/export_panel.h"
 #include "app/view/files/motion_chooser.h"
@@ -126,6 +128,7 @@ void TestTakenOver::aLargerPictureTakesThePinsAlong() {
     addPin(document(), {60, 80}, "left");
     const QString large = writeCutOut(*m_folder, "large.png");
     repaint(large, {720, 480});
+    QSignalSpy fits(m_window->actions().fit, &QAction::triggered);
     pictures().replace(large);
     QVERIFY(
         QTest::qWaitFor([&] { return document().picture() && document().picture()->width == 720; }, 20000));
@@ -135,6 +138,7 @@ void TestTakenOver::aLargerPictureTakesThePinsAlong() {
     QCOMPARE(placed(), Vec<2>(180, 240));
     QCOMPARE(document().domain().path, large.toStdString());
     QVERIFY(told("720 × 480"));
+    QCOMPARE(fits.count(), 1);  // all of it is seen
     QVERIFY(settle(m_window->session()));
     document().undoStack()->undo();
     QCOMPARE(placed(), Vec<2>(60, 80));

@@ -1,0 +1,270 @@
+// Colours and normals of vertices and faces, and whole numbers of eight bytes: in files, through them and
+// back.
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtEndian>
+#include <QtTest>
+#include <algorithm>
+#include <cstring>
+#include <numbers>
+
+#include "core/mesh/mesh_of_file.h"
+#include "core/mesh/skin_file.h"
+#include "test_mesh_files.h"
+
+using namespace wend;
+
+namespace {
+
+const std::string kPyramid =
+    "0 0 0 255 0 0 255 0.25 0.5\n2 0 0 0 255 0 255 1 0\n2 2 0 0 0 255 255 1 1\n0 2 0 51 102 204 128 0 1\n"
+    "1 1 2 255 255 255 255 0.5 0.5\n";
+
+std::vector<double> valuesOf(const MeshFile& file, const std::string& name, bool perCell = false) {
+    for (const MeshField& field : file.fields)
+        if (field.name == name && field.perCell == perCell)
+            return field.ofCells.empty() ? field.values : field.ofCells;
+    return {};
+}
+
+QByteArray bytesOf(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// The first attribute of that name in a binary glTF file, as its floats.
+std::vector<float> attribute(const std::string& path, const char* name) {
+    const QByteArray bytes = bytesOf(path);
+    const auto length = static_cast<int>(qFromLittleEndian<quint32>(bytes.constData() + 12));
+    const QJsonObject gltf = QJsonDocument::fromJson(bytes.mid(20, length)).object();
+    const QJsonObject primitive =
+        gltf["meshes"].toArray()[0].toObject()["primitives"].toArray()[0].toObject();
+    const QJsonValue index = primitive["attributes"].toObject()[name];
+    if (!index.isDouble()) return {};
+    const QJsonObject accessor = gltf["accessors"].toArray()[index.toInt()].toObject();
+    const QJsonObject view = gltf["bufferViews"].toArray()[accessor["bufferView"].toInt()].toObject();
+    std::vector<float> values(static_cast<std::size_t>(view["byteLength"].toInt()) / 4);
+    std::memcpy(values.data(), bytes.constData() + 28 + length + view["byteOffset"].toInt(),
+                4 * values.size());
+    return values;
+}
+
+/// IEC 61966-2-1, once more.
+double light(double shown) {
+    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+class TestLooksOfFiles : public QObject {
+    Q_OBJECT
+  private slots:
+    void coloursAndTextureOfOff();
+    void coloursOfFaces();
+    void normalsOfOff();
+    void someFacesHaveColours();
+    void coloursInGltf();
+    void coloursOfFacesAreMaterials();
+    void normalsOfObj();
+    void normalsOfCornersAreTold();
+    void longWholeNumbers();
+    void attributesOfTetgenAreKept();
+    void whatGltfLacks();
+    void valuesThatFormatsLack();
+};
+
+void TestLooksOfFiles::coloursAndTextureOfOff() {
+    const samples::Folder folder;
+    const MeshFile file =
+        readMeshFile(folder.put("a.off", "STCOFF\n5 2 0\n" + kPyramid + "4 0 3 2 1\n3 0 1 4\n"));
+    QCOMPARE(valuesOf(file, "blue"), (std::vector<double>{0, 0, 255, 204, 255}));
+    QCOMPARE(valuesOf(file, "alpha"), (std::vector<double>{255, 255, 255, 128, 255}));
+    QCOMPARE(file.uv(1, 0), 0.5);
+    QVERIFY(lostInFile("a.off", file, {}).empty());
+    writeMeshFile(folder.path("b.off"), file);
+    QCOMPARE(bytesOf(folder.path("b.off")).toStdString(),
+             "STCOFF\n5 2 0\n" + kPyramid + "4 0 3 2 1\n3 0 1 4\n");
+    writeMeshFile(folder.path("b.ply"), file);
+    const QByteArray ply = bytesOf(folder.path("b.ply"));
+    QVERIFY(ply.contains("property uchar red\n") && ply.contains("property uchar alpha\n"));
+    writeMeshFile(folder.path("b.obj"), file);
+    QVERIFY(bytesOf(folder.path("b.obj")).startsWith("v 0 0 0 1 0 0\n"));
+}
+
+/// Numbers from 0 to 1 stay numbers from 0 to 1 where bytes would round them.
+void TestLooksOfFiles::coloursOfFaces() {
+    const samples::Folder folder;
+    const std::string points = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    for (const std::string faces :
+         {"3 0 1 2 255 128 0\n3 0 2 3 1 2 3\n", "3 0 1 2 0.125 0.25 0\n3 0 2 3 0.5 1 0\n",
+          "3 0 1 2 255 0 0 128\n3 0 2 3 1 2 3 255\n"}) {
+        const MeshFile file = readMeshFile(folder.put("a.off", points + faces));
+        QCOMPARE(valuesOf(file, "green", true).size(), std::size_t(2));
+        writeMeshFile(folder.path("b.off"), file);
+        QCOMPARE(bytesOf(folder.path("b.off")).toStdString(), points + faces);
+    }
+}
+
+void TestLooksOfFiles::normalsOfOff() {
+    const samples::Folder folder;
+    const std::string text = "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0.5 0.75\n1 1 0 1 0 0\n3 0 1 2\n";
+    const MeshFile file = readMeshFile(folder.put("a.off", text));
+    QCOMPARE(valuesOf(file, "nz"), (std::vector<double>{1, 0.75, 0}));
+    writeMeshFile(folder.path("b.off"), file);
+    QCOMPARE(bytesOf(folder.path("b.off")).toStdString(), text);
+}
+
+void TestLooksOfFiles::someFacesHaveColours() {
+    const samples::Folder folder;
+    const MeshFile file = readMeshFile(
+        folder.put("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3\n"));
+    QVERIFY(file.fields.empty());
+    QCOMPARE(file.notices, std::vector<std::string>{"the colours of 1 of its 2 faces"});
+}
+
+/// Colours are light in glTF, and come back as they were.
+void TestLooksOfFiles::coloursInGltf() {
+    const samples::Folder folder;
+    const std::string path =
+        folder.put("a.off",
+                   "COFF\n4 4 0\n0 0 0 255 0 0 255\n2 0 0 0 128 0 255\n0 2 0 51 102 204 255\n"
+                   "0 0 2 10 10 10 255\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    const Skin skin = readSkin(path);
+    writeSkin(folder.path("b.glb"), skin, skin.points);
+    const std::vector<float> colours = attribute(folder.path("b.glb"), "COLOR_0");
+    QCOMPARE(colours.size(), std::size_t(16));
+    const double expected[] = {255, 0, 0, 0, 128, 0, 51, 102, 204, 10, 10, 10};
+    for (std::size_t v = 0; v < 4; ++v) {
+        for (std::size_t k = 0; k < 3; ++k)
+            QVERIFY(std::abs(colours[4 * v + k] - light(expected[3 * v + k] / 255)) < 1e-6);
+        QCOMPARE(colours[4 * v + 3], 1.0F);
+    }
+    const MeshFile back = readMeshFile(folder.path("b.glb"));
+    QCOMPARE(valuesOf(back, "red"), (std::vector<double>{255, 0, 51, 10}));
+    QCOMPARE(valuesOf(back, "blue"), (std::vector<double>{0, 0, 204, 10}));
+}
+
+void TestLooksOfFiles::coloursOfFacesAreMaterials() {
+    const samples::Folder folder;
+    const Skin skin = readSkin(folder.put(
+        "a.off",
+        "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n3 0 3 1 255 0 0\n"));
+    QCOMPARE(skin.materialOf, (std::vector<int>{0, 1, 0}));
+    QCOMPARE(skin.materials[0].colour, (std::array<float, 4>{1, 0, 0, 1}));
+    QCOMPARE(skin.materials[1].colour, (std::array<float, 4>{0, 0, 1, 1}));
+}
+
+/// A quarter turn of the surface turns the normals that the file has, which need not be its own.
+void TestLooksOfFiles::normalsOfObj() {
+    const samples::Folder folder;
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", normals = "vn 0 0 1\nvn 0 0.6 0.8\n";
+    const std::string path = folder.put("a.obj", points + normals + "f 1//1 2//1 3//2 4//2\n");
+    const MeshFile file = readMeshFile(path);
+    QCOMPARE(valuesOf(file, "nz"), (std::vector<double>{1, 1, 0.8, 0.8}));
+    writeMeshFile(folder.path("b.ply"), file);
+    QVERIFY(bytesOf(folder.path("b.ply")).contains("property double nx\n"));
+    const Skin skin = readSkin(path);
+    Points<3> turned(3, 4);
+    turned.row(0) = skin.points.row(0);
+    turned.row(1) = -skin.points.row(2);
+    turned.row(2) = skin.points.row(1);
+    writeSkin(folder.path("b.obj"), skin, turned);
+    const MeshFile back = readMeshFile(folder.path("b.obj"));
+    const double expected[4][3] = {{0, -1, 0}, {0, -1, 0}, {0, -0.8, 0.6}, {0, -0.8, 0.6}};
+    const char* names[] = {"nx", "ny", "nz"};
+    for (int k = 0; k < 3; ++k) {
+        const std::vector<double> values = valuesOf(back, names[k]);
+        QCOMPARE(values.size(), std::size_t(4));
+        for (std::size_t v = 0; v < 4; ++v) QVERIFY(std::abs(values[v] - expected[v][k]) < 1e-15);
+    }
+}
+
+void TestLooksOfFiles::normalsOfCornersAreTold() {
+    const samples::Folder folder;
+    const std::string text =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nvn 0 0 1\nvn 0 0.6 0.8\n"
+        "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n";
+    const MeshFile file = readMeshFile(folder.put("a.obj", text));
+    QCOMPARE(lostInFile("b.ply", file, {}),
+             std::string("its list of normals of corners is not in a PLY file"));
+    const Skin skin = readSkin(folder.path("a.obj"));
+    writeSkin(folder.path("b.obj"), skin, skin.points);
+    QCOMPARE(bytesOf(folder.path("b.obj")).toStdString(), text);
+    Points<3> turned = skin.points;
+    turned.row(1).swap(turned.row(2));
+    turned.row(1) *= -1;
+    writeSkin(folder.path("c.obj"), skin, turned);
+    const QByteArray other = bytesOf(folder.path("c.obj"));
+    QCOMPARE(other.count("vn "), 6);  // one for each corner's vertex and normal
+    QVERIFY(other.contains("f 1//4 3//5 4//6\n"));
+}
+
+/// Numbers that no double is, in every encoding of both families.
+void TestLooksOfFiles::longWholeNumbers() {
+    const samples::Folder folder;
+    const std::string numbers =
+        "1152921504606846977 -9007199254740993 9223372036854775807 -9223372036854775808";
+    const std::string text =
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+        "0 0 0\n1 0 0\n0 1 0\n0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+        "POINT_DATA 4\nFIELD FieldData 1\nids 1 4 vtktypeint64\n" +
+        numbers + "\nCELL_DATA 1\nFIELD FieldData 1\nid 1 1 vtktypeint64\n1152921504606846979\n";
+    using enum MeshWriteOptions::Encoding;
+    std::string path = folder.put("a.vtk", text);
+    const std::pair<const char*, MeshWriteOptions> ways[] = {{"b.vtu", {}},
+                                                             {"c.vtk", {Binary, false, false, 4}},
+                                                             {"d.vtu", {Binary, false, false, 4}},
+                                                             {"e.vtu", {Compressed, false, true, 4}},
+                                                             {"f.vtk", {}}};
+    for (const auto& [name, options] : ways) {
+        writeMeshFile(folder.path(name), readMeshFile(path), options);
+        path = folder.path(name);
+    }
+    const QByteArray last = bytesOf(path);
+    for (const QByteArray& number : QByteArray::fromStdString(numbers).split(' '))
+        QVERIFY2(last.contains(number + '\n'), number);
+    QVERIFY(last.contains("\n1152921504606846979\n"));
+}
+
+void TestLooksOfFiles::attributesOfTetgenAreKept() {
+    const samples::Folder folder;
+    folder.put("a.ele", "1 4 0\n1 1 2 3 4\n");
+    const MeshFile file =
+        readMeshFile(folder.put("a.node", "4 3 2 0\n1 0 0 0 7 8.5\n2 1 0 0 1 2\n3 0 1 0 3 4\n4 0 0 1 5 6\n"));
+    QVERIFY(lostInFile("b.node", file, {}).empty());
+    writeMeshFile(folder.path("b.node"), file);
+    QVERIFY(bytesOf(folder.path("b.node")).contains("1 0 0 0 7 8.5\n"));
+}
+
+void TestLooksOfFiles::whatGltfLacks() {
+    const samples::Folder folder;
+    const Skin skin = readSkin(folder.put("a.obj",
+                                          "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\n"
+                                          "g left\nf 1 2 3\nl 3 4\n"));
+    QCOMPARE(lostInSkin("b.glb", skin, {}),
+             std::string("1 line and 2 groups (left, left) are not in a binary glTF file"));
+}
+
+void TestLooksOfFiles::valuesThatFormatsLack() {
+    const samples::Folder folder;
+    const std::string text =
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+        "0 0 0\n1 0 0\n0 1 0\n0 0 1\nCELLS 2 9\n4 0 1 2 3\n3 0 2 1\nCELL_TYPES 2\n10\n5\n"
+        "CELL_DATA 2\nFIELD FieldData 1\npressure 1 2 double\n1.5\n2.5\n";
+    MeshFile file = readMeshFile(folder.put("a.vtk", text));
+    for (const char* name : {"b.exo", "b.cgns"}) {
+        const std::string lost = lostInFile(name, file, {});
+        QVERIFY2(lost.starts_with("the values of 1 cell of lower dimension are not in a"), lost.c_str());
+    }
+    QVERIFY(lostInFile("b.med", file, {}).empty());
+    file.fields[0].name = std::string(65, 'p');
+    for (const char* name : {"b.med", "b.cgns"}) {
+        const std::string lost = lostInFile(name, file, {});
+        QVERIFY2(lost.ends_with("the name of 1 field is changed to what the format allows"), lost.c_str());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestLooksOfFiles)
+#include "test_looks_of_files.moc"
