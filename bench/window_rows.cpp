@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -95,6 +96,43 @@ struct Kept {
     }
 };
 
+/// Twelve parts of eight megapixels in all: a trunk, and limbs that are joined to it and reach beyond it.
+/// Both ends of the row are held: the trunk, and the end of the last limb.
+OpenedFile fileOfParts(int vertices, const OwnSettings& settings) {
+    constexpr int kLimbs = 11, kTrunkWidth = 2200, kTrunkHeight = 1000, kLimbWidth = 640, kLimbHeight = 820;
+    auto project = newProject();
+    Domain& domain = domainOf(*project);
+    domain.vertices = vertices;
+    const auto add = [&](const std::string& name, int width, int height, const Vec<2>& at) -> PicturePart& {
+        PicturePart part;
+        part.name = name;
+        part.path = settings.file((name + ".png").c_str()).toStdString();
+        part.at = at;
+        writeImage(part.path, testPicture(width, height));
+        domain.parts.insert(domain.parts.begin(), std::move(part));
+        return domain.parts.front();
+    };
+    add("trunk", kTrunkWidth, kTrunkHeight, {100, 250});
+    for (int k = 0; k < kLimbs; ++k) {
+        const bool isLast = k + 1 == kLimbs;
+        const Vec<2> at = isLast ? Vec<2>(1760, 340) : Vec<2>(60 + 165 * k, k % 2 == 0 ? 0 : 680);
+        PicturePart& limb = add("limb " + std::to_string(k), kLimbWidth, kLimbHeight, at);
+        limb.joints.push_back({"trunk", at + Vec<2>(0.5 * kLimbWidth, 0.5 * kLimbHeight)});
+    }
+    Design<2> design;
+    design.material.phi = phi::kMetr;
+    design.handles.resize(2);
+    design.handles[0].name = design.handles[0].part = "trunk";
+    design.handles[0].at = Region<2>(Ball<2>{{300, 750}, 120});
+    design.handles[1].name = design.handles[1].part = domain.parts.front().name;
+    design.handles[1].at = std::vector<Vec<2>>{{2370, 750}};
+    designOf(*project) = std::move(design);
+    OpenedFile file;
+    file.project = std::move(project);
+    file.picture = std::make_shared<const Image>(testPicture(kPictureWidth, kPictureHeight));
+    return file;
+}
+
 template <int Dim>
 OpenedFile fileOf(int vertices, const Kept& kept, const OwnSettings& settings);
 
@@ -160,9 +198,10 @@ struct AfterRelease {
 template <int Dim>
 class Stage {
   public:
-    Stage(int vertices, const Kept& kept, const QSize& size, std::stop_token stop) : m_stop(stop) {
+    using MakeFile = std::function<OpenedFile(const OwnSettings&)>;
+    Stage(const MakeFile& make, const QSize& size, std::stop_token stop) : m_stop(stop) {
         m_window.show();
-        session().document().open(fileOf<Dim>(vertices, kept, m_settings));
+        session().document().open(make(m_settings));
         m_window.tools().action(QStringLiteral("select"))->trigger();
         wait([this] { return settled(); });
         for (int i = 0; i < 3; ++i) m_window.resize(m_window.size() + size - view().size());
@@ -297,22 +336,25 @@ BenchRow rowOf(const std::string& what, const WindowDrag::Times& times, double p
     return row;
 }
 
+std::string pixels(const QSize& size) {
+    return std::to_string(size.width()) + " × " + std::to_string(size.height());
+}
+
 /// Adds a drag of the resting shape, and the beginning of another one right after its release.
 template <int Dim>
-void addRow(const ShownSize& body, const Kept& kept, const QSize& size, double seconds,
-            BenchRecorder& recorder) {
-    Stage<Dim> stage(body.vertices, kept, size, recorder.stop());
-    const std::string pixels = std::to_string(size.width()) + " × " + std::to_string(size.height());
+void addRow(const typename Stage<Dim>::MakeFile& make, const QSize& size, const std::string& name,
+            double seconds, BenchRecorder& recorder) {
+    Stage<Dim> stage(make, size, recorder.stop());
     const auto dragged = stage.drag(seconds);
-    BenchRow row =
-        rowOf("mouse to frame, " + body.name + ", " + pixels + kept.name, dragged.times, dragged.processor);
+    BenchRow row = rowOf("mouse to frame, " + name, dragged.times, dragged.processor);
     row.figures.push_back({"first of a drag right after it (ms)", stage.drag(0.2).times.first});
     recorder.add(row);
 }
 
 /// Adds the times after releases in a film: those of the whole motion as figures.
 void addFilmRow(const ShownSize& body, const Kept& kept, BenchRecorder& recorder) {
-    Stage<2> stage(body.vertices, kept, kWindow, recorder.stop());
+    const auto make = [&](const OwnSettings& settings) { return fileOf<2>(body.vertices, kept, settings); };
+    Stage<2> stage(make, kWindow, recorder.stop());
     stage.makeFilm();
     std::vector<double> shown, whole;
     for (int i = 0; i < kPoses; ++i) {
@@ -343,13 +385,26 @@ void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder,
                                          {", elastic, EQUIA", phi::kEquia, true},
                                          {", elastic, CONF", phi::conformal(Dim), true}};
     for (const ShownSize& body : sizes) {
-        for (const Kept& kept : {metr, equia}) addRow<Dim>(body, kept, kWindow, seconds, recorder);
-        if constexpr (Dim == 2) addRow<Dim>(body, metr, kFineWindow, seconds, recorder);
+        const auto add = [&](const Kept& kept, const QSize& size) {
+            const auto make = [&](const OwnSettings& settings) {
+                return fileOf<Dim>(body.vertices, kept, settings);
+            };
+            addRow<Dim>(make, size, body.name + ", " + pixels(size) + kept.name, seconds, recorder);
+        };
+        for (const Kept& kept : {metr, equia}) add(kept, kWindow);
+        if constexpr (Dim == 2) add(metr, kFineWindow);
         if (body.vertices > kMostElastic) continue;
-        for (const Kept& kept : elastic) addRow<Dim>(body, kept, kWindow, seconds, recorder);
+        for (const Kept& kept : elastic) add(kept, kWindow);
         if constexpr (Dim == 2)
             for (const Kept& kept : {metr, elastic[0], elastic[2]}) addFilmRow(body, kept, recorder);
     }
+}
+
+void addPartRows(int vertices, BenchRecorder& recorder, double seconds) {
+    const WindowSystem system;
+    const auto make = [=](const OwnSettings& settings) { return fileOfParts(vertices, settings); };
+    addRow<2>(make, kWindow, "12 parts, 8 megapixels, 1280 × 800", seconds, recorder);
+    addRow<2>(make, kFineWindow, "12 parts, 8 megapixels, 3840 × 2160", seconds, recorder);
 }
 
 template void addWindowRows<2>(const std::vector<ShownSize>&, BenchRecorder&, double);
