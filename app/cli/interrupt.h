@@ -15,7 +15,7 @@ class Interrupt {
   public:
     /// `sayCancelled` is called, from another thread, before the process ends, `patience` after the signal.
     explicit Interrupt(std::function<void()> sayCancelled,
-                       std::chrono::milliseconds patience = std::chrono::milliseconds(330));
+                       std::chrono::milliseconds patience = std::chrono::milliseconds(200));
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;

@@ -20,7 +20,7 @@ namespace {
 
 // The time from a request to stop to the end of the process. The processes of a team end together if they
 // can; mpirun kills them after a second.
-constexpr std::chrono::milliseconds kPatience(330), kPatienceWithMany(800);
+constexpr std::chrono::milliseconds kPatience(200), kPatienceWithMany(800);
 
 ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chrono::milliseconds patience) {
     const std::string path = onlyFile(arguments, "project");
