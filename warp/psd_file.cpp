@@ -123,6 +123,7 @@ struct LayerRecord {
     PictureLayer layer;
     PsdMask mask;
     std::vector<std::pair<int, std::uint64_t>> channels;  // what it is (−1: alpha, −2: mask), bytes
+    std::vector<std::size_t> maskedGroups;                // the records of groups around it that have masks
 };
 
 /// Takes what follows a layer's record: its name, and whether it is one or begins or ends a group.
@@ -180,6 +181,7 @@ LayerGroup groupOf(const PictureLayer& layer, int id) {
 /// Gives layers their groups, with the opacity of these, from the top down, and hides them with these.
 void takeGroups(std::vector<LayerRecord>& records) {
     std::vector<PictureLayer> groups(1);
+    std::vector<std::vector<std::size_t>> masked(1);
     int id = 0;
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
         PictureLayer& layer = record->layer;
@@ -190,11 +192,15 @@ void takeGroups(std::vector<LayerRecord>& records) {
         layer.visible = layer.visible && group.visible;
         layer.leftOut.insert(layer.leftOut.end(), group.leftOut.begin(), group.leftOut.end());
         if (record->kind == LayerRecord::Kind::GroupTop) {
-            if (record->mask.isUsed) layer.leftOut.emplace_back("the mask of its group");
             layer.groups.push_back(own);
             groups.push_back(PictureLayer(layer));
+            masked.push_back(masked.back());
+            if (record->mask.isUsed)
+                masked.back().push_back(static_cast<std::size_t>(records.rend() - record) - 1);
         }
-        if (record->kind == LayerRecord::Kind::GroupBottom && groups.size() > 1) groups.pop_back();
+        if (record->kind == LayerRecord::Kind::GroupBottom && groups.size() > 1)
+            groups.pop_back(), masked.pop_back();
+        record->maskedGroups = masked.back();
     }
 }
 
@@ -209,6 +215,15 @@ struct LayerSection {
         for (const LayerRecord& record : records)
             if (record.kind == LayerRecord::Kind::Layer) layers.push_back(record.layer);
         return layers;
+    }
+    /// Returns the pixels from those of a record on.
+    std::string pixelsOf(const LayerRecord& record) const {
+        std::size_t at = 0;
+        for (const LayerRecord& before : records) {
+            if (&before == &record) break;
+            for (const auto& channel : before.channels) at += channel.second;
+        }
+        return pixels.substr(std::min(at, pixels.size()));
     }
 };
 
@@ -337,21 +352,28 @@ class PsdUnpacker {
 /// The planes of a layer, and its mask.
 class PsdPlanes {
   public:
-    PsdPlanes(const LayerRecord& record, std::string pixels, unsigned bits, bool isLarge)
-        : m_box{record.layer.x, record.layer.y, record.layer.width, record.layer.height},
-          m_bytes(bits / 8),
-          m_mask(record.mask) {
+    PsdPlanes(const LayerRecord& record, const std::string& pixels, unsigned bits, bool isLarge)
+        : m_box{record.layer.x, record.layer.y, record.layer.width, record.layer.height}, m_bytes(bits / 8) {
         if (m_box.width < 1 || m_box.height < 1)
             throw InputError("has an empty layer \"" + record.layer.name + '"');
         const PsdUnpacker own(m_box.width, m_box.height, bits, isLarge);
-        const PsdUnpacker ofMask(m_mask.box.width, m_mask.box.height, bits, isLarge);
-        ByteWalk walk(std::move(pixels));
+        ByteWalk walk(pixels);
         for (const auto& [kind, length] : record.channels) {
             ByteWalk packed{std::string(walk.bytes(length))};
             if (kind >= -1) m_planes[kind] = own.unpacked(std::move(packed));
-            if (kind == kMask && m_mask.isUsed) m_planes[kind] = ofMask.unpacked(std::move(packed));
         }
-        if (m_planes.contains(kMask)) applyMask();
+        applyMask(record, pixels, bits, isLarge);
+    }
+
+    /// Multiplies alpha with the mask of a layer, or of a group around it, whose pixels are these.
+    void applyMask(const LayerRecord& record, const std::string& pixels, unsigned bits, bool isLarge) {
+        ByteWalk walk(pixels);
+        for (const auto& [kind, length] : record.channels) {
+            ByteWalk packed{std::string(walk.bytes(length))};
+            if (kind != kMask || !record.mask.isUsed) continue;
+            const PixelBox& box = record.mask.box;
+            apply(record.mask, PsdUnpacker(box.width, box.height, bits, isLarge).unpacked(std::move(packed)));
+        }
     }
 
     /// Returns a PNG file of the planes, with this colour profile if it is not empty.
@@ -379,23 +401,22 @@ class PsdPlanes {
     }
 
     /// The mask's number at a pixel of the picture, of as many bits as those of the planes.
-    std::uint32_t maskAt(const std::string& mask, int x, int y) const {
-        const PixelBox& box = m_mask.box;
+    std::uint32_t maskAt(const PsdMask& of, const std::string& mask, int x, int y) const {
+        const PixelBox& box = of.box;
         if (x < box.x || y < box.y || x >= box.x + box.width || y >= box.y + box.height)
-            return static_cast<std::uint32_t>(m_mask.elsewhere) * (m_bytes == 2 ? 257U : 1U);
+            return static_cast<std::uint32_t>(of.elsewhere) * (m_bytes == 2 ? 257U : 1U);
         const auto pixel = static_cast<std::size_t>(y - box.y) * static_cast<std::size_t>(box.width) +
                            static_cast<std::size_t>(x - box.x);
         return bigEndian(mask, pixel * m_bytes, m_bytes);
     }
 
-    void applyMask() {
-        const std::string mask = std::move(m_planes[kMask]);
+    void apply(const PsdMask& of, const std::string& mask) {
         const std::uint64_t full = m_bytes == 2 ? 65535 : 255;
         std::string& alpha = m_planes[-1];
         if (alpha.empty()) alpha.assign(size(), '\xff');
         for (std::size_t at = 0, pixel = 0; at < alpha.size(); at += m_bytes, ++pixel) {
             const auto width = static_cast<std::size_t>(m_box.width);
-            const std::uint64_t factor = maskAt(mask, m_box.x + static_cast<int>(pixel % width),
+            const std::uint64_t factor = maskAt(of, mask, m_box.x + static_cast<int>(pixel % width),
                                                 m_box.y + static_cast<int>(pixel / width));
             const std::uint64_t value = (bigEndian(alpha, at, m_bytes) * factor + full / 2) / full;
             for (std::size_t k = 0; k < m_bytes; ++k)
@@ -405,8 +426,7 @@ class PsdPlanes {
 
     PixelBox m_box;
     std::size_t m_bytes;
-    PsdMask m_mask;
-    std::map<int, std::string> m_planes;  // by what they are: −2 the mask, −1 alpha, 0 … the colours
+    std::map<int, std::string> m_planes;  // by what they are: −1 alpha, 0 … the colours
 };
 
 /// The sections of a file, each after its length: colours, resources, layers, and the picture.
@@ -438,19 +458,18 @@ class PsdSections {
         constexpr unsigned kGrey = 1, kRgb = 3;
         const LayerSection section = layers();
         layerNamed(section.layers(), name);
-        std::size_t at = 0;
         for (const LayerRecord& record : section.records) {
-            if (record.kind != LayerRecord::Kind::Layer || record.layer.name != name) {
-                for (const auto& channel : record.channels) at += channel.second;
-                continue;
-            }
+            if (record.kind != LayerRecord::Kind::Layer || record.layer.name != name) continue;
             const std::string header = m_file.bytes(0, 26);
             const unsigned mode = bigEndian(header, 24, 2);
             if (mode != kGrey && mode != kRgb) throw InputError("has colours that are neither RGB nor grey");
             if (const unsigned bits = bigEndian(header, 22, 2); bits != 8 && bits != 16)
                 throw InputError("has layers of " + std::to_string(bits) + " bits: only 8 and 16 are read");
-            const PsdPlanes planes(record, section.pixels.substr(std::min(at, section.pixels.size())),
-                                   bigEndian(header, 22, 2), m_isLarge);
+            const unsigned depth = bigEndian(header, 22, 2);
+            PsdPlanes planes(record, section.pixelsOf(record), depth, m_isLarge);
+            for (const std::size_t group : record.maskedGroups)
+                planes.applyMask(section.records[group], section.pixelsOf(section.records[group]), depth,
+                                 m_isLarge);
             return planes.png(mode == kRgb ? 3 : 1, profile());
         }
         return {};

@@ -44,6 +44,7 @@ class TestLayeredFiles : public QObject {
     void layersAreRead_data();
     void layersAreRead();
     void masksAreApplied();
+    void masksOfGroupsAreApplied();
     void greyLayers();
     void pagesAreFlattened();
     void groupsAreLayers();
@@ -200,6 +201,26 @@ void TestLayeredFiles::layersAreRead() {
         return QString();
     };
     QCOMPARE(reasonFor(given(name), "tail"), QString("has no layer \"tail\""));
+}
+
+/// The same mask, of a group, holds for all its layers.
+void TestLayeredFiles::masksOfGroupsAreApplied() {
+    for (const char* name : {"masked_group.psd", "masked_group16.psd"})
+        for (const auto& [layer, left, top] :
+             {std::tuple("masked", 0, 0), {"Körper", 0, 0}, {"arm", -2, 1}}) {
+            const Image image = readLayer(given(name), layer);
+            const int scale = image.type == PixelType::UInt8 ? 1 : 257;
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) {
+                    const int column = x + left, row = y + top;
+                    const bool isMasked = column >= 1 && column < 3 && row >= 0 && row < 3;
+                    const double factor = isMasked ? 51 * (column - 1) / 255.0 : 1;
+                    QVERIFY(std::abs(sample(image, x, y, 3) - factor * pixel(x, y)[3] * scale) <= 0.51);
+                    QCOMPARE(sample(image, x, y, 1), scale * pixel(x, y)[1]);
+                }
+            for (const PictureLayer& one : fileMetadata(readImage(given(name)))->layers)
+                QVERIFY(one.leftOut.empty());
+        }
 }
 
 /// Both have the numbers 51 x of the mask, from (1, 0) on, and white beside it.

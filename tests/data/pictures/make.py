@@ -108,8 +108,8 @@ def packed_row(row):
     return bytes([len(row) - 1]) + row
 
 
-def psd(name, depth, large, transparent):
-    """Two layers in a group, whose pixels are packed as Photoshop packs them: runs for 8 bits, zip for 16."""
+def psd(name, depth, large, transparent, group_is_masked=False):
+    """Three layers in a group, one of them or the group masked, whose pixels are packed as Photoshop packs them: runs for 8 bits, zip for 16."""
     size = ">Q" if large else ">I"
     scale = 257 if depth == 16 else 1
     sample = ">H" if depth == 16 else ">B"
@@ -142,12 +142,12 @@ def psd(name, depth, large, transparent):
             extras += block(b"lsct", struct.pack(">I", divider))
         head = struct.pack(">iiiiH", top, left, top + height, left + width, len(pixels))
         head += b"".join(struct.pack(">h" + size[1], c, len(data)) for c, data in pixels)
-        head += b"8BIM" + blend + bytes([opacity, 1 if mask else 0, flags, 0]) + struct.pack(">I", len(extras)) + extras
+        head += b"8BIM" + blend + bytes([opacity, 1 if mask and not divider else 0, flags, 0]) + struct.pack(">I", len(extras)) + extras
         return head, b"".join(data for _, data in pixels)
 
     layers = [record("</Layer group>", 0, 0, 0, 0, b"norm", 255, 0, 3), record("Körper", 0, 0, 8, 6, b"norm", 255, 0, 0),
-              record("masked", 0, 0, 8, 6, b"lddg", 255, 0, 0, True),
-              record("arm", -2, 1, 4, 3, b"mul ", 51, 2, 0), record("limbs", 0, 0, 0, 0, b"pass", 255, 0, 1)]
+              record("masked", 0, 0, 8, 6, b"lddg", 255, 0, 0, not group_is_masked),
+              record("arm", -2, 1, 4, 3, b"mul ", 51, 2, 0), record("limbs", 0, 0, 0, 0, b"pass", 255, 0, 1, group_is_masked)]
     info = struct.pack(">h", -len(layers) if transparent else len(layers))
     info += b"".join(head for head, _ in layers) + b"".join(data for _, data in layers)
     info += b"\0" * (-len(info) % 4)
@@ -207,5 +207,7 @@ if __name__ == "__main__":
     psd("layers.psd", 8, False, True)
     psd("layers16.psd", 16, False, True)
     psd("layers.psb", 8, True, False)
+    psd("masked_group.psd", 8, False, True, True)
+    psd("masked_group16.psd", 16, False, True, True)
     tiff("layers.tif", [("Körper", 0, 0, 8, 6), ("arm", 5, 4, 4, 3)])
     tiff("pages.tif", [("one", 0, 0, 8, 6), ("", 0, 0, 4, 3)])
