@@ -5733,10 +5733,6 @@
         <translation>Teile des Bildes</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
-        <translation>Der vorderste Teil steht oben. Ziehen Sie einen Teil, oder drücken Sie Alt mit den Pfeiltasten, um die Reihenfolge zu ändern; ohne Haken ist er verborgen; ein Doppelklick ändert den Namen.</translation>
-    </message>
-    <message>
         <source>Forward</source>
         <translation>Nach vorn</translation>
     </message>
@@ -5883,6 +5879,34 @@
     <message>
         <source>Change soft edge</source>
         <translation>Weichen Rand ändern</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>Der vorderste Teil steht oben. Ziehen Sie einen Teil, oder drücken Sie Alt mit den Pfeiltasten, um die Reihenfolge zu ändern; ohne Haken ist er verborgen; das Schloss am Ende schützt ihn vor Änderungen; ein Doppelklick ändert den Namen.</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>The part is seen, but clicks go through it, and it is neither painted nor are its pins moved.</source>
+        <translation>Der Teil ist zu sehen, aber Klicks gehen durch ihn hindurch; er wird nicht bemalt, und seine Pins bewegen sich nicht.</translation>
+    </message>
+    <message>
+        <source>Choose a part.</source>
+        <translation>Wählen Sie einen Teil.</translation>
+    </message>
+    <message>
+        <source>Lock part</source>
+        <translation>Teil sperren</translation>
+    </message>
+    <message>
+        <source>Unlock part</source>
+        <translation>Teil entsperren</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7149,10 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>Die letzte Bewegung führt jetzt gerade dorthin. Bewegung ▸ Weg behalten führt Pins stattdessen weiter.</translation>
+    </message>
+    <message>
+        <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
+        <translation>%1 ist in einem gesperrten Teil. Die Liste der Teile entsperrt ihn.</translation>
     </message>
 </context>
 <context>

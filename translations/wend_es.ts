@@ -5733,10 +5733,6 @@
         <translation>Partes de la imagen</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
-        <translation>La parte delantera es la primera. Arrastre una parte, o pulse Alt con las flechas, para cambiar el orden; desmárquela para ocultarla; un doble clic cambia su nombre.</translation>
-    </message>
-    <message>
         <source>Forward</source>
         <translation>Adelante</translation>
     </message>
@@ -5883,6 +5879,34 @@
     <message>
         <source>Change soft edge</source>
         <translation>Cambiar el borde suave</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueada</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>La parte delantera es la primera. Arrastre una parte, o pulse Alt con las flechas, para cambiar el orden; desmárquela para ocultarla; el candado del final la protege de cambios; un doble clic cambia su nombre.</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Bloquear</translation>
+    </message>
+    <message>
+        <source>The part is seen, but clicks go through it, and it is neither painted nor are its pins moved.</source>
+        <translation>La parte se ve, pero los clics la atraviesan; no se pinta ni se mueven sus alfileres.</translation>
+    </message>
+    <message>
+        <source>Choose a part.</source>
+        <translation>Elija una parte.</translation>
+    </message>
+    <message>
+        <source>Lock part</source>
+        <translation>Bloquear la parte</translation>
+    </message>
+    <message>
+        <source>Unlock part</source>
+        <translation>Desbloquear la parte</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7149,10 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>El último movimiento va ahora recto hasta ahí. Movimiento ▸ Conservar el camino lleva los pines más allá en su lugar.</translation>
+    </message>
+    <message>
+        <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
+        <translation>%1 está en una parte bloqueada. La lista de partes la desbloquea.</translation>
     </message>
 </context>
 <context>

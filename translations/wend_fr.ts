@@ -5733,10 +5733,6 @@
         <translation>Parties de l’image</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
-        <translation>La partie la plus en avant est la première. Faites glisser une partie, ou appuyez sur Alt et les flèches, pour changer l’ordre ; décochez-la pour la masquer ; un double-clic change son nom.</translation>
-    </message>
-    <message>
         <source>Forward</source>
         <translation>En avant</translation>
     </message>
@@ -5883,6 +5879,34 @@
     <message>
         <source>Change soft edge</source>
         <translation>Changer le bord doux</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillée</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>La partie la plus en avant est la première. Faites glisser une partie, ou appuyez sur Alt et les flèches, pour changer l’ordre ; décochez-la pour la masquer ; le cadenas au bout la protège des modifications ; un double-clic change son nom.</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>The part is seen, but clicks go through it, and it is neither painted nor are its pins moved.</source>
+        <translation>La partie se voit, mais les clics la traversent ; elle n’est pas peinte et ses épingles ne bougent pas.</translation>
+    </message>
+    <message>
+        <source>Choose a part.</source>
+        <translation>Choisissez une partie.</translation>
+    </message>
+    <message>
+        <source>Lock part</source>
+        <translation>Verrouiller la partie</translation>
+    </message>
+    <message>
+        <source>Unlock part</source>
+        <translation>Déverrouiller la partie</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7149,10 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>Le dernier mouvement y va maintenant tout droit. Mouvement ▸ Garder le trajet mène plutôt les épingles plus loin.</translation>
+    </message>
+    <message>
+        <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
+        <translation>%1 est dans une partie verrouillée. La liste des parties la déverrouille.</translation>
     </message>
 </context>
 <context>

@@ -5721,10 +5721,6 @@
         <translation>画像のパーツ</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
-        <translation>いちばん手前のパーツが先頭です。ドラッグするか Alt と矢印キーで順序を変えます。チェックを外すと隠れ、ダブルクリックで名前を変えます。</translation>
-    </message>
-    <message>
         <source>Forward</source>
         <translation>前面へ</translation>
     </message>
@@ -5871,6 +5867,34 @@
     <message>
         <source>Change soft edge</source>
         <translation>柔らかい縁を変更</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>ロック中</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>いちばん手前のパーツが先頭です。ドラッグするか Alt と矢印キーで順序を変えます。チェックを外すと隠れ、右端の錠で変更から保護し、ダブルクリックで名前を変えます。</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>ロック</translation>
+    </message>
+    <message>
+        <source>The part is seen, but clicks go through it, and it is neither painted nor are its pins moved.</source>
+        <translation>パーツは表示されますが、クリックは下に通り、塗られず、ピンも動きません。</translation>
+    </message>
+    <message>
+        <source>Choose a part.</source>
+        <translation>パーツを選んでください。</translation>
+    </message>
+    <message>
+        <source>Lock part</source>
+        <translation>パーツをロック</translation>
+    </message>
+    <message>
+        <source>Unlock part</source>
+        <translation>パーツのロックを解除</translation>
     </message>
 </context>
 <context>
@@ -7108,6 +7132,10 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>最後の動きはまっすぐそこへ向かいます。モーション ▸ 経路を残す を使うと、ピンはその先へ動きます。</translation>
+    </message>
+    <message>
+        <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
+        <translation>%1 はロックされたパーツにあります。パーツのリストで解除できます。</translation>
     </message>
 </context>
 <context>

@@ -5721,10 +5721,6 @@
         <translation>图片的部件</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; a double-click changes its name.</source>
-        <translation>最前面的部件排在第一。拖动部件或按 Alt 加方向键可改变前后顺序;取消勾选可隐藏;双击可更改名称。</translation>
-    </message>
-    <message>
         <source>Forward</source>
         <translation>前移</translation>
     </message>
@@ -5871,6 +5867,34 @@
     <message>
         <source>Change soft edge</source>
         <translation>更改柔和边缘</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>最前面的部件排在第一。拖动部件或按 Alt 加方向键可改变前后顺序;取消勾选可隐藏;行尾的锁可防止更改;双击可更改名称。</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>The part is seen, but clicks go through it, and it is neither painted nor are its pins moved.</source>
+        <translation>部件可见,但单击会穿过它;它不会被绘制,其图钉也不会移动。</translation>
+    </message>
+    <message>
+        <source>Choose a part.</source>
+        <translation>请选择一个部件。</translation>
+    </message>
+    <message>
+        <source>Lock part</source>
+        <translation>锁定部件</translation>
+    </message>
+    <message>
+        <source>Unlock part</source>
+        <translation>解锁部件</translation>
     </message>
 </context>
 <context>
@@ -7108,6 +7132,10 @@
     <message>
         <source>The last move goes straight there now. Motion ▸ Keep the Path leads pins on instead.</source>
         <translation>上一次移动现在直接到达那里。运动 ▸ 保留路径 则让图钉继续移动。</translation>
+    </message>
+    <message>
+        <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
+        <translation>%1 位于已锁定的部件中。可在部件列表中解锁。</translation>
     </message>
 </context>
 <context>

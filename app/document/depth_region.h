@@ -13,6 +13,7 @@ struct DepthRegion {
     std::string name;  // regions of one name belong together; may be empty
     Region<2> shape;
     double order = 0;
+    std::string part = {};  // of a picture, that alone is changed; empty: whatever lies there
     Extras extras = {};
     bool operator==(const DepthRegion&) const = default;
 };

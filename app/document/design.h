@@ -44,6 +44,7 @@ struct MaterialRegion {
     MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
     bool hidden = false;             // changes nothing, as if it were not there
     double leaves = 1;               // less than 1: an eraser, which leaves this part of its layer's paint
+    std::string part = {};           // of a picture, that alone is changed; empty: whatever lies there
     Extras extras = {};
 
     bool erases() const { return leaves < 1; }

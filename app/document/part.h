@@ -51,6 +51,7 @@ struct PicturePart {
     std::optional<Vec<2>> at;            // of its first pixel; without: where its layer is, or the origin
     double opacity = 1;                  // of a layer: in its file's place if not 1
     bool hidden = false;
+    bool locked = false;  // not to be picked, painted or dragged in the window
     /// Without: that of its layer or of the part that it is cut out of; otherwise normal.
     std::optional<BlendMode> blend;
     /// Changes of the place from front to back, in order of time. Until the first one, the place is that in

@@ -1,6 +1,7 @@
 #include "app/panels/part_items.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
 #include <algorithm>
@@ -56,11 +57,18 @@ QRect opaqueBox(const QImage& image) {
     return box;
 }
 
+constexpr int kSign = 16, kSignRoom = 24;  // pixels of the screen
+
+QRect signRoom(const QRect& row) {
+    return {row.right() + 1 - kSignRoom, row.top(), kSignRoom, row.height()};
+}
+
 }  // namespace
 
 QString describedPart(const PicturePart& part) {
     QStringList all;
     if (part.hidden) all << partWords(QT_TRANSLATE_NOOP("wend::PartList", "hidden"));
+    if (part.locked) all << partWords(QT_TRANSLATE_NOOP("wend::PartList", "locked"));
     if (!part.ridesOn.empty())
         all << partWords(QT_TRANSLATE_NOOP("wend::PartList", "rides on %1"))
                    .arg(QString::fromStdString(part.ridesOn));
@@ -94,6 +102,36 @@ QIcon partIcon(const PicturePart& part, const Image* picture, const QPalette& pa
     QIcon icon(drawn);
     icon.addPixmap(drawn, QIcon::Selected);
     return icon;
+}
+
+void PartRow::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QStyleOptionViewItem bare = option;
+    const QWidget* widget = option.widget;
+    widget->style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &bare, painter, widget);
+    bare.rect.setRight(signRoom(option.rect).left() - 1);
+    QStyledItemDelegate::paint(painter, bare, index);
+    const bool isLocked = index.data(kLockedRole).toBool(), isChosen = option.state & QStyle::State_Selected;
+    QRect sign(0, 0, kSign, kSign);
+    sign.moveCenter(signRoom(option.rect).center());
+    const QPalette palette = isChosen ? primaryPalette(option.palette) : option.palette;
+    wendIcon(isLocked ? QStringLiteral("lock") : QStringLiteral("unlock"), palette)
+        .paint(painter, sign, Qt::AlignCenter, isLocked ? QIcon::Normal : QIcon::Disabled);
+}
+
+bool PartRow::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) {
+    const bool presses = event->type() == QEvent::MouseButtonPress,
+               clicks = presses || event->type() == QEvent::MouseButtonDblClick;
+    if (clicks || event->type() == QEvent::MouseButtonRelease) {
+        const auto& mouse = static_cast<const QMouseEvent&>(*event);
+        if (mouse.button() == Qt::LeftButton && signRoom(option.rect).contains(mouse.position().toPoint())) {
+            if (clicks) emit lockClicked(index.row());
+            return true;
+        }
+    }
+    QStyleOptionViewItem bare = option;
+    bare.rect.setRight(signRoom(option.rect).left() - 1);
+    return QStyledItemDelegate::editorEvent(event, model, bare, index);
 }
 
 }  // namespace wend

@@ -12,6 +12,7 @@
 #include "app/panels/fields/number_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/panels/look/theme.h"
 #include "app/panels/part_items.h"
 #include "app/panels/part_order_row.h"
 #include "app/session/shape/joint_place.h"
@@ -64,6 +65,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
       m_list(new QListWidget(this)),
       m_forward(new QToolButton(this)),
       m_backward(new QToolButton(this)),
+      m_lock(new QToolButton(this)),
       m_opacity(new NumberBox(this)),
       m_feather(new NumberBox(this)),
       m_blend(new QComboBox(this)),
@@ -72,7 +74,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
       m_order(new PartOrderRow(session, this)) {
     makeControls();
     auto* layout = sectionColumn(this);
-    layout->addLayout(sideBySide({panelTitle(tr("Parts"), this), nullptr, m_forward, m_backward}));
+    layout->addLayout(sideBySide({panelTitle(tr("Parts"), this), nullptr, m_lock, m_forward, m_backward}));
     layout->addWidget(m_list);
     m_rows = new QWidget(this);
     auto* rows = bareColumn(m_rows, 8);
@@ -97,7 +99,14 @@ void PartList::makeControls() {
     describe(
         m_list, tr("Parts of the picture"),
         tr("The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies "
-           "in front; clear its check to hide it; a double-click changes its name."));
+           "in front; clear its check to hide it; the lock at its end protects it from changes; a "
+           "double-click changes "
+           "its name."));
+    auto* rows = new PartRow(m_list);
+    m_list->setItemDelegate(rows);
+    connect(rows, &PartRow::lockClicked, this, [this](int row) {
+        if (row < static_cast<int>(parts().size())) lock(row, !parts()[static_cast<std::size_t>(row)].locked);
+    });
     const auto chip = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
         button->setObjectName(QString::fromLatin1(id));
         button->setText(text);
@@ -106,6 +115,10 @@ void PartList::makeControls() {
     };
     chip(m_forward, "partForward", tr("Forward"), tr("Brings the part in front of the next one (Alt+Up)."));
     chip(m_backward, "partBackward", tr("Backward"), tr("Brings the part behind the next one (Alt+Down)."));
+    chip(m_lock, "partLock", tr("Lock"),
+         tr("The part is seen, but clicks go through it, and it is neither painted nor are its pins moved."));
+    m_lock->setCheckable(true);
+    m_lock->setIcon(wendIcon(QStringLiteral("lock"), palette()));
     m_opacity->setObjectName(QStringLiteral("partOpacity"));
     m_opacity->setRange(0, kFullOpacity);
     m_opacity->setDecimals(0);
@@ -145,6 +158,9 @@ void PartList::connectControls() {
             [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
                 takeOrder(from, to > from ? to - 1 : to);
             });
+    connect(m_lock, &QToolButton::clicked, this, [this](bool on) {
+        if (chosen() >= 0) lock(chosen(), on);
+    });
     connect(m_forward, &QToolButton::clicked, this, [this] { move(-1); });
     connect(m_backward, &QToolButton::clicked, this, [this] { move(1); });
     connect(m_opacity, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -193,6 +209,7 @@ void PartList::showParts() {
             item->setFlags((item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable) &
                            ~Qt::ItemIsDropEnabled);
             item->setCheckState(part.hidden ? Qt::Unchecked : Qt::Checked);
+            item->setData(PartRow::kLockedRole, part.locked);
             item->setToolTip(describedPart(part));
             item->setData(Qt::AccessibleDescriptionRole, describedPart(part));
             if (item->text() == name) same = m_list->row(item);
@@ -229,6 +246,8 @@ void PartList::showPictures() {
 void PartList::showChosen() {
     const int part = chosen();
     m_rows->setVisible(part >= 0);
+    allow(m_lock, part >= 0, tr("Choose a part."));
+    m_lock->setChecked(part >= 0 && parts()[static_cast<std::size_t>(part)].locked);
     allow(m_forward, part > 0, tr("Choose a part that is not in front."));
     allow(m_backward, part >= 0 && part + 1 < m_list->count(), tr("Choose a part that is not at the back."));
     if (part < 0) return;
@@ -298,6 +317,12 @@ void PartList::takeOrder(int from, int to) {
             change(tr("Change order"), withPartMoved(parts(), from, to));
         },
         Qt::QueuedConnection);
+}
+
+void PartList::lock(int part, bool locked) {
+    std::vector<PicturePart> next = parts();
+    next[static_cast<std::size_t>(part)].locked = locked;
+    change(locked ? tr("Lock part") : tr("Unlock part"), std::move(next));
 }
 
 void PartList::move(int by) {

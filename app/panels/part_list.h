@@ -17,11 +17,10 @@ class PartOrderRow;
 class ShapeSession;
 struct Texture;
 
-/// Lists the parts of a picture, the frontmost first: an eye, a small picture, a name that a double click
-/// changes, and an order that dragging and Alt with the arrow keys change. Below are the properties of the
-/// chosen part: its opacity, soft edge, blend mode and joints, the part to which it is attached, and
-/// when its order changes. Hidden for a picture of a
-/// single part.
+/// Lists the parts of a picture, the frontmost first: an eye, a lock, a small picture, a name that a double
+/// click changes, and an order that dragging and Alt with the arrow keys change. Below are the properties of
+/// the chosen part: its opacity, soft edge, blend mode and joints, the part to which it is attached, and when
+/// its order changes. Hidden for a picture of a single part.
 class PartList : public QWidget {
     Q_OBJECT
 
@@ -50,6 +49,7 @@ class PartList : public QWidget {
     void fillChoices();
     void takeItem(QListWidgetItem* item);
     void takeOrder(int from, int to);
+    void lock(int part, bool locked);
     void move(int by);
     void change(const QString& step, std::vector<PicturePart> parts, const QString& key = {});
     void blend(int mode);
@@ -58,7 +58,7 @@ class PartList : public QWidget {
 
     ShapeSession& m_session;
     QListWidget* m_list;
-    QToolButton *m_forward, *m_backward;
+    QToolButton *m_forward, *m_backward, *m_lock;
     NumberBox *m_opacity, *m_feather;
     QComboBox *m_blend, *m_joined, *m_rides;
     PartOrderRow* m_order;

@@ -67,14 +67,18 @@ std::vector<PinView<Dim>> ShapeGesture::carriedAlong(std::vector<PinView<Dim>> v
 std::vector<int> ShapeGesture::unlocked(std::vector<int> handles) {
     std::vector<int> locked;
     for (const int h : handles)
-        if (traitsOf(m_document.design(), h).locked) locked.push_back(h);
-    if (locked.size() == 1)
+        if (m_pins.isLocked(h)) locked.push_back(h);
+    const bool isOwn = locked.size() == 1 && traitsOf(m_document.design(), locked.front()).locked;
+    if (locked.size() == 1 && !isOwn)
+        emit notice(ShapeSession::tr("%1 is in a part that is locked. The list of parts unlocks it.")
+                        .arg(m_pins.nameOf(locked)));
+    else if (isOwn)
         emit notice(ShapeSession::tr("%1 is locked. A right-click or the list of pins unlocks it.")
                         .arg(m_pins.nameOf(locked)));
     else if (!locked.empty())
         emit notice(ShapeSession::tr("%1 are locked. A right-click or the list of pins unlocks them.")
                         .arg(m_pins.nameOf(locked)));
-    std::erase_if(handles, [&](int h) { return traitsOf(m_document.design(), h).locked; });
+    std::erase_if(handles, [&](int h) { return m_pins.isLocked(h); });
     return handles;
 }
 

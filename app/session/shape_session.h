@@ -109,6 +109,8 @@ class ShapeSession : public QObject {
     void removeSelected();
     /// Returns false and emits notice() if the handle is locked.
     bool mayChange(int handle) { return !m_gesture.unlocked({handle}).empty(); }
+    /// Returns whether a handle may not be changed: it is locked, or the part of the picture that it is in.
+    bool isLocked(int handle) const { return m_pins.isLocked(handle); }
     /// The name of one pin, or how many they are.
     QString nameOf(const std::vector<int>& handles) const { return m_pins.nameOf(handles); }
     template <int Dim = 2>

@@ -4,6 +4,7 @@
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/session/shape/mesh_parts.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -30,6 +31,18 @@ const std::vector<PinPlace<Dim>>& ShownPins::places() const {
 int ShownPins::count() const {
     return static_cast<int>(
         std::visit([](const auto& design) { return design.handles.size(); }, m_document.design()));
+}
+
+bool ShownPins::isLocked(int handle) const {
+    if (traitsOf(m_document.design(), handle).locked) return true;
+    const auto& parts = m_document.domain().parts;
+    if (std::ranges::none_of(parts, &PicturePart::locked)) return false;
+    std::string name = m_document.design<2>().handles.at(handle).part;
+    const auto shape = this->shape<2>();
+    if (name.empty() && shape && !places<2>()[handle].isEmpty())
+        name = partNameOf<2>(*shape->rest, places<2>()[handle].points.front().cell);
+    const auto part = std::ranges::find(parts, name, &PicturePart::name);
+    return part != parts.end() && part->locked;
 }
 
 QString ShownPins::nameOf(const std::vector<int>& handles) const {

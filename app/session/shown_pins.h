@@ -16,6 +16,8 @@ class ShownPins {
     ShownPins(const Document& document, const ShapeMotion& motion) : m_document(document), m_motion(motion) {}
 
     int count() const;
+    /// Returns whether a handle may not be changed: it is locked, or the part that it is in.
+    bool isLocked(int handle) const;
     /// The name of one, or how many they are.
     QString nameOf(const std::vector<int>& handles) const;
     /// Returns the pins that act at a time, or those that do not; hidden ones only if `all`.

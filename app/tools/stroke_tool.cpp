@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/session/mark_size.h"
+#include "app/session/shape/mesh_parts.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {
@@ -37,6 +38,11 @@ double StrokeTool<Dim>::featherOf(const Dab& dab) const {
     return dab.radius * (1 - m_brush.now().hardness);
 }
 
+template <int Dim>
+std::string StrokeTool<Dim>::partOf(const Dab& dab) const {
+    return partNameOf<Dim>(*session().template frame<Dim>()->rest, dab.place.cell);
+}
+
 /// Adds a ball around the rest place, unless it is close to an earlier one; the last one takes the pen's
 /// strongest pressure. Returns false if nothing changed.
 template <int Dim>
@@ -44,6 +50,8 @@ bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
     const auto frame = session().template frame<Dim>();
     const auto touch = surface().touch(at);
     if (!frame || !touch) return false;
+    if (!m_dabs.empty() && partNameOf<Dim>(*frame->rest, touch->place.cell) != partOf(m_dabs.front()))
+        return false;
     Dab next{touch->place, positionOf<Dim>(touch->place, *frame->rest, frame->rest->points),
              m_brush.now().radius * surface().pixelSize(touch->point), axisAt(*frame, *touch), pressure};
     const auto near = std::find_if(m_dabs.rbegin(), m_dabs.rend(), [&](const Dab& other) {

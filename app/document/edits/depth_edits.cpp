@@ -50,12 +50,15 @@ std::vector<Region<2>> shapesOf(const std::vector<Handle<2>>& handles, int handl
 
 }  // namespace
 
-DepthRegions withDepthStroke(const DepthRegions& depth, const std::vector<Ball<2>>& balls, double order) {
+DepthRegions withDepthStroke(const DepthRegions& depth, const std::vector<Ball<2>>& balls, double order,
+                             const std::string& part) {
     DepthRegions next = depth;
     const std::string name =
         freeName(namesOf(depth), QCoreApplication::translate("Names", "Depth").toStdString());
-    std::erase_if(next, [&](const DepthRegion& region) { return hides(balls, region); });
-    for (const Ball<2>& ball : balls) next.push_back({name, ball, order});
+    std::erase_if(next, [&](const DepthRegion& region) {
+        return (part.empty() || region.part == part) && hides(balls, region);
+    });
+    for (const Ball<2>& ball : balls) next.push_back({name, ball, order, part});
     return next;
 }
 
@@ -66,7 +69,8 @@ DepthRegions withHandleDepth(const DepthRegions& depth, const Design<2>& design,
         const std::string& name = design.handles[h].name;
         std::erase_if(next, [&](const DepthRegion& region) { return !name.empty() && region.name == name; });
         if (order == 0) continue;
-        for (const Region<2>& shape : shapesOf(design.handles, h, size)) next.push_back({name, shape, order});
+        for (const Region<2>& shape : shapesOf(design.handles, h, size))
+            next.push_back({name, shape, order, design.handles[h].part});
     }
     return next;
 }

@@ -11,7 +11,8 @@ namespace wend {
 
 /// Adds a stroke with an order above all regions, named "Depth 1", "Depth 2" …, and removes strokes that it
 /// covers completely.
-DepthRegions withDepthStroke(const DepthRegions& depth, const std::vector<Ball<2>>& balls, double order);
+DepthRegions withDepthStroke(const DepthRegions& depth, const std::vector<Ball<2>>& balls, double order,
+                             const std::string& part = {});
 
 /// Sets the order of the surroundings of handles, in regions of their names that replace earlier ones; 0
 /// removes them. `size` is that of the rest shape; a handle of points reaches halfway to the nearest other

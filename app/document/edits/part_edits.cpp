@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/depth_region.h"
 #include "app/document/design.h"
 #include "app/document/domain.h"
 
@@ -38,6 +39,8 @@ std::shared_ptr<const Project> withPartName(const Project& project, int part, co
         for (Joint& joint : one.joints) rename(joint.to);
     }
     for (Handle<2>& handle : designOf<2>(*next).handles) rename(handle.part);
+    for (MaterialRegion<2>& region : designOf<2>(*next).material.regions) rename(region.part);
+    for (DepthRegion& region : depthOf(*next)) rename(region.part);
     return next;
 }
 
@@ -129,6 +132,8 @@ std::shared_ptr<const Project> withoutParts(const Project& project, const std::s
     domainOf(*next).parts.clear();
     domainOf(*next).path = path;
     for (Handle<2>& handle : designOf<2>(*next).handles) handle.part.clear();
+    for (MaterialRegion<2>& region : designOf<2>(*next).material.regions) region.part.clear();
+    for (DepthRegion& region : depthOf(*next)) region.part.clear();
     return next;
 }
 

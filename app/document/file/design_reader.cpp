@@ -160,6 +160,7 @@ MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
         }
     if (auto hidden = object.find("hidden")) region.hidden = hidden->boolean();
     if (auto leaves = object.find("leaves")) region.leaves = leaves->number("material.regions[].leaves");
+    if (auto part = object.find("part")) region.part = part->text();
     if (region.erases()) region.phi.reset(), region.stiffness.reset();  // see materialRegionJson()
     if (region.erases() && region.pictures.any()) value.fail("erases, and has pictures");
     if (!region.phi && !region.stiffness && !region.pictures.any() && !region.erases())
@@ -504,6 +505,7 @@ DepthRegions readDepth(const JsonValue& value) {
         if (std::holds_alternative<Blend<2>>(region.shape))
             shape.fail("a blend has no inside that could lie in front or behind");
         region.order = object.require("order").number("depth[].order");
+        if (auto part = object.find("part")) region.part = part->text();
         object.finish();
     }
     return regions;

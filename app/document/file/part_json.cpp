@@ -132,6 +132,7 @@ PicturePart readPart(const JsonValue& value) {
         if (!(part.opacity >= 0 && part.opacity <= 1)) opacity->fail("must be in [0, 1]");
     }
     if (auto hidden = object.find("hidden")) part.hidden = hidden->boolean();
+    if (auto locked = object.find("locked")) part.locked = locked->boolean();
     if (auto blend = object.find("blend")) part.blend = readBlend(*blend);
     if (auto order = object.find("order")) part.order = readOrder(*order);
     if (auto joints = object.find("joints"))
@@ -190,6 +191,7 @@ Json partJson(const PicturePart& part) {
     if (part.at) json["at"] = pointJson(*part.at);
     if (part.opacity != 1) json["opacity"] = numberJson(part.opacity);
     if (part.hidden) json["hidden"] = true;
+    if (part.locked) json["locked"] = true;
     if (part.blend) json["blend"] = blendWord(*part.blend);
     for (const PartOrder& order : part.order)
         json["order"].push_back({{"time", numberJson(order.time)}, {"place", numberJson(order.place)}});

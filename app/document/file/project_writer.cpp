@@ -159,6 +159,7 @@ Json materialRegionJson(MaterialRegion<Dim> region, double everywhere) {
     if (region.pictures.any()) json["pictures"] = picturesJson(region.pictures);
     if (region.hidden) json["hidden"] = true;
     if (region.erases()) json["leaves"] = numberJson(region.leaves);
+    if (!region.part.empty()) json["part"] = region.part;
     return withExtras(std::move(json), region.extras);
 }
 
@@ -356,6 +357,7 @@ Json depthJson(const DepthRegion& region) {
     if (!region.name.empty()) json["name"] = region.name;
     json["shape"] = regionJson<2>(region.shape);
     json["order"] = numberJson(region.order);
+    if (!region.part.empty()) json["part"] = region.part;
     return withExtras(std::move(json), region.extras);
 }
 

@@ -56,15 +56,16 @@ void holdThroughout(ShapeSession& session, const std::vector<int>& pins) {
     const double end = session.document().end();
     AnyDesign next = session.document().design();
     for (const int pin : pins)
-        if (!traitsOf(next, pin).locked) next = withHold(next, pin, {0, end}, end);
+        if (!session.isLocked(pin)) next = withHold(next, pin, {0, end}, end);
     session.document().changeDesign(
         ShapeSession::tr("Pin %1 for the whole animation").arg(session.nameOf(pins)), std::move(next));
 }
 
-bool canHoldLonger(const Document& document, const std::vector<int>& pins) {
+bool canHoldLonger(const ShapeSession& session, const std::vector<int>& pins) {
     return std::any_of(pins.begin(), pins.end(), [&](int pin) {
+        const Document& document = session.document();
         const MotionTime hold = holdOf(document.design(), pin);
-        return (hold.start > 0 || hold.end < document.end()) && !traitsOf(document.design(), pin).locked;
+        return (hold.start > 0 || hold.end < document.end()) && !session.isLocked(pin);
     });
 }
 

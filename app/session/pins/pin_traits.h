@@ -19,7 +19,7 @@ void setColour(ShapeSession& session, const std::vector<int>& pins, std::optiona
 /// Makes the pins hold for the whole animation, except locked ones.
 void holdThroughout(ShapeSession& session, const std::vector<int>& pins);
 /// Returns whether holdThroughout() would change anything.
-bool canHoldLonger(const Document& document, const std::vector<int>& pins);
+bool canHoldLonger(const ShapeSession& session, const std::vector<int>& pins);
 void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked);
 
 }  // namespace wend

@@ -5,6 +5,7 @@
 #include <functional>
 #include <tuple>
 
+#include "app/session/shape/mesh_parts.h"
 #include "core/mesh/limb_order.h"
 
 namespace wend {
@@ -15,9 +16,9 @@ Vec<2> triangleCentroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
     return (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3;
 }
 
-float orderAt(const std::vector<DepthRegion>& regions, const Vec<2>& p) {
+float orderAt(const std::vector<DepthRegion>& regions, const std::string& part, const Vec<2>& p) {
     const auto last = std::find_if(regions.rbegin(), regions.rend(), [&](const DepthRegion& region) {
-        return signedDistance<2>(region.shape, p) <= 0;
+        return (region.part.empty() || region.part == part) && signedDistance<2>(region.shape, p) <= 0;
     });
     return last == regions.rend() ? 0 : static_cast<float>(last->order);
 }
@@ -69,7 +70,9 @@ std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const Sim
     if (regions.empty()) return {};
     std::vector<float> depths;
     depths.reserve(rest.cells.size());
-    for (const Cell<2>& cell : rest.cells) depths.push_back(orderAt(regions, triangleCentroid(rest, cell)));
+    for (std::size_t c = 0; c < rest.cells.size(); ++c)
+        depths.push_back(orderAt(regions, partNameOf<2>(rest, static_cast<int>(c)),
+                                 triangleCentroid(rest, rest.cells[c])));
     const bool flat = std::ranges::all_of(depths, [&](float depth) { return depth == depths.front(); });
     return flat ? std::vector<float>() : depths;
 }

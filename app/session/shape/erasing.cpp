@@ -33,6 +33,7 @@ bool isHidden(const Layer<Dim>& layer) {
 /// Returns whether an eraser may overlap a region, including both soft edges.
 template <int Dim>
 bool mayTouch(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
+    if (!eraser.part.empty() && !region.part.empty() && eraser.part != region.part) return false;
     const double soft = (eraser.feather + region.feather) / 2;
     if (const auto* ball = std::get_if<Ball<Dim>>(&eraser.shape))
         return signedDistance<Dim>(region.shape, ball->centre) <= ball->radius + soft;
@@ -45,7 +46,7 @@ bool mayTouch(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
 template <int Dim>
 bool erasesAll(const Eraser<Dim>& eraser, const MaterialRegion<Dim>& region) {
     const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
-    if (!ball || eraser.amount < 1) return false;
+    if (!ball || eraser.amount < 1 || (!eraser.part.empty() && eraser.part != region.part)) return false;
     const double reach = ball->radius + (region.feather + eraser.feather) / 2;
     return signedDistance<Dim>(eraser.shape, ball->centre) + reach <= 0;
 }
@@ -65,6 +66,7 @@ std::vector<MaterialRegion<Dim>> erased(const Layer<Dim>& layer, std::span<const
         if (std::ranges::none_of(painted, isUnder)) continue;
         if (one.amount < 1 && cover.empty()) cover = coverOf<Dim>(layer, rest, folder);
         MaterialRegion<Dim> region{layer.front().name, one.shape, one.feather, {}, {}};
+        region.part = one.part;
         region.leaves = one.amount < 1 ? (1 - one.amount) * cover[one.cell] : 0;
         left.push_back(std::move(region));
     }

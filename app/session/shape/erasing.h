@@ -14,7 +14,8 @@ struct Eraser {
     Region<Dim> shape;
     double feather = 0;
     double amount = 1;
-    int cell = 0;  // that the amount is of; of no account where all is erased
+    int cell = 0;           // that the amount is of; of no account where all is erased
+    std::string part = {};  // of a picture, that alone is erased; empty: whatever lies there
 };
 
 /// Removes paint from all visible layers, so that the shape behaves as elsewhere, even after later changes.

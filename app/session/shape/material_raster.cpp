@@ -47,7 +47,7 @@ MaterialSpec<Dim> withCells(MaterialSpec<Dim> spec, const std::string& folder, i
 template <int Dim>
 class Centres {
   public:
-    explicit Centres(const SimplicialMesh<Dim>& rest) : m_at(Dim, rest.cellCount()) {
+    explicit Centres(const SimplicialMesh<Dim>& rest) : m_at(Dim, rest.cellCount()), m_parts(rest.parts) {
         for (int c = 0; c < rest.cellCount(); ++c) m_at.col(c) = centroid(rest, c);
         for (int first = 0; first < rest.cellCount(); first += kBlock) {
             const auto block = m_at.middleCols(first, std::min<Eigen::Index>(kBlock, m_at.cols() - first));
@@ -57,10 +57,11 @@ class Centres {
     /// The cells that a region reaches with its soft edge, with how far they belong to it.
     template <class Take>
     void forCellsIn(const MaterialRegion<Dim>& region, const Take& take) const {
+        const auto [begin, end] = cellsOf(region.part);
         for (std::size_t b = 0; b < m_boxes.size(); ++b) {
-            if (endsBefore(region, m_boxes[b])) continue;
             const int first = static_cast<int>(b) * kBlock;
-            for (int c = first; c < std::min<int>(first + kBlock, static_cast<int>(m_at.cols())); ++c) {
+            if (first >= end || first + kBlock <= begin || endsBefore(region, m_boxes[b])) continue;
+            for (int c = std::max(first, begin); c < std::min(first + kBlock, end); ++c) {
                 const double m = membership<Dim>(region.shape, m_at.col(c), region.feather);
                 if (m > 0) take(c, m);
             }
@@ -69,6 +70,13 @@ class Centres {
 
   private:
     static constexpr int kBlock = 16;
+
+    /// Returns the range of a part's cells; of all if no part is named.
+    std::pair<int, int> cellsOf(const std::string& name) const {
+        if (name.empty()) return {0, static_cast<int>(m_at.cols())};
+        const auto part = std::ranges::find(m_parts, name, &MeshPart::name);
+        return part == m_parts.end() ? std::pair(0, 0) : std::pair(part->firstCell, part->endCell);
+    }
 
     static bool endsBefore(const MaterialRegion<Dim>& region, const Box<Dim>& box) {
         const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
@@ -79,6 +87,7 @@ class Centres {
     }
 
     Points<Dim> m_at;
+    std::vector<MeshPart> m_parts;
     std::vector<Box<Dim>> m_boxes;
 };
 

@@ -15,6 +15,14 @@ namespace wend {
 
 namespace {
 
+/// Returns whether parts are the same; locks change nothing that is made of them.
+bool sameParts(const std::vector<PicturePart>& a, const std::vector<PicturePart>& b) {
+    return std::ranges::equal(a, b, [](PicturePart p, const PicturePart& q) {
+        p.locked = q.locked;
+        return p == q;
+    });
+}
+
 constexpr std::size_t kKept = 2;
 
 template <int Dim>
@@ -25,7 +33,8 @@ const Design<Dim>& designOf(const ShapeInputs& inputs) {
 bool sameOutline(const Project& a, const Project& b) {
     const Domain &p = domainOf(a), &q = domainOf(b);
     return p.kind == q.kind && p.path == q.path && p.readings == q.readings &&
-           sameSettings(a, b, Makes::Outline) && p.polygons.loops == q.polygons.loops && p.parts == q.parts;
+           sameSettings(a, b, Makes::Outline) && p.polygons.loops == q.polygons.loops &&
+           sameParts(p.parts, q.parts);
 }
 
 /// The points that become vertices of the mesh, and their parts: those of handles that are there from the
@@ -51,7 +60,7 @@ bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b)
     const auto same = [erases](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
                p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden &&
-               p.leaves == q.leaves && (!erases || p.name == q.name);
+               p.leaves == q.leaves && p.part == q.part && (!erases || p.name == q.name);
     };
     return a.cellsFile == b.cellsFile && a.cellsPhi == b.cellsPhi && a.cellsB == b.cellsB &&
            a.cellPhi == b.cellPhi && a.cellB == b.cellB &&

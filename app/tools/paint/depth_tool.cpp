@@ -32,7 +32,7 @@ void DepthTool::take(const std::vector<Dab>& dabs) {
     document.changeDepth(order() > 0   ? QCoreApplication::translate("DepthTool", "Paint in front")
                          : order() < 0 ? QCoreApplication::translate("DepthTool", "Paint behind")
                                        : QCoreApplication::translate("DepthTool", "Clear depth"),
-                         withDepthStroke(document.depth(), balls, order()));
+                         withDepthStroke(document.depth(), balls, order(), partOf(dabs.front())));
 }
 
 void DepthTool::paint(QPainter& painter) const {

@@ -42,9 +42,10 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     const std::string folder = document.folder().toStdString();
     const Region<Dim> shape =
         modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell));
+    const std::string part = modifiers & Qt::ShiftModifier ? std::string() : partNameOf<Dim>(rest, cell);
     const Design<Dim>& design = document.template design<Dim>();
     if (modifiers & Qt::ControlModifier) {
-        const Eraser<Dim> eraser{shape};
+        const Eraser<Dim> eraser{.shape = shape, .part = part};
         show(withoutErasedLayers<Dim>(withErased<Dim>(design, std::span(&eraser, 1), rest, folder), rest,
                                       folder),
              QCoreApplication::translate("PaintTool", "Erase paint"));
@@ -59,7 +60,9 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     const QString what = brushKind(brush, Dim);
     const std::string aim = brushAim(brush);
     const std::string layer = layerFor<Dim>(design, brush, m_brush.layer().now(), aim, what.toStdString());
-    show(withStroke<Dim>(design, layer, {{{}, shape, 0, paint.phi, paint.stiffness}}),
+    MaterialRegion<Dim> region{{}, shape, 0, paint.phi, paint.stiffness};
+    region.part = part;
+    show(withStroke<Dim>(design, layer, {std::move(region)}),
          QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
     m_brush.layer().set({layer, aim});
 } catch (const InputError& error) {  // a picture of the material is missing

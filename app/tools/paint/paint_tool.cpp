@@ -205,6 +205,7 @@ Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::s
 template <int Dim>
 MaterialRegion<Dim> PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
     MaterialRegion<Dim> region{{}, this->ballOf(dabs[i]), this->featherOf(dabs[i]), {}, {}};
+    region.part = this->partOf(dabs[i]);
     if (brush().now().target == BrushTarget::Keep)
         region.phi = phiFor(dabs[i]);
     else
@@ -219,7 +220,8 @@ Design<Dim> PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
     if (deed() == Deed::Erase) {
         std::vector<Eraser<Dim>> erasers;
         for (const Dab& dab : dabs)
-            erasers.push_back({this->ballOf(dab), this->featherOf(dab), amountOf(dab), dab.place.cell});
+            erasers.push_back(
+                {this->ballOf(dab), this->featherOf(dab), amountOf(dab), dab.place.cell, this->partOf(dab)});
         return withErased<Dim>(design, erasers, *m_frame->rest, folder());
     }
     while (m_regions.size() + 1 < dabs.size()) m_regions.push_back(regionOf(dabs, m_regions.size()));

@@ -33,7 +33,7 @@ QString curveHint(bool onPoint) {
 template <int Dim>
 int CurveEditor<Dim>::handle() const {
     const int handle = m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
-    return handle >= 0 && traitsOf(m_session.document().design(), handle).locked ? -1 : handle;
+    return handle >= 0 && m_session.isLocked(handle) ? -1 : handle;
 }
 
 template <int Dim>

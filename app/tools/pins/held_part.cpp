@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/edits/handle_edits.h"
 #include "app/session/colours.h"
 #include "app/session/mark_size.h"
@@ -93,6 +94,26 @@ std::optional<Placement<2>> placementOf(ToolSurface& surface, const QPainterPath
     return Region<2>(polygon);
 }
 
+/// Returns the part of a picture to which a handle belongs that holds this: where parts are locked, the
+/// frontmost other one that has vertices there. Empty: any part. Nothing if all that it would hold is locked.
+std::optional<std::string> ownerOf(ToolSurface& surface, const Placement<2>& placement) {
+    const auto& parts = surface.session().document().domain().parts;
+    const auto* region = std::get_if<Region<2>>(&placement);
+    if (!region || std::ranges::none_of(parts, &PicturePart::locked)) return std::string();
+    const SimplicialMesh<2>& rest = *surface.session().frame<2>()->rest;
+    for (auto range = rest.parts.rbegin(); range != rest.parts.rend(); ++range) {
+        const auto part = std::ranges::find(parts, range->name, &PicturePart::name);
+        if (part != parts.end() && part->locked) continue;
+        for (int v = range->firstVertex; v < range->endVertex; ++v)
+            if (signedDistance<2>(*region, rest.points.col(v)) <= 0) return range->name;
+    }
+    return {};
+}
+
+std::optional<std::string> ownerOf(SolidSurface&, const Placement<3>&) {
+    return std::string();
+}
+
 std::optional<Placement<3>> placementOf(SolidSurface& surface, const std::vector<int>& vertices) {
     if (vertices.empty()) return {};
     return surface.session().placementOf(vertices);
@@ -156,9 +177,10 @@ std::vector<int> drawnPart<3>(const SolidSurface& surface, const DrawnOutline& o
 template <int Dim>
 bool holdPart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part) {
     ShapeSession& session = surface.session();
-    if (const auto place = placementOf(surface, part))
-        return session.addHandle<Dim>(*place,
-                                      QCoreApplication::translate("GrabTool", "Part").toStdString()) >= 0;
+    const auto place = placementOf(surface, part);
+    if (const auto owner = place ? ownerOf(surface, *place) : std::nullopt)
+        return session.addHandle<Dim>(*place, QCoreApplication::translate("GrabTool", "Part").toStdString(),
+                                      *owner) >= 0;
     session.notify(QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
     return false;
 }

@@ -202,7 +202,7 @@ void PinActions::refresh() {
     enable(ungroup, grouped > 0, has ? tr("The selected pin is in no group.") : none);
     enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
     enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
-    enable(holdThroughout, has && canHoldLonger(m_session.document(), selected()),
+    enable(holdThroughout, has && canHoldLonger(m_session, selected()),
            has ? tr("The selected pin already holds for the whole animation.") : none);
     bool anyHidden = false;
     for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)

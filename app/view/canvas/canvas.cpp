@@ -73,13 +73,13 @@ bool ShapeCanvas::isSettled() const {
            (m_drawn->request.allOfPicture == showsPicture() || !m_session.document().domain().parts.empty());
 }
 
-/// Returns which cells belong to hidden parts; nothing if there are none.
+/// Returns which cells belong to hidden or locked parts; nothing if there are none.
 std::vector<bool> ShapeCanvas::untouchable(const SimplicialMesh<2>& rest) const {
     const std::vector<PicturePart>& parts = m_session.document().domain().parts;
     std::vector<bool> cells;
     for (const MeshPart& range : rest.parts) {
         const auto part = std::ranges::find(parts, range.name, &PicturePart::name);
-        if (part == parts.end() || !part->hidden) continue;
+        if (part == parts.end() || !(part->hidden || part->locked)) continue;
         cells.resize(rest.cells.size());
         std::fill(cells.begin() + range.firstCell, cells.begin() + range.endCell, true);
     }

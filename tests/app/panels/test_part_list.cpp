@@ -16,6 +16,7 @@
 #include "app/panels/fields/option_field.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/part_list.h"
+#include "app/session/brush.h"
 #include "app/session/run/frame_export.h"
 #include "app/session/run/run.h"
 #include "app/session/shape/mesh_parts.h"
@@ -44,6 +45,8 @@ class TestPartList : public QObject {
     void outlinesOfPartsAreDrawn();
     void orderChangesFromHere();
     void hiddenPartsAreNotTouched();
+    void lockedPartsAreLeftAlone();
+    void paintBelongsToParts();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
     void islandsMayRide();
@@ -388,6 +391,72 @@ void TestPartList::hiddenPartsAreNotTouched() {
     QTRY_VERIFY(parts()[1].hidden);
     QVERIFY(settle(session));
     QCOMPARE(touched(), std::string("board"));
+}
+
+/// A click on the sign at the end of a row locks: pins are set through the part, its own ones stay, and
+/// neither the shape nor its motion are computed anew.
+void TestPartList::lockedPartsAreLeftAlone() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    ShapeCanvas& canvas = m_f->window().canvas();
+    const int before = session.addPin<2>({150, 40});
+    QVERIFY(settle(session));
+    const auto rest = session.frame<2>()->rest;
+    QVERIFY(list().isVisible());
+    const QRect row = list().visualItemRect(list().item(1));
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, {row.right() - 10, row.center().y()});
+    QVERIFY(parts()[1].locked && !parts()[1].hidden);
+    QVERIFY(list().item(1)->toolTip().contains("locked"));
+    QVERIFY(settle(session));
+    QCOMPARE(session.frame<2>()->rest, rest);
+    QVERIFY(!session.mayChange(before));
+    m_f->tool("pin")->trigger();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.toWidget({70, 35}).toPoint());
+    const auto& handles = session.document().design<2>().handles;
+    QCOMPARE(handles.size(), std::size_t{2});
+    QCOMPARE(handles.back().part, std::string("board"));
+    QVERIFY(session.mayChange(1));
+    list().setCurrentRow(1);
+    auto* lock = panel().findChild<QAbstractButton*>("partLock");
+    QVERIFY(lock->isChecked());
+    lock->click();
+    QVERIFY(!parts()[1].locked && session.mayChange(before));
+}
+
+/// A stroke paints the part on which it began, and where that is locked, the one below.
+void TestPartList::paintBelongsToParts() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    ShapeCanvas& canvas = m_f->window().canvas();
+    m_f->window().tools().setMode(Mode::Paint);
+    m_f->tool("paint")->trigger();
+    const auto stroke = [&] {
+        const QPoint from = canvas.toWidget({75, 35}).toPoint(), to = canvas.toWidget({85, 40}).toPoint();
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&canvas, to);
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
+    };
+    const auto painted = [&](std::size_t part) {
+        const auto frame = session.frame<2>();
+        const MeshPart& range = frame->rest->parts.at(part);
+        const auto& phi = frame->material->phi;
+        return std::any_of(phi.begin() + range.firstCell, phi.begin() + range.endCell,
+                           [](double value) { return std::abs(value - phi::kMetr) > 1e-6; });
+    };
+    BrushSettings brush = m_f->window().properties().brush().now();
+    brush.phi = phi::kAkvf;
+    m_f->window().properties().brush().set(brush);
+    stroke();
+    QVERIFY(settle(session));
+    QCOMPARE(session.document().design<2>().material.regions.front().part, std::string("bar"));
+    QCOMPARE(session.frame<2>()->rest->parts[1].name, std::string("bar"));
+    QVERIFY(painted(1) && !painted(0));
+    undo().undo();
+    list().setCurrentRow(1);
+    panel().findChild<QAbstractButton*>("partLock")->click();
+    stroke();
+    QVERIFY(settle(session));
+    QVERIFY(!painted(1) && painted(0));
 }
 
 /// The field is there for what was cut out, whose picture is remade.

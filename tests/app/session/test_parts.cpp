@@ -13,6 +13,7 @@
 #include <numbers>
 #include <random>
 
+#include "app/document/depth_region.h"
 #include "app/document/design.h"
 #include "app/document/domain.h"
 #include "app/document/file/project_reader.h"
@@ -132,15 +133,20 @@ void TestParts::initTestCase() {
 
 void TestParts::projectsAreKept() {
     const std::string parts = R"(
-        {"name": "arm", "image": "bar.png", "at": [10, 5.5], "opacity": 0.5, "hidden": true, "mood": 1, "blend": "screen",
+        {"name": "arm", "image": "bar.png", "at": [10, 5.5], "opacity": 0.5, "hidden": true, "locked": true, "mood": 1, "blend": "screen",
          "outline": {"from": "alpha", "threshold": 0.25}, "vertices": 77,
          "order": [{"time": 0.25, "place": 3}, {"time": 0.5, "place": -1}],
          "joints": [{"to": "board", "at": [12, 8], "radius": 2, "of": "leather"}]},
         {"name": "eye", "layer": {"file": "face.ora", "name": "left eye"}, "ridesOn": "arm"},
         {"name": "board", "image": "board.png"},
         {"name": "hole", "cut": {"from": "board", "polygons": [[[1, 1], [9, 1], [9, 9]]], "feather": 2}})";
-    const LoadedProject first =
-        project(parts, R"(, "handles": [{"at": {"part": "arm", "points": [[12, 8]]}}])");
+    const LoadedProject first = project(parts, R"(, "handles": [{"at": {"part": "arm", "points": [[12, 8]]}}],
+                        "depth": [{"shape": {"circle": {"centre": [9, 9], "radius": 4}}, "order": 2, "part": "arm"}],
+                        "material": {"regions": [{"shape": {"circle": {"centre": [9, 9], "radius": 4}}, "phi": 1,
+                                                  "part": "arm"}]})");
+    QVERIFY(domainOf(*first.project).parts.front().locked);
+    QCOMPARE(depthOf(*first.project).front().part, std::string("arm"));
+    QCOMPARE(designOf<2>(*first.project).material.regions.front().part, std::string("arm"));
     QCOMPARE(first.warnings.size(), std::size_t{2});  // mood, of
     const std::string text = toJson(*first.project);
     const LoadedProject second = parseProject(text, at("project.wend").toStdString());
