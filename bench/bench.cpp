@@ -25,7 +25,7 @@ struct Size {
 constexpr Size kSizes[] = {{"2d-5.6k", 2, 5600, true}, {"2d-11k", 2, 11000, true}, {"2d-40k", 2, 40000, true},
                            {"2d-160k", 2, 160000},     {"3d-1.5k", 3, 1500},       {"3d-5k", 3, 5000, true},
                            {"3d-20k", 3, 20000, true}};
-constexpr const char *kFlatWindow = "window-2d", *kSolidWindow = "window-3d";
+constexpr const char *kFlatWindow = "window-2d", *kSolidWindow = "window-3d", *kPartsWindow = "window-parts";
 constexpr const char *kWarp = "warp", *kKernels = "kernels";
 constexpr const char* kPaper = "paper";  // measures more than speed: only when it is asked for
 
@@ -62,7 +62,7 @@ void requireKnown(const std::vector<std::string>& cases) {
 std::vector<std::string> benchCases() {
     std::vector<std::string> names;
     for (const Size& size : kSizes) names.push_back(size.name);
-    names.insert(names.end(), {kFlatWindow, kSolidWindow, kWarp, kKernels, kPaper});
+    names.insert(names.end(), {kFlatWindow, kPartsWindow, kSolidWindow, kWarp, kKernels, kPaper});
     return names;
 }
 
@@ -82,6 +82,11 @@ BenchTable runBenchmarks(const BenchOptions& options) {
         size.dimension == 2 ? runSize<2>(size, recorder) : runSize<3>(size, recorder);
     }
     if (wanted(kFlatWindow)) runWindow<2>(kFlatWindow, recorder);
+    if (wanted(kPartsWindow)) {
+        constexpr int kVertices = 5600;
+        recorder.begin({kPartsWindow, 2, kVertices, 0, {}});
+        addPartRows(kVertices, recorder);
+    }
     if (wanted(kSolidWindow)) runWindow<3>(kSolidWindow, recorder);
     if (wanted(kWarp)) {
         recorder.begin({kWarp, 2, 0, 0, {}});

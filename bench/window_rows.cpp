@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -79,6 +80,43 @@ std::vector<Handle<Dim>> ends(double length) {
     return handles;
 }
 
+/// Twelve parts of eight megapixels in all: a trunk, and limbs that are joined to it and reach beyond it.
+/// Both ends of the row are held: the trunk, and the end of the last limb.
+OpenedFile fileOfParts(int vertices, const OwnSettings& settings) {
+    constexpr int kLimbs = 11, kTrunkWidth = 2200, kTrunkHeight = 1000, kLimbWidth = 640, kLimbHeight = 820;
+    auto project = newProject();
+    Domain& domain = domainOf(*project);
+    domain.vertices = vertices;
+    const auto add = [&](const std::string& name, int width, int height, const Vec<2>& at) -> PicturePart& {
+        PicturePart part;
+        part.name = name;
+        part.path = settings.file((name + ".png").c_str()).toStdString();
+        part.at = at;
+        writeImage(part.path, testPicture(width, height));
+        domain.parts.insert(domain.parts.begin(), std::move(part));
+        return domain.parts.front();
+    };
+    add("trunk", kTrunkWidth, kTrunkHeight, {100, 250});
+    for (int k = 0; k < kLimbs; ++k) {
+        const bool isLast = k + 1 == kLimbs;
+        const Vec<2> at = isLast ? Vec<2>(1760, 340) : Vec<2>(60 + 165 * k, k % 2 == 0 ? 0 : 680);
+        PicturePart& limb = add("limb " + std::to_string(k), kLimbWidth, kLimbHeight, at);
+        limb.joints.push_back({"trunk", at + Vec<2>(0.5 * kLimbWidth, 0.5 * kLimbHeight)});
+    }
+    Design<2> design;
+    design.material.phi = phi::kMetr;
+    design.handles.resize(2);
+    design.handles[0].name = design.handles[0].part = "trunk";
+    design.handles[0].at = Region<2>(Ball<2>{{300, 750}, 120});
+    design.handles[1].name = design.handles[1].part = domain.parts.front().name;
+    design.handles[1].at = std::vector<Vec<2>>{{2370, 750}};
+    designOf(*project) = std::move(design);
+    OpenedFile file;
+    file.project = std::move(project);
+    file.picture = std::make_shared<const Image>(testPicture(kPictureWidth, kPictureHeight));
+    return file;
+}
+
 template <int Dim>
 OpenedFile fileOf(int vertices, double phi, const OwnSettings& settings);
 
@@ -147,9 +185,10 @@ struct AfterRelease {
 template <int Dim>
 class Stage {
   public:
-    Stage(int vertices, double phi, const QSize& size, std::stop_token stop) : m_stop(stop) {
+    using MakeFile = std::function<OpenedFile(const OwnSettings&)>;
+    Stage(const MakeFile& make, const QSize& size, std::stop_token stop) : m_stop(stop) {
         m_window.show();
-        session().document().open(fileOf<Dim>(vertices, phi, m_settings));
+        session().document().open(make(m_settings));
         m_window.tools().action(QStringLiteral("select"))->trigger();
         wait([this] { return settled(); });
         for (int i = 0; i < 3; ++i) m_window.resize(m_window.size() + size - view().size());
@@ -276,9 +315,9 @@ BenchRow rowOf(const std::string& what, const WindowDrag::Times& times) {
 
 /// Adds a drag of the resting shape, and the beginning of another one right after its release.
 template <int Dim>
-void addRow(int vertices, double phi, const QSize& size, const std::string& name, double seconds,
-            BenchRecorder& recorder) {
-    Stage<Dim> stage(vertices, phi, size, recorder.stop());
+void addRow(const typename Stage<Dim>::MakeFile& make, const QSize& size, const std::string& name,
+            double seconds, BenchRecorder& recorder) {
+    Stage<Dim> stage(make, size, recorder.stop());
     BenchRow row = rowOf("mouse to frame, " + name, stage.drag(seconds));
     row.figures.push_back({"first of a drag right after it (ms)", stage.drag(0.2).first});
     recorder.add(row);
@@ -286,7 +325,8 @@ void addRow(int vertices, double phi, const QSize& size, const std::string& name
 
 /// Adds the times after releases in a film: those of the whole motion as figures.
 void addFilmRow(int vertices, double phi, bool elastic, const std::string& name, BenchRecorder& recorder) {
-    Stage<2> stage(vertices, phi, kWindow, recorder.stop());
+    const auto make = [=](const OwnSettings& settings) { return fileOf<2>(vertices, phi, settings); };
+    Stage<2> stage(make, kWindow, recorder.stop());
     stage.makeFilm(elastic);
     std::vector<double> shown, whole;
     for (int i = 0; i < kPoses; ++i) {
@@ -312,15 +352,25 @@ void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder,
         return;
     }
     for (const auto& [name, vertices] : sizes) {
-        addRow<Dim>(vertices, phi::kMetr, kWindow, name + ", 1280 × 800", seconds, recorder);
-        addRow<Dim>(vertices, phi::kEquia, kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
+        const auto with = [count = vertices](double phi) {
+            return [=](const OwnSettings& settings) { return fileOf<Dim>(count, phi, settings); };
+        };
+        addRow<Dim>(with(phi::kMetr), kWindow, name + ", 1280 × 800", seconds, recorder);
+        addRow<Dim>(with(phi::kEquia), kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
         if constexpr (Dim == 2) {
-            addRow<Dim>(vertices, phi::kMetr, kFineWindow, name + ", 3840 × 2160", seconds, recorder);
+            addRow<Dim>(with(phi::kMetr), kFineWindow, name + ", 3840 × 2160", seconds, recorder);
             addFilmRow(vertices, phi::kMetr, false, name, recorder);
             addFilmRow(vertices, phi::kMetr, true, name + ", elastic", recorder);
             addFilmRow(vertices, phi::kEquia, true, name + ", elastic, EQUIA", recorder);
         }
     }
+}
+
+void addPartRows(int vertices, BenchRecorder& recorder, double seconds) {
+    const WindowSystem system;
+    const auto make = [=](const OwnSettings& settings) { return fileOfParts(vertices, settings); };
+    addRow<2>(make, kWindow, "12 parts, 8 megapixels, 1280 × 800", seconds, recorder);
+    addRow<2>(make, kFineWindow, "12 parts, 8 megapixels, 3840 × 2160", seconds, recorder);
 }
 
 template void addWindowRows<2>(const std::vector<ShownSize>&, BenchRecorder&, double);

@@ -35,7 +35,8 @@ const Command* findCommand(const std::string& name) {
 
 std::string remarksOn(const Command& command) {
     if (std::string_view(command.name) == "bench")
-        return "Cases: 2d-5.6k 2d-11k 2d-40k 2d-160k 3d-1.5k 3d-5k 3d-20k window-2d window-3d warp kernels "
+        return "Cases: 2d-5.6k 2d-11k 2d-40k 2d-160k 3d-1.5k 3d-5k 3d-20k window-2d window-parts window-3d "
+               "warp kernels "
                "paper;\nwithout any, all but paper, which shows what the figures of the paper show, tells "
                "whether its\nfindings hold, and has its table of times.\n";
     if (std::string_view(command.name) == "run")

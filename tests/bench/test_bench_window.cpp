@@ -11,6 +11,7 @@ class TestBenchWindow : public QObject {
   private slots:
     void everyRowWasSeen_data();
     void everyRowWasSeen();
+    void partsWereSeen();
 };
 
 namespace {
@@ -49,6 +50,16 @@ void TestBenchWindow::everyRowWasSeen() {
             QVERIFY2(value > 0, (row.what + ": " + figure).c_str());
         }
     }
+}
+
+void TestBenchWindow::partsWereSeen() {
+    BenchOptions options;
+    BenchTable table;
+    BenchRecorder recorder(table, options);
+    recorder.begin({"parts", 2, 0, 0, {}});
+    addPartRows(600, recorder, 0.3);
+    QCOMPARE(table.cases[0].rows.size(), std::size_t{2});
+    for (const BenchRow& row : table.cases[0].rows) QVERIFY(row.time.repeats > 0 && row.time.minimum > 0);
 }
 
 QTEST_MAIN(TestBenchWindow)
