@@ -81,7 +81,7 @@ std::vector<Handle<Dim>> ends(double length) {
     return handles;
 }
 
-/// What the shape keeps, and whether it springs back fully.
+/// An energy by its φ, and whether the shape springs back fully.
 struct Kept {
     const char* name;
     double phi;
@@ -213,7 +213,7 @@ class Stage {
     }
     ~Stage() { session().document().undoStack()->setClean(); }
 
-    /// What a drag takes, and the processor's time for each of its updates, in milliseconds.
+    /// The latencies of a drag, and the processor time per update, in milliseconds.
     struct Dragged {
         WindowDrag::Times times;
         double processor = 0;

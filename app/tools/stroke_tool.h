@@ -42,7 +42,7 @@ class StrokeTool : public ShapeTool<Dim> {
     /// Half of the soft edge is within this ball, half beyond it.
     Ball<Dim> ballOf(const Dab& dab) const;
     double featherOf(const Dab& dab) const;
-    /// Returns the name of the part of a picture that a ball lies on: that on which the stroke began.
+    /// Returns the name of the picture's part on which the stroke began.
     std::string partOf(const Dab& dab) const;
 
     /// Returns the hint while the brush is not being adjusted.

@@ -18,8 +18,8 @@ struct MeshField {
     /// The values of a field per cell that was read, for every one of the file's own cells (MeshFile::cells).
     std::vector<double> ofCells = {};
     formats::Scalar type = formats::Scalar::Float64;  // in the file
-    /// What each number of a file (per vertex, or per its own cell) has beyond the double that stands for it:
-    /// whole numbers of eight bytes may have more digits. Empty if there is none.
+    /// The difference between each number of a file (per vertex, or per its own cell) and the double that
+    /// represents it: whole numbers of eight bytes may have more digits. Empty if there is none.
     std::vector<std::int16_t> beyond = {};
 };
 

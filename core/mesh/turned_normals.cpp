@@ -9,7 +9,9 @@
 namespace wend {
 namespace {
 
-MeshField* vertexField(MeshFile& file, const std::string& name) {
+/// Returns the field of one component per vertex with a name, or null.
+template <class File>
+auto vertexField(File& file, const std::string& name) -> decltype(&file.fields.front()) {
     const auto found = std::ranges::find_if(file.fields, [&](const auto& field) {
         return !field.perCell && field.components == 1 && field.name == name;
     });
@@ -42,6 +44,13 @@ std::vector<Eigen::Quaterniond> turnsOf(const Points<3>& before, const Points<3>
         if (old.col(v) != turned.col(v) && !old.col(v).isZero() && !turned.col(v).isZero())
             turns[static_cast<std::size_t>(v)].setFromTwoVectors(old.col(v), turned.col(v));
     return turns;
+}
+
+std::array<const MeshField*, 3> normalFieldsOf(const MeshFile& file) {
+    std::array<const MeshField*, 3> fields{};
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!(fields[k] = vertexField(file, kNormalNames[k]))) return {};
+    return fields;
 }
 
 /// Finds the fields that are normals, and turns each vertex's by the rotation from its normal before to the

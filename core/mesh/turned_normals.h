@@ -23,6 +23,9 @@ std::vector<Eigen::Quaterniond> turnsOf(const Points<3>& before, const Points<3>
 /// the surface's own normals there. Where nothing moves, they keep their bits.
 void turnNormals(const Points<3>& before, MeshFile& file);
 
+/// Returns the fields nx, ny and nz of vertices, in this order; null unless all three are there.
+std::array<const MeshField*, 3> normalFieldsOf(const MeshFile& file);
+
 /// Returns whether a field has normals of vertices, or a component of them.
 bool isNormals(const MeshField& field);
 

@@ -12,7 +12,7 @@ namespace wend {
 
 namespace {
 
-// Of the face of a cut while no map is shown: a rose that no map has.
+// The colour of a cut face while no map is shown: a rose that no map uses.
 constexpr QRgb kSectionColour = 0xffd6a8b8;
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);

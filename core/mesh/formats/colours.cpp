@@ -71,12 +71,16 @@ std::vector<Colour> coloursOf(const MeshFile& file, bool perCell) {
     return colours;
 }
 
-void addColours(MeshFile& file, const std::vector<Colour>& colours, bool perCell) {
-    const bool opaque = std::ranges::all_of(colours, [](const Colour& colour) { return colour[3] == 1; });
-    const bool bytes = std::ranges::all_of(colours, [](const Colour& colour) {
+bool areBytes(const std::vector<Colour>& colours) {
+    return std::ranges::all_of(colours, [](const Colour& colour) {
         return std::ranges::all_of(
             colour, [](double part) { return std::abs(255 * part - std::round(255 * part)) < 1e-3; });
     });
+}
+
+void addColours(MeshFile& file, const std::vector<Colour>& colours, bool perCell) {
+    const bool opaque = std::ranges::all_of(colours, [](const Colour& colour) { return colour[3] == 1; });
+    const bool bytes = areBytes(colours);
     for (std::size_t k = 0; k < (opaque ? 3 : 4); ++k) {
         MeshField field{kNames[k], perCell, 1, {}, {}, bytes ? Scalar::UInt8 : Scalar::Float32};
         for (const Colour& colour : colours)
@@ -91,7 +95,7 @@ bool isColour(const MeshField& field, bool perCell) {
 }
 
 double lightOf(double shown) {
-    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4F);
+    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
 }
 
 double shownOf(double light) {

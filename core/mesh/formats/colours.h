@@ -17,6 +17,9 @@ using Colour = std::array<double, 4>;
 /// alpha, or one field of three or four bytes. Bytes count from 0 to 255. Empty if there are none.
 std::vector<Colour> coloursOf(const MeshFile& file, bool perCell);
 
+/// Returns whether bytes hold these colours without rounding.
+bool areBytes(const std::vector<Colour>& colours);
+
 /// Adds colours as the fields red, green, blue and, unless all are opaque, alpha: bytes if nothing is rounded
 /// by them, else numbers from 0 to 1.
 void addColours(MeshFile& file, const std::vector<Colour>& colours, bool perCell);

@@ -269,11 +269,8 @@ class GroupLines {
 
 /// Prints the normals of vertices, and returns whether there are some.
 bool printNormals(const MeshFile& mesh, TextWriter& out) {
-    std::array<const MeshField*, 3> parts{};
-    for (std::size_t k = 0; k < 3; ++k)
-        for (const MeshField& field : mesh.fields)
-            if (!field.perCell && field.components == 1 && field.name == kNormalNames[k]) parts[k] = &field;
-    if (!parts[0] || !parts[1] || !parts[2]) return false;
+    const auto parts = normalFieldsOf(mesh);
+    if (!parts[0]) return false;
     for (std::size_t v = 0; v < parts[0]->values.size(); ++v)
         out << "vn " << parts[0]->values[v] << ' ' << parts[1]->values[v] << ' ' << parts[2]->values[v]
             << '\n';

@@ -34,7 +34,7 @@ bool beginsWithNumber(Scanner& scanner) {
     return end != 0 && end != rest.npos && std::isspace(static_cast<unsigned char>(rest[end]));
 }
 
-/// What vertices have beside their position, in this order.
+/// Says which of these vertices have beside their position; a line has them in this order.
 struct OffHeader {
     bool normals = false, colours = false, texture = false;
 };
@@ -150,13 +150,6 @@ class VertexLooks {
     ColourList m_colours;
 };
 
-/// Returns a field of one component per vertex, or null.
-const MeshField* vertexValues(const MeshFile& mesh, const char* name) {
-    for (const MeshField& field : mesh.fields)
-        if (!field.perCell && field.components == 1 && field.name == name) return &field;
-    return nullptr;
-}
-
 /// Prints a colour in bytes if all are whole ones, with its alpha if `whole`.
 void printColour(TextWriter& out, const Colour& colour, bool inBytes, bool whole) {
     for (std::size_t k = 0; k < (whole ? 4 : 3); ++k) {
@@ -166,13 +159,6 @@ void printColour(TextWriter& out, const Colour& colour, bool inBytes, bool whole
         else
             out << colour[k];
     }
-}
-
-bool areBytes(const std::vector<Colour>& colours) {
-    return std::ranges::all_of(colours, [](const Colour& colour) {
-        return std::ranges::all_of(
-            colour, [](double part) { return std::abs(255 * part - std::round(255 * part)) < 1e-3; });
-    });
 }
 
 }  // namespace
@@ -216,9 +202,8 @@ std::vector<std::string> printOff(const MeshFile& mesh, const MeshWriteOptions&)
     const std::vector<Colour> colours = coloursOf(mesh, false), ofFaces = coloursOf(mesh, true);
     const bool bytes = areBytes(colours), bytesOfFaces = areBytes(ofFaces);
     const bool clear = std::ranges::any_of(ofFaces, [](const Colour& colour) { return colour[3] < 1; });
-    std::array<const MeshField*, 3> normals{};
-    for (std::size_t k = 0; k < 3; ++k) normals[k] = vertexValues(mesh, kNormalNames[k]);
-    const bool hasNormals = normals[0] && normals[1] && normals[2];
+    const auto normals = normalFieldsOf(mesh);
+    const bool hasNormals = normals[0];
     TextWriter out;
     out << (mesh.uv.cols() ? "ST" : "") << (colours.empty() ? "" : "C") << (hasNormals ? "N" : "") << "OFF\n"
         << mesh.points.cols() << ' ' << mesh.cells.size() << " 0\n";

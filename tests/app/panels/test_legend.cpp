@@ -50,8 +50,8 @@ bool TestLegend::pull(SolidFixture& f) {
     return QTest::qWaitFor([&] { return session.frame()->time == 1; }, 20000);
 }
 
-/// A typed end locks the range, the legend says what lies beyond, and a logarithmic scale has the geometric
-/// mean of its ends in the middle.
+/// A typed end locks the range, the legend shows that values are beyond it, and a logarithmic scale has the
+/// geometric mean of its ends in the middle.
 template <int Dim>
 void TestLegend::type() {
     if (Dim == 3 && !VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
