@@ -819,8 +819,8 @@
         <translation>%1 Pixel sind keine endlichen Zahlen (NaN oder unendlich), das erste bei x %2, y %3</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
-        <translation>ist %1. Wend öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder</translation>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>ist %1. Wend öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder</translation>
     </message>
     <message>
         <source>its reader failed inside (signal %1)</source>

@@ -819,8 +819,8 @@
         <translation>%1 píxeles no son números finitos (NaN o infinito), el primero en x %2, y %3</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
-        <translation>es %1. Wend abre PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, RAW de cámara y otras imágenes</translation>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>es %1. Wend abre PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, RAW de cámara y otras imágenes</translation>
     </message>
     <message>
         <source>its reader failed inside (signal %1)</source>

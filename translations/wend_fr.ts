@@ -819,8 +819,8 @@
         <translation>%1 pixels ne sont pas des nombres finis (NaN ou infini), le premier en x %2, y %3</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
-        <translation>est %1. Wend ouvre PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, RAW d’appareil photo et d’autres images</translation>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>est %1. Wend ouvre PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, RAW d’appareil photo et d’autres images</translation>
     </message>
     <message>
         <source>its reader failed inside (signal %1)</source>

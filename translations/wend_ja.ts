@@ -819,8 +819,8 @@
         <translation>%1 個のピクセルが有限の数ではありません（NaN または無限大）。最初の位置 x %2、y %3</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
-        <translation>は%1です。Wend は PNG、JPEG、TIFF、EXR、WebP、GIF、PSD、OpenRaster、Krita、HEIC、AVIF、JPEG 2000、カメラ RAW などの画像を開けます</translation>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>は%1です。Wend は PNG、JPEG、TIFF、EXR、WebP、GIF、PSD、OpenRaster、Krita、SVG、HEIC、AVIF、JPEG 2000、カメラ RAW などの画像を開けます</translation>
     </message>
     <message>
         <source>its reader failed inside (signal %1)</source>

@@ -819,8 +819,8 @@
         <translation>%1 个像素不是有限数（NaN 或无穷大），第一个位于 x %2，y %3</translation>
     </message>
     <message>
-        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
-        <translation>是%1。Wend 可打开 PNG、JPEG、TIFF、EXR、WebP、GIF、PSD、OpenRaster、Krita、HEIC、AVIF、JPEG 2000、相机 RAW 等图像</translation>
+        <source>is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures</source>
+        <translation>是%1。Wend 可打开 PNG、JPEG、TIFF、EXR、WebP、GIF、PSD、OpenRaster、Krita、SVG、HEIC、AVIF、JPEG 2000、相机 RAW 等图像</translation>
     </message>
     <message>
         <source>its reader failed inside (signal %1)</source>

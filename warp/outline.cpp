@@ -69,10 +69,10 @@ class AlphaRows {
 
 void requireAlpha(const Image& image) {
     if (!image.alpha || image.channels < 1)
-        throw InputError("the picture has no alpha channel to take an outline from");
+        throw InputError(sentence("Core", "the picture has no alpha channel to take an outline from"));
     const auto pixels = static_cast<std::size_t>(std::max(image.width, 0)) * std::max(image.height, 0);
     if (pixels == 0 || image.data.size() < pixels * image.pixelBytes())
-        throw InputError("the picture has no pixels");
+        throw InputError(sentence("Core", "the picture has no pixels"));
 }
 
 std::vector<std::vector<Vec<2>>> withoutSpecks(std::vector<std::vector<Vec<2>>> loops, double smallest) {
@@ -80,8 +80,8 @@ std::vector<std::vector<Vec<2>>> withoutSpecks(std::vector<std::vector<Vec<2>>> 
     const auto isSpeck = [&](const auto& loop) { return std::abs(loopArea(loop)) < smallest; };
     loops.erase(std::remove_if(loops.begin(), loops.end(), isSpeck), loops.end());
     if (loops.empty())
-        throw InputError("no part of the picture is as large as " + std::to_string(std::lround(smallest)) +
-                         " pixels");
+        throw InputError(
+            {sentence("Core", "no part of the picture is as large as %1 pixels"), std::lround(smallest)});
     return loops;
 }
 
@@ -90,9 +90,9 @@ std::vector<std::vector<Vec<2>>> alphaContours(const Image& image, const Contour
     AlphaRows rows(image, threshold);
     auto loops = zeroContours(grid, [&](int row, auto& values) { rows.fillRow(row, values); });
     if (!loops.empty()) return loops;
-    if (rows.empty()) throw InputError("the picture is fully transparent");
-    throw InputError("the picture's alpha is nowhere above the threshold of " +
-                     std::to_string(std::lround(100 * threshold)) + " %");
+    if (rows.empty()) throw InputError(sentence("Core", "the picture is fully transparent"));
+    throw InputError({sentence("Core", "the picture's alpha is nowhere above the threshold of %1 %"),
+                      std::lround(100 * threshold)});
 }
 
 bool isInside(const Vec<2>& p, const std::vector<Vec<2>>& loop) {
@@ -139,7 +139,7 @@ Outline outlineFromAlpha(const Image& image, const AlphaOutlineOptions& options)
 }
 
 Outline frameOutline(int width, int height) {
-    if (width <= 0 || height <= 0) throw InputError("the picture has no pixels");
+    if (width <= 0 || height <= 0) throw InputError(sentence("Core", "the picture has no pixels"));
     const double w = width, h = height;
     return {{{{0, 0}, {w, 0}, {w, h}, {0, h}}}};
 }

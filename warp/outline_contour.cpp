@@ -52,7 +52,7 @@ bool differ(float a, float b) {
 
 int ContourTracer::addVertex(double x, double y) {
     if (m_vertices.size() >= mostVertices)
-        throw InputError("the picture's alpha has too many contours: it looks like noise");
+        throw InputError(sentence("Core", "the picture's alpha has too many contours: it looks like noise"));
     m_vertices.emplace_back(x, y);
     m_next.push_back(-1);
     return static_cast<int>(m_vertices.size()) - 1;

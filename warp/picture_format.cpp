@@ -211,7 +211,7 @@ std::string kindOfOther(std::string_view head) {
 }  // namespace
 
 PictureFormat pictureFormat(const InputFile& file) {
-    if (file.size() == 0) throw InputError(file.path(), "is empty");
+    if (file.size() == 0) throw InputError(file.path(), sentence("Core", "is empty"));
     const std::string head = file.bytes(0, 512);
     const auto known = marked(kRead, head);
     if (known != kRead.end() && isInItsContainer(known->what, head)) return known->what;

@@ -140,29 +140,32 @@ class Reading {
         return stored;
     }
 
-    [[noreturn]] void failWith(const std::string& why) const {
-        throw InputError(m_path, "cannot be read: " + why);
+    [[noreturn]] void failWith(const Message& why) const {
+        throw InputError(m_path, {sentence("Core", "cannot be read: %1"), why});
     }
     [[noreturn]] void failForMemory() const {
         if (limitsAddresses()) throw OutOfMemory(m_path);
-        failWith("it needs more than the " + std::to_string(kMegabytes) +
-                 " MB of memory that reading may take");
+        failWith(
+            {sentence("Core", "it needs more than the %1 MB of memory that reading may take"), kMegabytes});
     }
 
     /// Throws the reason why the reader has ended.
     [[noreturn]] void fail() const {
         using End = ChildResult::End;
         const ChildResult result = m_reader->end();
-        const std::string code = std::to_string(result.code), signal = " (signal " + code + ")";
         if (result.end == End::NotStarted) failWith("wend-picture is missing beside the program");
-        if (result.end == End::TimedOut) failWith("its reader has not come to an end");
+        if (result.end == End::TimedOut) failWith(sentence("Core", "its reader has not come to an end"));
         if (result.end == End::Idle)
-            failWith("its reader has done nothing for " + numberText(m_limits.idleSeconds) + " s");
+            failWith(
+                {sentence("Core", "its reader has done nothing for %1 s"), numberText(m_limits.idleSeconds)});
         if (limitsAddresses()) throw OutOfMemory(m_path);
-        if (result.end == End::Exited) failWith("its reader failed (exit code " + code + ")");
+        if (result.end == End::Exited)
+            failWith({sentence("Core", "its reader failed (exit code %1)"), result.code});
         // These signals come from outside: the file is not the cause.
         const bool isFromOutside = result.code == SIGKILL || result.code == SIGTERM;
-        failWith((isFromOutside ? "its reader was ended" : "its reader failed inside") + signal);
+        failWith({isFromOutside ? sentence("Core", "its reader was ended (signal %1)")
+                                : sentence("Core", "its reader failed inside (signal %1)"),
+                  result.code});
     }
 
     std::string m_path, m_layer, m_absolute;

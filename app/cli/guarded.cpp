@@ -50,10 +50,10 @@ ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } cat
     Terminal::error(error.what());
     return ExitCode::Usage;
 } catch (const DiskFull& error) {
-    Terminal::error(messageOf(error));
+    Terminal::error(messageOf(error).text());
     return ExitCode::Machine;
 } catch (const InputError& error) {
-    Terminal::error(messageOf(error));
+    Terminal::error(messageOf(error).text());
     return ExitCode::Input;
 } catch (const Cancelled&) {
     Terminal::error(kCancelled);

@@ -42,16 +42,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "handle \"%1\""),
     QT_TRANSLATE_NOOP("Core", "handle %1"),
     QT_TRANSLATE_NOOP("Core", "the shape"),
-    QT_TRANSLATE_NOOP("Core", "its region holds no vertex"),
     QT_TRANSLATE_NOOP("Core", "point %1 lies outside the shape"),
-    QT_TRANSLATE_NOOP("Core", "vertex %1 belongs to no cell"),
-    QT_TRANSLATE_NOOP("Core", "the shape needs about %1 of memory; %2 are free; fewer vertices need less"),
     // The motion of another project.
     QT_TRANSLATE_NOOP("Core", "pins of the other project without a namesake here, placed in proportion: %1"),
     QT_TRANSLATE_NOOP("Core", "pins of the other project that find no place here and are left out: %1"),
     QT_TRANSLATE_NOOP("Core", "pins without a motion in the other project, which hold still: %1"),
-    QT_TRANSLATE_NOOP("Core", "moves a solid: its motion does not fit a picture"),
-    QT_TRANSLATE_NOOP("Core", "moves a picture: its motion does not fit a solid"),
     // Spaces of surfaces.
     QT_TRANSLATE_NOOP("Core", "shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3"),
     QT_TRANSLATE_NOOP(
@@ -66,35 +61,14 @@ constexpr const char* kSentences[] = {
         "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay where "
         "they are"),
     // Pictures and outlines.
-    QT_TRANSLATE_NOOP("Core", "the picture has no alpha channel to take an outline from"),
-    QT_TRANSLATE_NOOP("Core", "the picture has no pixels"),
-    QT_TRANSLATE_NOOP("Core", "no part of the picture is as large as %1 pixels"),
-    QT_TRANSLATE_NOOP("Core", "the picture is fully transparent"),
-    QT_TRANSLATE_NOOP("Core", "the picture's alpha is nowhere above the threshold of %1 %"),
-    QT_TRANSLATE_NOOP("Core", "the picture's alpha has too many contours: it looks like noise"),
-    QT_TRANSLATE_NOOP("Core", "the outline is empty"),
-    QT_TRANSLATE_NOOP("Core", "the outline crosses or overlaps itself near %1"),
-    QT_TRANSLATE_NOOP("Core", "the outline cannot be triangulated (%1)"),
-    QT_TRANSLATE_NOOP("Core", "points %1 and %2 are the same, %3"),
-    QT_TRANSLATE_NOOP("Core", "point %1, %2, is outside the shape"),
-    QT_TRANSLATE_NOOP("Core", "an edge length of %1 would take more than %2 vertices"),
     // Files.
-    QT_TRANSLATE_NOOP("Core", "is empty"),
-    QT_TRANSLATE_NOOP("Core", "does not exist"),
-    QT_TRANSLATE_NOOP("Core", "is a folder"),
-    QT_TRANSLATE_NOOP("Core", "is a pipe, not a file"),
-    QT_TRANSLATE_NOOP("Core", "is a device, not a file"),
-    QT_TRANSLATE_NOOP("Core", "is a symbolic link that leads back to itself"),
     QT_TRANSLATE_NOOP("Core", "cannot be read: %1"),
     QT_TRANSLATE_NOOP("Core", "cannot be written: %1"),
     QT_TRANSLATE_NOOP("Core", "the disk may be full"),
-    QT_TRANSLATE_NOOP("Core", "the disk is full, only %1 are free"),
-    QT_TRANSLATE_NOOP("Core", "the folder %1 does not exist"),
-    QT_TRANSLATE_NOOP("Core", "the folder %1 is not writable"),
     QT_TRANSLATE_NOOP("Core", "is read-only: make it writable first, or choose another name"),
     QT_TRANSLATE_NOOP(
         "Core",
-        "is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, HEIC, AVIF, "
+        "is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, "
         "JPEG 2000, camera raw and other pictures"),
     QT_TRANSLATE_NOOP("Core", "is a model or a mesh of a kind that is not read (%1); these are: %2"),
     QT_TRANSLATE_NOOP("Core", "a JPEG XL picture"),
@@ -110,18 +84,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "is a volume, not a picture"),
     QT_TRANSLATE_NOOP("Core", "has %1 x %2 pixels, more than %3 million"),
     QT_TRANSLATE_NOOP("Core", "is truncated or corrupt"),
-    QT_TRANSLATE_NOOP("Core", "is no project of Wend, which is JSON and begins with {"),
-    QT_TRANSLATE_NOOP("Core", "is transparent everywhere"),
-    QT_TRANSLATE_NOOP("Core", "its reader failed inside (signal %1)"),
-    QT_TRANSLATE_NOOP("Core", "its reader was ended (signal %1)"),
-    QT_TRANSLATE_NOOP("Core", "its reader failed (exit code %1)"),
-    QT_TRANSLATE_NOOP("Core", "its reader has done nothing for %1 s"),
-    QT_TRANSLATE_NOOP("Core", "its reader has not come to an end"),
-    QT_TRANSLATE_NOOP("Core", "it needs more than the %1 MB of memory that reading may take"),
     QT_TRANSLATE_NOOP("Core", "has %1 layers: opened flattened"),
     // Drawings.
-    QT_TRANSLATE_NOOP("Core",
-                      "the project's picture is no SVG drawing: it has no paths that could be written"),
     QT_TRANSLATE_NOOP("Core", "the part \"%1\" is no SVG drawing: it becomes a picture in the SVG file"),
     QT_TRANSLATE_NOOP("Core", "the part \"%1\" is cut: it becomes a picture in the SVG file"),
     QT_TRANSLATE_NOOP("Core", "its pattern \"%1\" turns and stretches with each shape, but is not bent"),
@@ -140,24 +104,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "has a colour space that is not known (cICP %1): it is not kept"),
     QT_TRANSLATE_NOOP("Core", "1 pixel is not a finite number (NaN or infinity), at x %1, y %2"),
     QT_TRANSLATE_NOOP("Core", "%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3"),
-    QT_TRANSLATE_NOOP(
-        "Core",
-        "holds %1 points, but neither triangles nor tetrahedra between them: a surface has to be "
-        "made of the points first, as MeshLab and CloudCompare do"),
     QT_TRANSLATE_NOOP("Core",
                       "%1: its points have four coordinates; only points in space, which have three, are "
                       "read"),
-    QT_TRANSLATE_NOOP("Core", "holds tetrahedra, but the project is in the plane"),
-    QT_TRANSLATE_NOOP("Core",
-                      "HDF5 files need wend-hdf5, which is missing beside the program: it is built where "
-                      "libhdf5-dev is installed"),
-    QT_TRANSLATE_NOOP("Core", "the HDF5 library fails on it: the file may be damaged"),
-    QT_TRANSLATE_NOOP("Core", "is no HDF5 file"),
-    QT_TRANSLATE_NOOP("Core", "holds no tetrahedra, but the project is in space"),
     // Surfaces and volume meshes.
-    QT_TRANSLATE_NOOP("Core", "the surface has no triangle"),
-    QT_TRANSLATE_NOOP("Core", "the surface has no extent"),
-    QT_TRANSLATE_NOOP("Core", "the surface encloses no volume"),
     QT_TRANSLATE_NOOP("Core", "the surface bounds no volume: %1"),
     QT_TRANSLATE_NOOP("Core", "the surface intersects itself"),
     QT_TRANSLATE_NOOP("Core", "the surface has features too small for its size"),
@@ -195,8 +145,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "the surface was repaired: %1"),
     QT_TRANSLATE_NOOP("Core", "%1 single step"),
     QT_TRANSLATE_NOOP("Core", "%1 single steps"),
-    QT_TRANSLATE_NOOP("Core", "there is no triangle %1"),
-    QT_TRANSLATE_NOOP("Core", "no hole has the edge %1"),
     QT_TRANSLATE_NOOP("Core", "%1 coincident vertex merged"),
     QT_TRANSLATE_NOOP("Core", "%1 coincident vertices merged"),
     QT_TRANSLATE_NOOP("Core", "%1 triangle without area dropped"),
@@ -312,6 +260,11 @@ QString translatedOrNot(const QString& text) {
     return translated(text).value_or(text);
 }
 
+/// Returns the translation of a text without arguments, or the text.
+QString exactly(const std::string& text) {
+    return text.empty() ? QString() : QCoreApplication::translate(kContext, text.c_str());
+}
+
 /// Replaces %1, %2 … in the sentence by what was found.
 QString filled(const QString& sentence, const QRegularExpressionMatch& match) {
     QString result;
@@ -328,6 +281,7 @@ QString filled(const QString& sentence, const QRegularExpressionMatch& match) {
 }
 
 std::optional<QString> asSentence(const QString& text) {
+    if (QString known = exactly(text.toStdString()); known != text) return known;
     for (const Pattern& pattern : patterns()) {
         const auto match = pattern.expression.match(text);
         if (!match.hasMatch()) continue;
@@ -365,8 +319,11 @@ std::optional<QString> translated(const QString& text) {
 
 }  // namespace
 
-QString said(const std::string& message) {
-    return translatedOrNot(QString::fromStdString(message));
+QString said(const Message& message) {
+    if (message.sentence().empty()) return translatedOrNot(QString::fromStdString(message.text()));
+    std::vector<std::string> arguments;
+    for (const Message& argument : message.arguments()) arguments.push_back(said(argument).toStdString());
+    return QString::fromStdString(filled(exactly(message.sentence()).toStdString(), arguments));
 }
 
 QString said(const std::exception& error) {

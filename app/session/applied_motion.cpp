@@ -26,8 +26,8 @@ TransferredMotion withMotionOf(const std::string& source, const Project& target,
     fitToPicture(*other.project, folderOf(source));
     if (dimensionOf(*other.project) != dimensionOf(target))
         throw InputError(source, dimensionOf(target) == 2
-                                     ? "moves a solid: its motion does not fit a picture"
-                                     : "moves a picture: its motion does not fit a solid");
+                                     ? sentence("Core", "moves a solid: its motion does not fit a picture")
+                                     : sentence("Core", "moves a picture: its motion does not fit a solid"));
     const AnyShape shape = loadShape(target, folder, stop);
     const auto transfer = [&]<int Dim>(const Shape<Dim>& own) {
         const auto theirs = std::get<Shape<Dim>>(loadShape(*other.project, folderOf(source), stop));

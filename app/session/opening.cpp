@@ -107,7 +107,7 @@ OpenedFile openPicture(const QString& path, bool evenIfBlank, const DrawnSize& d
     std::vector<PicturePart> parts = partsOfLayers(path.toStdString(), *picture, size, notices);
     for (const std::string& notice : notices) file.warnings << said(notice);
     if (!evenIfBlank && isBlank(*picture))
-        throw NothingToSee(path.toStdString(), "is transparent everywhere");
+        throw NothingToSee(path.toStdString(), sentence("Core", "is transparent everywhere"));
     auto project = newProject();
     Domain& domain = domainOf(*project);
     domain.kind = DomainKind::Image;

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "core/mesh/error.h"
@@ -19,23 +20,23 @@ constexpr std::uint64_t kPiece = 1 << 20;  // bytes between checks for cancellat
 
 std::atomic<bool> readingStops = false;
 
-/// Returns the kind of a special file; null for a regular file.
-const char* oddKind(mode_t mode) {
-    if (S_ISREG(mode)) return nullptr;
-    if (S_ISDIR(mode)) return "is a folder";
-    if (S_ISFIFO(mode)) return "is a pipe, not a file";
+/// Returns the kind of a special file; nothing for a regular file.
+std::optional<Message> oddKind(mode_t mode) {
+    if (S_ISREG(mode)) return std::nullopt;
+    if (S_ISDIR(mode)) return sentence("Core", "is a folder");
+    if (S_ISFIFO(mode)) return sentence("Core", "is a pipe, not a file");
     if (S_ISSOCK(mode)) return "is a socket, not a file";
-    return "is a device, not a file";
+    return sentence("Core", "is a device, not a file");
 }
 
 void requireRegular(const std::string& path, const struct stat& status) {
-    if (const char* kind = oddKind(status.st_mode)) throw InputError(path, kind);
+    if (const auto kind = oddKind(status.st_mode)) throw InputError(path, *kind);
 }
 
-std::string reasonOf(int error) {
-    if (error == ENOENT) return "does not exist";
-    if (error == ELOOP) return "is a symbolic link that leads back to itself";
-    return std::string("cannot be read: ") + std::strerror(error);
+Message reasonOf(int error) {
+    if (error == ENOENT) return sentence("Core", "does not exist");
+    if (error == ELOOP) return sentence("Core", "is a symbolic link that leads back to itself");
+    return {sentence("Core", "cannot be read: %1"), std::strerror(error)};
 }
 
 std::string room(std::uint64_t size, const std::string& path) try {
@@ -54,11 +55,11 @@ InputFile::InputFile(std::string path) : m_path(std::move(path)) {
     m_descriptor = open(m_path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (m_descriptor < 0) throw InputError(m_path, reasonOf(errno));
     const bool known = fstat(m_descriptor, &status) == 0;
-    const char* kind = known ? oddKind(status.st_mode) : "cannot be read";
+    const auto kind = known ? oddKind(status.st_mode) : Message("cannot be read");
     m_size = static_cast<std::uint64_t>(status.st_size);
     if (!kind) return;
     close(m_descriptor);
-    throw InputError(m_path, kind);
+    throw InputError(m_path, *kind);
 }
 
 InputFile::InputFile(std::string path, std::string content)

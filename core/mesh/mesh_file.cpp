@@ -22,7 +22,7 @@ namespace {
 
 std::string bytesOf(const std::string& path) {
     std::string bytes = readInput(path);
-    if (bytes.empty()) throw InputError(path, "is empty");
+    if (bytes.empty()) throw InputError(path, sentence("Core", "is empty"));
     return bytes;
 }
 
@@ -54,7 +54,7 @@ void putAll(const std::vector<std::string>& paths, const std::vector<std::string
         PendingFile file(paths[k], Access::Usual, files.empty() ? nullptr : &files[0]);
         file.fill([&](const std::string& temporary) {
             if (const std::string problem = writeBytes(temporary, texts[k]); !problem.empty())
-                throw InputError(paths[k], "cannot be written: " + problem);
+                throw InputError(paths[k], {sentence("Core", "cannot be written: %1"), problem});
         });
         files.push_back(std::move(file));
     }

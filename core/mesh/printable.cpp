@@ -42,6 +42,14 @@ std::string asCode(const char* format, unsigned value) {
     return text.data();
 }
 
+/// Returns the message with printable arguments.
+Message withPrintableArguments(const Message& message) {
+    if (message.sentence().empty()) return printable(message.text());
+    std::vector<Message> arguments;
+    for (const Message& argument : message.arguments()) arguments.push_back(withPrintableArguments(argument));
+    return {message.sentence(), std::move(arguments)};
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -62,10 +70,11 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
-std::string messageOf(const std::exception& error) {
+Message messageOf(const std::exception& error) {
     const auto* input = dynamic_cast<const InputError*>(&error);
     if (!input) return printable(error.what());
-    return printable(input->file().empty() ? input->reason() : input->file() + ": " + input->reason());
+    const Message reason = withPrintableArguments(input->message());
+    return input->file().empty() ? reason : printable(input->file()) + ": " + reason;
 }
 
 }  // namespace wend

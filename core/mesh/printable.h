@@ -12,6 +12,6 @@ namespace wend {
 std::string printable(std::string_view text);
 
 /// Returns "FILE: what is wrong" as one printable line; what() would end at the first NUL.
-std::string messageOf(const std::exception& error);
+Message messageOf(const std::exception& error);
 
 }  // namespace wend

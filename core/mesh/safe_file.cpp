@@ -37,10 +37,11 @@ std::string folderOf(const fs::path& target) {
 void requirePlace(const std::string& path, const std::string& target) {
     const std::string folder = folderOf(target);
     std::error_code error;
-    if (!fs::is_directory(folder, error)) throw InputError(path, "the folder " + folder + " does not exist");
-    if (fs::is_directory(target, error)) throw InputError(path, "is a folder");
+    if (!fs::is_directory(folder, error))
+        throw InputError(path, {sentence("Core", "the folder %1 does not exist"), folder});
+    if (fs::is_directory(target, error)) throw InputError(path, sentence("Core", "is a folder"));
     if (access(folder.c_str(), W_OK) != 0)
-        throw InputError(path, "the folder " + folder + " is not writable");
+        throw InputError(path, {sentence("Core", "the folder %1 is not writable"), folder});
     if (const std::string why = whyKept(target); !why.empty()) throw InputError(path, why);
 }
 
@@ -115,7 +116,7 @@ void PendingFile::makeTemporary(const PendingFile* neighbour) {
             neighbour != nullptr && neighbour->m_folder && neighbour->m_folder->parent() == place;
         m_folder = shares ? neighbour->m_folder : std::make_shared<TemporaryFolder>(place);
     } catch (const InputError& error) {
-        fail(InputError(m_path, "cannot be written: " + error.reason()));
+        fail(InputError(m_path, {sentence("Core", "cannot be written: %1"), error.message()}));
     }
     const std::string extension = fs::path(m_target).extension().string();
     m_temporary = m_folder->newName(extension.empty() ? lowerExtension(m_target) : extension);
@@ -141,8 +142,8 @@ PendingFile PendingFile::companion(const std::string& extension) const {
 }
 
 DiskFull::DiskFull(const std::string& file, double free)
-    : InputError(file,
-                 std::string("cannot be written: ") + kFull + ", only " + byteText(free) + " are free") {}
+    : InputError(file, {sentence("Core", "cannot be written: %1"),
+                        Message(sentence("Core", "the disk is full, only %1 are free"), byteText(free))}) {}
 
 /// Libraries of formats may hide the reason of a failure: then the disk counts as full if it has less left
 /// than a block of theirs.
@@ -161,7 +162,7 @@ void PendingFile::fill(const std::function<void(const std::string&)>& write) con
 }
 
 void PendingFile::fail(int error) const {
-    fail(InputError(m_path, std::string("cannot be written: ") + std::strerror(error)));
+    fail(InputError(m_path, {sentence("Core", "cannot be written: %1"), std::strerror(error)}));
 }
 
 void PendingFile::fail(const InputError& error) const {

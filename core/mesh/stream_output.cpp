@@ -19,7 +19,7 @@ namespace {
 constexpr int kLook = 100;  // milliseconds between two looks at whether to stop
 
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
-    throw InputError(name, "cannot be written: " + reason);
+    throw InputError(name, {sentence("Core", "cannot be written: %1"), reason});
 }
 
 /// Returns whether a pipe has enough room for a piece.

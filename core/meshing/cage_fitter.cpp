@@ -118,7 +118,8 @@ class CageFitter {
         for (const auto& triangle : surface.triangles)
             for (const int v : triangle) m_box.extend(surface.points.col(v).eval());
         m_diagonal = m_box.diagonal().norm();
-        if (!(m_diagonal > 1e-140 && m_diagonal < 1e140)) throw InputError("the surface has no extent");
+        if (!(m_diagonal > 1e-140 && m_diagonal < 1e140))
+            throw InputError(sentence("Core", "the surface has no extent"));
     }
 
     /// Returns the cage of cubes with that edge, or with the least edge that memory allows.
@@ -265,7 +266,7 @@ class CageFitter {
 };
 
 void requireFinite(const Surface& surface) {
-    if (surface.triangles.empty()) throw InputError("the surface has no triangle");
+    if (surface.triangles.empty()) throw InputError(sentence("Core", "the surface has no triangle"));
     for (int t = 0; t < surface.triangleCount(); ++t)
         for (const int v : surface.triangles[t]) {
             if (v < 0 || v >= surface.vertexCount())

@@ -116,7 +116,7 @@ void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
 }  // namespace
 
 Outline cleanedOutline(const Outline& outline) {
-    if (outline.loops.empty()) throw InputError("the outline is empty");
+    if (outline.loops.empty()) throw InputError(sentence("Core", "the outline is empty"));
     Outline clean;
     for (std::size_t i = 0; i < outline.loops.size(); ++i) {
         requireFinite(outline.loops[i], i);
@@ -149,8 +149,8 @@ std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments) {
 
 void requireNoCrossing(const Outline& outline) {
     if (const auto crossings = crossingsOf(segmentsOf(outline)); !crossings.empty())
-        throw InputError("the outline crosses or overlaps itself near " +
-                         placeName<2>(crossings.front().place));
+        throw InputError({sentence("Core", "the outline crosses or overlaps itself near %1"),
+                          placeName<2>(crossings.front().place)});
 }
 
 Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance) {

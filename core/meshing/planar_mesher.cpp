@@ -93,8 +93,8 @@ SimplicialMesh<2> PlanarMesher::byEdge() {
     const double radius = m_options.edge / edgePerRadius;
     const double expected = verticesPerArea * m_area / (radius * radius) + m_domain.perimeter() / radius;
     if (!(expected < mostVertices))
-        throw InputError("an edge length of " + std::to_string(m_options.edge) + " would take more than " +
-                         std::to_string(mostVertices) + " vertices");
+        throw InputError({sentence("Core", "an edge length of %1 would take more than %2 vertices"),
+                          std::to_string(m_options.edge), std::to_string(mostVertices)});
     const int enough = static_cast<int>(2 * expected) + 20 * m_domain.vertexCount() + 5000;
     for (const double part : minEdges) {
         m_shortest = part * radius;

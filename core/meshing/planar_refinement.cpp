@@ -131,8 +131,8 @@ void insertPoints(MarkedTriangulation& triangulation, const std::vector<Vec<2>>&
         const Vertex v = triangulation.insert(Point(points[i].x(), points[i].y()));
         const bool isNew = triangulation.number_of_vertices() > known;
         if (!isNew && v->info() >= 0)
-            throw InputError("points " + std::to_string(v->info()) + " and " + std::to_string(i) +
-                             " are the same, " + placeName<2>(points[i]));
+            throw InputError({sentence("Core", "points %1 and %2 are the same, %3"), v->info(), i,
+                              placeName<2>(points[i])});
         v->info() = static_cast<int>(i);
     }
 }
@@ -173,8 +173,8 @@ bool touchesInside(const MarkedTriangulation& triangulation, Vertex v) {
 void requireInside(const MarkedTriangulation& triangulation) {
     for (auto v : triangulation.finite_vertex_handles())
         if (v->info() >= 0 && !touchesInside(triangulation, v))
-            throw InputError("point " + std::to_string(v->info()) + ", " +
-                             placeName<2>({v->point().x(), v->point().y()}) + ", is outside the shape");
+            throw InputError({sentence("Core", "point %1, %2, is outside the shape"), v->info(),
+                              placeName<2>({v->point().x(), v->point().y()})});
 }
 
 /// CGAL's assertions (enabled in this file) throw; their output on standard error is redundant. Called once,
@@ -195,7 +195,7 @@ auto guarded(const Function& f) {
     try {
         return f();
     } catch (const CGAL::Failure_exception& e) {
-        throw InputError("the outline cannot be triangulated (" + e.expression() + ')');
+        throw InputError({sentence("Core", "the outline cannot be triangulated (%1)"), e.expression()});
     }
 }
 

@@ -20,7 +20,7 @@ class Fixer {
         m_holes.clear();
         for (const int triangle : fix.ids) {
             if (triangle < 0 || triangle >= m_all.triangleCount() || m_gone[triangle])
-                throw InputError("there is no triangle " + std::to_string(triangle));
+                throw InputError({sentence("Core", "there is no triangle %1"), triangle});
             if (fix.kind == SurfaceFix::Kind::Drop)
                 m_gone[triangle] = true;
             else
@@ -53,8 +53,8 @@ class Fixer {
         if (fillKnown(edge)) return;
         m_holes = holesOf(SoundPart(result().surface).surface);
         if (!fillKnown(edge))
-            throw InputError("no hole has the edge " + std::to_string(edge[0]) + "–" +
-                             std::to_string(edge[1]));
+            throw InputError({sentence("Core", "no hole has the edge %1"),
+                              std::to_string(edge[0]) + "–" + std::to_string(edge[1])});
     }
 
     bool fillKnown(const std::vector<int>& edge) {
@@ -80,7 +80,7 @@ FixedSurface fixSurface(const Surface& surface, const std::vector<SurfaceFix>& f
     for (std::size_t i = 0; i < fixes.size(); ++i) try {
             fixer.apply(fixes[i]);
         } catch (const InputError& error) {
-            throw InputError("fixes[" + std::to_string(i) + "]: " + error.reason());
+            throw InputError("fixes[" + std::to_string(i) + "]: " + error.message());
         }
     return fixer.result();
 }

@@ -245,7 +245,7 @@ class VolumeMesher {
         const TetgenReply reply = renumbered(raw);
         VolumeMesh result;
         keepFilled(reply, result);
-        if (result.mesh.cells.empty()) throw InputError("the surface encloses no volume");
+        if (result.mesh.cells.empty()) throw InputError(sentence("Core", "the surface encloses no volume"));
         result.mesh.points = Eigen::Map<const Points<3>>(reply.points.data(), 3,
                                                          static_cast<Eigen::Index>(reply.points.size() / 3));
         std::vector<int> newId = dropUnused(result.mesh);
@@ -383,10 +383,11 @@ int VolumeMesh::usedCount() const {
 
 VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options) {
     requireSense(options);
-    if (surface.triangles.empty()) throw InputError("the surface has no triangle");
+    if (surface.triangles.empty()) throw InputError(sentence("Core", "the surface has no triangle"));
     const SurfaceProblems problems = checkSurface(surface, 10000, options.stop);
     if (!problems.boundsVolume())
-        throw SurfaceError("the surface bounds no volume: " + problems.summary(), problems);
+        throw SurfaceError({sentence("Core", "the surface bounds no volume: %1"), problems.summary()},
+                           problems);
     const VolumeMesher mesher(surface, options);
     return options.vertices > 0 ? meshForAim(mesher, options) : mesher.mesh(options.maxVolume);
 }

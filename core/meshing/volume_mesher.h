@@ -55,8 +55,7 @@ struct VolumeMesh {
 /// Thrown if the surface bounds no volume; `problems` lists why.
 class SurfaceError : public InputError {
   public:
-    SurfaceError(const std::string& what, SurfaceProblems found)
-        : InputError(what), problems(std::move(found)) {}
+    SurfaceError(const Message& what, SurfaceProblems found) : InputError(what), problems(std::move(found)) {}
     /// Copies an error and adds the file's name.
     SurfaceError(const SurfaceError& other, const std::string& file)
         : InputError(other.named(file)), problems(other.problems) {}

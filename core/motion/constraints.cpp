@@ -24,7 +24,7 @@ Trajectory<Dim> trajectoryOf(const Motion<Dim>& motion, size_t number) {
     try {
         return Trajectory<Dim>(motion);
     } catch (const InputError& error) {
-        throw InputError("motion " + std::to_string(number + 1) + ": " + error.reason());
+        throw InputError("motion " + std::to_string(number + 1) + ": " + error.message());
     }
 }
 
@@ -125,7 +125,7 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
             if (handles[i].slide) surface = surfaceOf(handles[i], points, rest);
             take(surface ? onSurface<Dim>(*surface, points, rest.points) : points, handles[i], surface);
         } catch (const InputError& error) {
-            throw InputError(m_names.back() + ": " + error.reason());
+            throw InputError(Message(m_names.back()) + ": " + error.message());
         }
         const std::vector<double> times = m_timelines.back().breakpoints();
         m_breakpoints.insert(m_breakpoints.end(), times.begin(), times.end());

@@ -92,7 +92,7 @@ auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices, const Parts& p
                              std::to_string(end - first - 1));
         }
         if (m_standsFor[first + v] < 0)
-            throw InputError("vertex " + std::to_string(v) + " belongs to no cell");
+            throw InputError({sentence("Core", "vertex %1 belongs to no cell"), v});
         result.push_back({{m_standsFor[first + v], 1.0}});
     }
     return result;
@@ -124,7 +124,7 @@ auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region, const Parts& parts) c
             if (m_standsFor[v] == v &&
                 signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBoundary * m_size)
                 result.push_back({{v, 1.0}});
-    if (result.empty()) throw InputError("its region holds no vertex");
+    if (result.empty()) throw InputError(sentence("Core", "its region holds no vertex"));
     return result;
 }
 

@@ -260,7 +260,7 @@ Trajectory<Dim>::Path::Ridden::Ridden(const PoseMotion<Dim>& motion) : origin(mo
         try {
             between.emplace_back(motion.poses[k - 1], motion.poses[k]);
         } catch (const InputError& error) {
-            throw InputError("pose " + std::to_string(k) + ": " + error.reason());
+            throw InputError("pose " + std::to_string(k) + ": " + error.message());
         }
     }
 }

@@ -164,7 +164,7 @@ void findDirections(Handle<Dim>& handle, const std::string& where, PlaceFinder& 
                 findDirection<Dim>(handle.motions[m].extras, kAxis, finder, rotate->axis);
         }
     } catch (const InputError& error) {
-        throw InputError(where + "." + key + ": " + error.reason());
+        throw InputError(where + "." + key + ": " + error.message());
     }
 }
 
@@ -175,7 +175,8 @@ void findWalls(std::vector<MaterialRegion<Dim>>& regions, PlaceFinder& finder) {
         try {
             regions[r].stiffness->facets = finder.wallOf<Dim>(regions[r].stiffness->wall);
         } catch (const InputError& error) {
-            throw InputError("material.regions[" + std::to_string(r) + "].stiffness.axis: " + error.reason());
+            throw InputError("material.regions[" + std::to_string(r) +
+                             "].stiffness.axis: " + error.message());
         }
     }
 }
@@ -195,7 +196,7 @@ void findPlaces(Project& project, const std::string& folder) {
             if (const auto place = finder.find<Dim>(named["name"])) handles[h].at = *place;
         } catch (const InputError& error) {
             throw InputError(where + ".at: " + (error.file().empty() ? "" : error.file() + ": ") +
-                             error.reason());
+                             error.message());
         }
         named["as"] = asJson<Dim>(handles[h].at);
         *text = named.dump();

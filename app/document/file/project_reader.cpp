@@ -316,7 +316,7 @@ LoadedProject parseProject(const std::string& text, const std::string& path) try
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first != std::string::npos &&
         std::string_view("{[\"\xef").find(text[first]) == std::string_view::npos)
-        throw InputError(path, "is no project of Wend, which is JSON and begins with {");
+        throw InputError(path, sentence("Core", "is no project of Wend, which is JSON and begins with {"));
     return readRoot(parseJson(text, path), folderOf(path));
 } catch (const InputError& error) {
     throw error.named(path);

@@ -27,8 +27,10 @@ void ComputeThread::loop(std::stop_token stop) {
         } catch (const SurfaceError& error) {
             giveUp(error, ComputeFailure::Shapeless);
         } catch (const NotEnoughMemory& error) {
-            giveUp(InputError("the shape needs about " + byteText(error.needed()) + " of memory; " +
-                              byteText(error.free()) + " are free; fewer vertices need less"),
+            giveUp(InputError({sentence("Core",
+                                        "the shape needs about %1 of memory; %2 are free; fewer vertices "
+                                        "need less"),
+                               byteText(error.needed()), byteText(error.free())}),
                    ComputeFailure::Memory);
         } catch (const std::exception& error) {
             giveUp(error, ComputeFailure::Invalid);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <type_traits>
 
 #include "app/document/edits/grip.h"
 #include "core/energy/material.h"
+#include "core/mesh/message.h"
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
@@ -30,7 +30,7 @@ struct ShapeFrame {
     int sample = -1;          // live: the newest sample of the drag that it follows
     Amount amount = Amount::Zero();  // live: offset that the dragged handles have reached
     bool stopped = false;            // live: the handles could not reach the sample without a fold
-    std::string message;             // why not
+    Message message;                 // why not
 
     virtual ~ShapeFrame() = default;
 };

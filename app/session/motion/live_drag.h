@@ -18,7 +18,7 @@ class LiveDrag {
     struct Step {
         Amount amount;  // how far the handles are from where the drag began
         bool stopped = false;
-        std::string message;
+        Message message;
         double pinError = 0;
     };
 

@@ -123,7 +123,7 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
     if (!from.shape || request.revision != m_revision) return;
     m_held = std::move(from);
     m_gesture = request.gesture;
-    m_refusal.clear();
+    m_refusal = {};
     m_dragging = true;
     const std::vector<int> active = activeHandles(request.time);
     std::vector<int> dragged;

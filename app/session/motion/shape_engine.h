@@ -104,11 +104,11 @@ class ShapeEngineOf : public ShapeEngine {
     std::shared_ptr<const CoarseBody<Dim>> m_body;  // of the shape that was dragged last; null: it needs none
     BuiltPtr m_bodyOf;
     bool m_dragging = false;
-    Seen m_held;            // of the current drag
-    int m_gesture = 0;      // its number
-    int m_led = 0;          // number of the drag that m_live follows; 0 for none
-    std::string m_refusal;  // why it cannot move anything
-    struct Measured {       // measures of the last frame's rest mesh
+    Seen m_held;        // of the current drag
+    int m_gesture = 0;  // its number
+    int m_led = 0;      // number of the drag that m_live follows; 0 for none
+    Message m_refusal;  // why it cannot move anything
+    struct Measured {   // measures of the last frame's rest mesh
         std::shared_ptr<const SimplicialMesh<Dim>> rest;
         double diagonal = 0, measure = 0;
         int used = 0;

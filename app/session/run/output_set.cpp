@@ -30,8 +30,9 @@ void writeTo(const std::string& file, const std::string& path, const OutputSet::
     write(file);
 } catch (const InputError& error) {
     std::string reason = error.reason();
-    if (const auto at = reason.find(file); at != std::string::npos) reason.replace(at, file.size(), path);
-    throw InputError(path, reason);
+    const auto at = reason.find(file);
+    if (at == std::string::npos) throw InputError(path, error.message());
+    throw InputError(path, reason.replace(at, file.size(), path));
 } catch (const OutOfMemory& error) {
     const std::string what = error.what(), name = file + ": ";
     if (!what.starts_with(name)) throw;

@@ -113,7 +113,9 @@ void requireDrawing(const std::string& path, const Project& project, const std::
     if (!isSvgFile(path)) return;
     if (!hasDrawing(domainOf(project), folder))
         throw InputError(path,
-                         "the project's picture is no SVG drawing: it has no paths that could be written");
+                         sentence("Core",
+                                  "the project's picture is no SVG drawing: it has no paths that could be "
+                                  "written"));
     if (options.outside == Outside::Clamp || options.outside == Outside::Original)
         throw InputError(path, "--outside clamp and original are for pictures of pixels");
 }

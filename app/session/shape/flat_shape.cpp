@@ -146,7 +146,8 @@ Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
     Shape<2> shape;
     const auto file = sharedMeshFile(path);
     std::shared_ptr<const SimplicialMesh<2>> textured;
-    if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
+    if (isVolume(*file))
+        throw InputError(path, sentence("Core", "holds tetrahedra, but the project is in the plane"));
     try {
         textured = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
         shape.rest = joinedRest<2>(*textured, shape.notices, carriedNodes(*file));

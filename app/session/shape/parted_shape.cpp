@@ -97,7 +97,7 @@ class PartedShape {
             for (Vec<2>& p : loop) p += sheet.at;
         return outline;
     } catch (const InputError& error) {
-        throw InputError(keyOf(part) + ": " + error.reason());
+        throw InputError(keyOf(part) + ": " + error.message());
     }
 
     /// Those without a number of their own share the domain's by their areas.
@@ -153,7 +153,7 @@ class PartedShape {
         if (parts()[part].vertices > 0) own.edge = 0;
         return *meshPicture(own, designOf(part), m_cache.outlines[part], stop);
     } catch (const InputError& error) {
-        throw InputError(keyOf(part) + ": " + error.reason());
+        throw InputError(keyOf(part) + ": " + error.message());
     }
 
     /// Appends a mesh, and returns its range.
@@ -192,7 +192,7 @@ class PartedShape {
                 try {
                     weld(parts()[i].name, parts()[i].joints[k], placer, welds);
                 } catch (const InputError& error) {
-                    throw InputError(key + ": " + error.reason());
+                    throw InputError(key + ": " + error.message());
                 }
             }
         m_rest.welds = std::move(welds);
@@ -229,7 +229,7 @@ class PartedShape {
                                                        const std::string& part) try {
         return placer.place(point, 0).front().terms;
     } catch (const InputError& error) {
-        throw InputError(error.reason() + " \"" + part + '"');
+        throw InputError(error.message() + " \"" + part + "\"");
     }
 
     // --- What is drawn ---

@@ -112,7 +112,7 @@ std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const Sh
     if (m_advice == Advice::None) throw;
     // Polygons are part of the project; the caller names its file.
     if (domainOf(*inputs.project).outline == OutlineKind::Polygons)
-        throw InputError("domain.outline.polygons: " + error.reason());
+        throw InputError("domain.outline.polygons: " + error.message());
     throw error.named(pathIn(inputs.folder, domainOf(*inputs.project).path));
 }
 

@@ -113,7 +113,7 @@ VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, cons
     try {
         return meshVolume(surface, options);
     } catch (const SurfaceError& error) {
-        throw SurfaceError(error.reason() + help(surface, domain, repairing, advice), error.problems);
+        throw SurfaceError(error.message() + help(surface, domain, repairing, advice), error.problems);
     }
 }
 
@@ -213,7 +213,7 @@ Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::s
     } catch (const InputError& error) {
         if (!canBeCaged(*skin)) throw;
         if (liesInAPlane(*skin))
-            throw InputError(error.reason() + (advice == Advice::Keys ? "; `cage` makes a slab of it" : ""));
+            throw InputError(error.message() + (advice == Advice::Keys ? "; `cage` makes a slab of it" : ""));
         return cagedSolid(domain, skin, "it cannot be meshed as it is: " + error.reason(), stop, advice);
     }
 }
@@ -221,7 +221,8 @@ Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::s
 Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
     const std::string path = pathIn(folder, domain.path);
     const auto file = sharedMeshFile(path);
-    if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
+    if (!isVolume(*file))
+        throw InputError(path, sentence("Core", "holds no tetrahedra, but the project is in space"));
     Shape<3> solid;
     solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices, carriedNodes(*file));
     solid.source = file;

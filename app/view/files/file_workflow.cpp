@@ -51,14 +51,16 @@ namespace {
 /// Returns a sentence about the file if the error is a predicate of it, such as "is empty"; else that it
 /// cannot be opened, with the error.
 QString openingError(const QString& path, const std::exception& error) {
-    const QString text = QString::fromStdString(messageOf(error)),
+    const QString text = QString::fromStdString(messageOf(error).text()),
                   subject = QFileInfo(path).absoluteFilePath() + QStringLiteral(": ");
     const QString reason = text.startsWith(subject) ? text.mid(subject.size()) : QString();
+    const auto* input = dynamic_cast<const InputError*>(&error);
     static const QRegularExpression verb(QStringLiteral("^(is|does|has|holds|cannot) "));
     if (!verb.match(reason).hasMatch())
         return FileWorkflow::tr("This file cannot be opened. %1").arg(words(error));
     return FileWorkflow::tr("“%1” %2.", "a file, and what is wrong with it")
-        .arg(QFileInfo(path).fileName(), said(reason.toStdString()));
+        .arg(QFileInfo(path).fileName(), input && !input->file().empty() ? said(InputError(input->message()))
+                                                                         : said(reason.toStdString()));
 }
 
 Reading tryToRead(const QString& path, const QMap<QString, QString>& found,

@@ -48,9 +48,10 @@ void requireSound(const MeshFile& file, MeshNeeds needs = MeshNeeds::Cells) {
     if (file.points.cols() == 0) throw InputError("there is no vertex in it");
     if (cellCount(file) == 0 && needs == MeshNeeds::Cells)
         throw InputError(
-            "holds " + std::to_string(file.points.cols()) +
-            " points, but neither triangles nor tetrahedra between them: a surface has to be made of "
-            "the points first, as MeshLab and CloudCompare do");
+            {sentence("Core",
+                      "holds %1 points, but neither triangles nor tetrahedra between them: a surface has to "
+                      "be made of the points first, as MeshLab and CloudCompare do"),
+             file.points.cols()});
     for (Eigen::Index v = 0; v < file.points.cols(); ++v)
         if (!file.points.col(v).allFinite())
             throw InputError("vertex " + std::to_string(v) + " has a coordinate that is not a finite number");

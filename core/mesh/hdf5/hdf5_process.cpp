@@ -22,12 +22,13 @@ std::string answerTo(const std::string& request) {
         runChild(siblingProgram("wend-hdf5"), request, kLongestWait, kMegabytes, {}, kSeconds);
     if (result.end == End::NotStarted)
         throw InputError(
-            "HDF5 files need wend-hdf5, which is missing beside the program: it is built where "
-            "libhdf5-dev is installed");
+            sentence("Core",
+                     "HDF5 files need wend-hdf5, which is missing beside the program: it is built where "
+                     "libhdf5-dev is installed"));
     if (result.end == End::Signalled && (result.code == SIGKILL || result.code == SIGTERM))
         throw InputError("the reader of HDF5 files was ended (signal " + std::to_string(result.code) + ")");
     if (result.end != End::Exited || result.code != 0 || result.output.empty())
-        throw InputError("the HDF5 library fails on it: the file may be damaged");
+        throw InputError(sentence("Core", "the HDF5 library fails on it: the file may be damaged"));
     if (result.output[0] == kHdf5Failed) throw InputError(result.output.substr(1));
     return std::move(result.output);
 }
@@ -35,7 +36,7 @@ std::string answerTo(const std::string& request) {
 }  // namespace
 
 Hdf5Node readHdf5(const std::string& bytes) {
-    if (!isHdf5(bytes)) throw InputError("is no HDF5 file");
+    if (!isHdf5(bytes)) throw InputError(sentence("Core", "is no HDF5 file"));
     return unpackedTree(std::string_view(answerTo(kHdf5Read + bytes)).substr(1));
 }
 

@@ -7,6 +7,7 @@
 #include <QTranslator>
 
 #include "app/document/said.h"
+#include "core/mesh/error.h"
 #include "core/meshing/planar_mesher.h"
 #include "warp/image.h"
 #include "warp/outline.h"
@@ -20,6 +21,7 @@ class TestSaid : public QObject {
     void cleanup();
     void errorsSpeakTheLanguage_data();
     void errorsSpeakTheLanguage();
+    void messagesAreFilledAfterTranslation();
     void sentencesAreTakenApart_data();
     void sentencesAreTakenApart();
     void othersStayAsTheyAre_data();
@@ -126,6 +128,25 @@ void TestSaid::errorsSpeakTheLanguage() {
     QVERIFY(saidOf([&] { meshOutline(bow, {}); }).startsWith(crossing));
 }
 
+/// Messages within messages, and after their subject; a place in an argument is none.
+void TestSaid::messagesAreFilledAfterTranslation() {
+    const Message crash(sentence("Core", "its reader failed inside (signal %1)"), 11);
+    const InputError reading("a%1.png", {sentence("Core", "cannot be read: %1"), crash});
+    const InputError missing("b.png", sentence("Core", "does not exist"));
+    const InputError pin(Message("handle \"%2\"") + ": " +
+                         Message(sentence("Core", "its region holds no vertex")));
+    QCOMPARE(reading.what(), "a%1.png: cannot be read: its reader failed inside (signal 11)");
+    QCOMPARE(said(reading), QString(reading.what()));
+    QCOMPARE(pin.what(), "handle \"%2\": its region holds no vertex");
+    speak(QStringLiteral("de"));
+    QCOMPARE(said(reading),
+             "a%1.png: kann nicht gelesen werden: das Leseprogramm ist abgestürzt (Signal 11)");
+    QCOMPARE(said(missing), QStringLiteral("b.png: existiert nicht"));
+    QCOMPARE(said(pin), QStringLiteral("Pin „%2“: in seinem Bereich liegt kein Eckpunkt"));
+    QCOMPARE(said(InputError("c\n%3.png", crash)),
+             QStringLiteral("c %3.png: das Leseprogramm ist abgestürzt (Signal 11)"));
+}
+
 void TestSaid::sentencesAreTakenApart_data() {
     QTest::addColumn<QString>("english");
     QTest::addColumn<QString>("german");
@@ -144,14 +165,11 @@ void TestSaid::sentencesAreTakenApart_data() {
                                  << "Pin „x“: in seinem Bereich liegt kein Eckpunkt";
     QTest::newRow("a kind")
         << "a.xcf: is a GIMP picture (XCF). Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, "
-           "PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, camera raw and other pictures"
+           "PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures"
         << "a.xcf: ist ein GIMP-Bild (XCF). Wend öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, "
-           "PSD, OpenRaster, Krita, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder";
+           "PSD, OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder";
     QTest::newRow("layers") << "a.ora: has 5 layers: opened flattened"
                             << "a.ora: hat 5 Ebenen: zusammengefasst geöffnet";
-    QTest::newRow("a reader that fell") << "a.png: cannot be read: its reader failed inside (signal 11)"
-                                        << "a.png: kann nicht gelesen werden: das Leseprogramm ist "
-                                           "abgestürzt (Signal 11)";
     QTest::newRow("a list in a reason")
         << "the surface is embedded in a cage of 1900 vertices, since it cannot be meshed as it is: the "
            "surface bounds no "

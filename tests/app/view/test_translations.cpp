@@ -93,7 +93,9 @@ void TestTranslations::initTestCase() {
     const QString path = m_temporary.filePath(QStringLiteral("sources.ts"));
     QProcess lupdate;
     lupdate.setWorkingDirectory(QStringLiteral(WEND_SOURCE_DIR));
-    lupdate.start(QStringLiteral(WEND_LUPDATE), {"-locations", "none", "-I", ".", "app", "-ts", path});
+    lupdate.start(QStringLiteral(WEND_LUPDATE),
+                  {"-tr-function-alias", "QT_TRANSLATE_NOOP+=sentence", "-locations", "none", "-I", ".",
+                   "app", "core", "warp", "-ts", path});
     QVERIFY(lupdate.waitForFinished(120000) && lupdate.exitCode() == 0);
     m_sources = sourcesOf(messagesOf(path));
     QVERIFY(m_sources.size() > 1000);
