@@ -19,7 +19,7 @@ using namespace wend::test;
 
 namespace {
 
-struct Message {
+struct Entry {
     QString context, source, comment;
     QStringList texts;  // several where the number decides
     bool finished = true;
@@ -27,11 +27,11 @@ struct Message {
     QString place() const { return context + ": " + source; }
 };
 
-std::vector<Message> messagesOf(const QString& path) {
+std::vector<Entry> messagesOf(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return {};
     QXmlStreamReader xml(&file);
-    std::vector<Message> messages;
+    std::vector<Entry> messages;
     QString context;
     bool counted = false;  // it has a text for each of the language's numbers
     while (!xml.atEnd()) {
@@ -50,7 +50,7 @@ std::vector<Message> messagesOf(const QString& path) {
             if (!counted) messages.back().texts << xml.readElementText();
         }
     }
-    return xml.hasError() ? std::vector<Message>() : messages;
+    return xml.hasError() ? std::vector<Entry>() : messages;
 }
 
 QStringList found(const QRegularExpression& what, const QString& in) {
@@ -60,9 +60,9 @@ QStringList found(const QRegularExpression& what, const QString& in) {
     return all;
 }
 
-QStringList sourcesOf(const std::vector<Message>& messages) {
+QStringList sourcesOf(const std::vector<Entry>& messages) {
     QStringList sources;
-    for (const Message& message : messages) sources << message.place() + '|' + message.comment;
+    for (const Entry& message : messages) sources << message.place() + '|' + message.comment;
     sources.sort();
     return sources;
 }
@@ -110,14 +110,14 @@ void TestTranslations::languages() const {
 /// What is in the sources, and no more; with the same numbers to fill in, and a key for the same entries.
 void TestTranslations::everythingIsTranslated() {
     QFETCH(QString, file);
-    const std::vector<Message> messages = messagesOf(m_folder.filePath(file));
+    const std::vector<Entry> messages = messagesOf(m_folder.filePath(file));
     const QStringList known = sourcesOf(messages);
     for (const QString& source : m_sources) QVERIFY2(known.contains(source), qPrintable(source));
     QCOMPARE(known.size(), m_sources.size());
     static const QRegularExpression placeholder(QStringLiteral("%L?\\d|%n")),
         key(QStringLiteral("&(?=[^&\\s])"));
     static const QRegularExpression tag(QStringLiteral("</?[a-z]+"));
-    for (const Message& message : messages) {
+    for (const Entry& message : messages) {
         QVERIFY2(message.finished && !message.texts.isEmpty(), qPrintable(message.place()));
         for (const QString& text : message.texts) {
             const QByteArray place = (message.place() + " -> " + text).toUtf8();
