@@ -46,7 +46,7 @@ Deformer<Dim> prepared(const Body<Dim>& body, const IntegrationOptions& options)
 template <int Dim>
 void finish(Deformer<Dim>& deformer) {
     const AdvanceResult result = deformer.advance(1);
-    if (result.outcome != Outcome::Done) throw BrokenDown("the benchmark stopped: " + result.message);
+    if (result.outcome != Outcome::Done) throw BrokenDown("the benchmark stopped: " + result.message.text());
 }
 
 template <int Dim>

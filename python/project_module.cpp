@@ -155,7 +155,7 @@ py::dict run(const py::object& project, const std::string& folder,
     });
     if (result.outcome != Outcome::Done) {
         const py::object incomplete = py::module_::import("wend").attr("Incomplete");
-        PyErr_SetString(incomplete.ptr(), result.message.c_str());
+        PyErr_SetString(incomplete.ptr(), result.message.text().c_str());
         throw py::error_already_set();
     }
     return dictOf(report);

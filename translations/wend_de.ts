@@ -307,10 +307,6 @@
         <translation>in seinem Bereich liegt kein Eckpunkt</translation>
     </message>
     <message>
-        <source>point %1 lies outside the shape</source>
-        <translation>der Punkt %1 liegt außerhalb der Form</translation>
-    </message>
-    <message>
         <source>vertex %1 belongs to no cell</source>
         <translation>Eckpunkt %1 gehört zu keiner Zelle</translation>
     </message>
@@ -957,6 +953,98 @@
     <message>
         <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
         <translation>die Körper %1 und %2 berühren sich entlang einer Kante oder in einem Punkt (bei %3): geben Sie beiden dort dieselben Dreiecke, oder lassen Sie einen Spalt</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell; it lies at the place of another and moves with it. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 Punkt gehört zu keiner Zelle; er liegt auf einem anderen und bewegt sich mit ihm. Er bleibt in dem, was geschrieben wird: Manche Löser wollen ihn vorher entfernt haben</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell; %2 of them lie at the place of another and move with it. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 Eckpunkte gehören zu keiner Zelle; %2 davon liegen auf einem anderen und bewegen sich mit ihm. Sie bleiben in dem, was geschrieben wird: Manche Löser wollen sie vorher entfernt haben</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2 and %3 more</source>
+        <translation>%1: Die Oberfläche bleibt, wie sie ist, und erzwingt es an ihren Dreiecken %2 und %3 weiteren</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; has the blend mode %2: it is shown as normal</source>
+        <translation>die Ebene „%1“ hat den Füllmodus %2: Sie wird normal gezeigt</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 edges stayed open, larger than the limit of %2</source>
+        <translation>1 Loch mit %1 Kanten blieb offen, größer als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 edges stayed open, larger than the limit of %3</source>
+        <translation>%1 Löcher mit bis zu %2 Kanten blieben offen, größer als die Grenze von %3</translation>
+    </message>
+    <message>
+        <source>1 vertex of open seams welded, the widest gap %1</source>
+        <translation>1 Eckpunkt offener Nähte verschweißt, der breiteste Spalt %1</translation>
+    </message>
+    <message>
+        <source>%1 vertices of open seams welded, the widest gap %2</source>
+        <translation>%1 Eckpunkte offener Nähte verschweißt, der breiteste Spalt %2</translation>
+    </message>
+    <message>
+        <source> (after the repair: %1)</source>
+        <translation> (nach der Reparatur: %1)</translation>
+    </message>
+    <message>
+        <source>; the repair found nothing that it could repair</source>
+        <translation>; die Reparatur fand nichts, was sie reparieren könnte</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the joint at %3 in different ways at time %4</source>
+        <translation>%1 und %2 bewegen das Gelenk bei %3 zur Zeit %4 verschieden</translation>
+    </message>
+    <message>
+        <source>the multigrid solver did not find the velocities near %1; solve directly (--solver direct), or make the material or the mesh more even</source>
+        <translation>der Mehrgitterlöser fand die Geschwindigkeiten bei %1 nicht; direkt lösen (--solver direct) oder Material oder Netz gleichmäßiger machen</translation>
+    </message>
+    <message>
+        <source>%1: its points have any number of coordinates; only points in space, which have three, are read</source>
+        <translation>%1: Die Punkte haben beliebig viele Koordinaten; gelesen werden nur Punkte im Raum, die drei haben</translation>
+    </message>
+    <message>
+        <source>%1 vertex that is not finite (first: %2)</source>
+        <translation>%1 nicht endlicher Eckpunkt (%2)</translation>
+    </message>
+    <message>
+        <source>%1 vertices that are not finite (first: %2)</source>
+        <translation>%1 nicht endliche Eckpunkte (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle that names a missing vertex (first: %2)</source>
+        <translation>%1 Dreieck mit einem Eckpunkt, den es nicht gibt (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles that name a missing vertex (first: %2)</source>
+        <translation>%1 Dreiecke mit einem Eckpunkt, den es nicht gibt (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>an IFF file</source>
+        <translation>eine IFF-Datei</translation>
+    </message>
+    <message>
+        <source>a KTX texture</source>
+        <translation>eine KTX-Textur</translation>
+    </message>
+    <message>
+        <source>a PostScript document</source>
+        <translation>ein PostScript-Dokument</translation>
+    </message>
+    <message>
+        <source>a PAM picture</source>
+        <translation>ein PAM-Bild</translation>
+    </message>
+    <message>
+        <source>a Windows cursor</source>
+        <translation>ein Windows-Mauszeiger</translation>
+    </message>
+    <message>
+        <source>a QOI picture</source>
+        <translation>ein QOI-Bild</translation>
     </message>
 </context>
 <context>

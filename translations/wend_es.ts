@@ -307,10 +307,6 @@
         <translation>su región no contiene ningún vértice</translation>
     </message>
     <message>
-        <source>point %1 lies outside the shape</source>
-        <translation>el punto %1 está fuera de la forma</translation>
-    </message>
-    <message>
         <source>vertex %1 belongs to no cell</source>
         <translation>el vértice %1 no pertenece a ninguna celda</translation>
     </message>
@@ -957,6 +953,98 @@
     <message>
         <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
         <translation>los cuerpos %1 y %2 se tocan a lo largo de una arista o en un punto (cerca de %3): dé a ambos los mismos triángulos allí o deje un hueco</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell; it lies at the place of another and moves with it. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 vértice no pertenece a ninguna celda; coincide con otro y se mueve con él. Se conserva en lo que se escribe: algunos solucionadores piden quitarlo antes</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell; %2 of them lie at the place of another and move with it. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 vértices no pertenecen a ninguna celda; %2 de ellos coinciden con otro y se mueven con él. Permanecen en lo que se escribe: algunos programas de cálculo los quieren fuera antes</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2 and %3 more</source>
+        <translation>%1: la superficie se mantiene como es y lo fuerza, en sus triángulos %2 y %3 más</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; has the blend mode %2: it is shown as normal</source>
+        <translation>la capa «%1» tiene el modo de fusión %2: se muestra como normal</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 edges stayed open, larger than the limit of %2</source>
+        <translation>1 agujero de %1 aristas quedó abierto, mayor que el límite de %2</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 edges stayed open, larger than the limit of %3</source>
+        <translation>%1 agujeros de hasta %2 aristas quedaron abiertos, mayores que el límite de %3</translation>
+    </message>
+    <message>
+        <source>1 vertex of open seams welded, the widest gap %1</source>
+        <translation>1 vértice de costuras abiertas soldado, la mayor separación %1</translation>
+    </message>
+    <message>
+        <source>%1 vertices of open seams welded, the widest gap %2</source>
+        <translation>%1 vértices de costuras abiertas soldados, la mayor separación %2</translation>
+    </message>
+    <message>
+        <source> (after the repair: %1)</source>
+        <translation> (tras la reparación: %1)</translation>
+    </message>
+    <message>
+        <source>; the repair found nothing that it could repair</source>
+        <translation>; la reparación no encontró nada que pudiera reparar</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the joint at %3 in different ways at time %4</source>
+        <translation>%1 y %2 mueven la articulación en %3 de modo distinto en el tiempo %4</translation>
+    </message>
+    <message>
+        <source>the multigrid solver did not find the velocities near %1; solve directly (--solver direct), or make the material or the mesh more even</source>
+        <translation>el solucionador multimalla no halló las velocidades cerca de %1; resuelva directamente (--solver direct) o haga más uniforme el material o la malla</translation>
+    </message>
+    <message>
+        <source>%1: its points have any number of coordinates; only points in space, which have three, are read</source>
+        <translation>%1: sus puntos tienen cualquier número de coordenadas; solo se leen puntos del espacio, que tienen tres</translation>
+    </message>
+    <message>
+        <source>%1 vertex that is not finite (first: %2)</source>
+        <translation>%1 vértice no finito (%2)</translation>
+    </message>
+    <message>
+        <source>%1 vertices that are not finite (first: %2)</source>
+        <translation>%1 vértices no finitos (primero: %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle that names a missing vertex (first: %2)</source>
+        <translation>%1 triángulo que nombra un vértice inexistente (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles that name a missing vertex (first: %2)</source>
+        <translation>%1 triángulos que nombran un vértice inexistente (primero: %2)</translation>
+    </message>
+    <message>
+        <source>an IFF file</source>
+        <translation>un archivo IFF</translation>
+    </message>
+    <message>
+        <source>a KTX texture</source>
+        <translation>una textura KTX</translation>
+    </message>
+    <message>
+        <source>a PostScript document</source>
+        <translation>un documento PostScript</translation>
+    </message>
+    <message>
+        <source>a PAM picture</source>
+        <translation>una imagen PAM</translation>
+    </message>
+    <message>
+        <source>a Windows cursor</source>
+        <translation>un cursor de Windows</translation>
+    </message>
+    <message>
+        <source>a QOI picture</source>
+        <translation>una imagen QOI</translation>
     </message>
 </context>
 <context>

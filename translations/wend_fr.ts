@@ -307,10 +307,6 @@
         <translation>sa région ne contient aucun sommet</translation>
     </message>
     <message>
-        <source>point %1 lies outside the shape</source>
-        <translation>le point %1 est hors de la forme</translation>
-    </message>
-    <message>
         <source>vertex %1 belongs to no cell</source>
         <translation>le sommet %1 n’appartient à aucune cellule</translation>
     </message>
@@ -957,6 +953,98 @@
     <message>
         <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
         <translation>les corps %1 et %2 se touchent le long d’une arête ou en un point (près de %3) : donnez-leur les mêmes triangles à cet endroit ou laissez un espace</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell; it lies at the place of another and moves with it. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 sommet n&apos;appartient à aucune cellule ; il coïncide avec un autre et se déplace avec lui. Il reste dans ce qui est écrit : certains solveurs veulent qu&apos;on l&apos;ôte d&apos;abord</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell; %2 of them lie at the place of another and move with it. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 sommets n’appartiennent à aucune cellule ; %2 d’entre eux coïncident avec un autre et se déplacent avec lui. Ils restent dans ce qui est écrit : certains solveurs veulent qu’on les retire d’abord</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2 and %3 more</source>
+        <translation>%1 : la surface est gardée telle quelle et l’impose, à ses triangles %2 et %3 autres</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; has the blend mode %2: it is shown as normal</source>
+        <translation>le calque « %1 » a le mode de fusion %2 : il est affiché comme normal</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 edges stayed open, larger than the limit of %2</source>
+        <translation>1 trou de %1 arêtes est resté ouvert, plus grand que la limite de %2</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 edges stayed open, larger than the limit of %3</source>
+        <translation>%1 trous de %2 arêtes au plus sont restés ouverts, plus grands que la limite de %3</translation>
+    </message>
+    <message>
+        <source>1 vertex of open seams welded, the widest gap %1</source>
+        <translation>1 sommet de coutures ouvertes soudé, l’écart le plus large %1</translation>
+    </message>
+    <message>
+        <source>%1 vertices of open seams welded, the widest gap %2</source>
+        <translation>%1 sommets de coutures ouvertes soudés, l’écart le plus large %2</translation>
+    </message>
+    <message>
+        <source> (after the repair: %1)</source>
+        <translation> (après la réparation : %1)</translation>
+    </message>
+    <message>
+        <source>; the repair found nothing that it could repair</source>
+        <translation> ; la réparation n’a rien trouvé qu’elle puisse réparer</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the joint at %3 in different ways at time %4</source>
+        <translation>%1 et %2 déplacent différemment l’articulation en %3 au temps %4</translation>
+    </message>
+    <message>
+        <source>the multigrid solver did not find the velocities near %1; solve directly (--solver direct), or make the material or the mesh more even</source>
+        <translation>le solveur multigrille n’a pas trouvé les vitesses près de %1 ; résolvez directement (--solver direct) ou rendez la matière ou le maillage plus réguliers</translation>
+    </message>
+    <message>
+        <source>%1: its points have any number of coordinates; only points in space, which have three, are read</source>
+        <translation>%1 : ses points ont un nombre quelconque de coordonnées ; seuls les points de l’espace, qui en ont trois, sont lus</translation>
+    </message>
+    <message>
+        <source>%1 vertex that is not finite (first: %2)</source>
+        <translation>%1 sommet non fini (%2)</translation>
+    </message>
+    <message>
+        <source>%1 vertices that are not finite (first: %2)</source>
+        <translation>%1 sommets non finis (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle that names a missing vertex (first: %2)</source>
+        <translation>%1 triangle qui nomme un sommet absent (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles that name a missing vertex (first: %2)</source>
+        <translation>%1 triangles qui nomment un sommet absent (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>an IFF file</source>
+        <translation>un fichier IFF</translation>
+    </message>
+    <message>
+        <source>a KTX texture</source>
+        <translation>une texture KTX</translation>
+    </message>
+    <message>
+        <source>a PostScript document</source>
+        <translation>un document PostScript</translation>
+    </message>
+    <message>
+        <source>a PAM picture</source>
+        <translation>une image PAM</translation>
+    </message>
+    <message>
+        <source>a Windows cursor</source>
+        <translation>un curseur Windows</translation>
+    </message>
+    <message>
+        <source>a QOI picture</source>
+        <translation>une image QOI</translation>
     </message>
 </context>
 <context>

@@ -307,10 +307,6 @@
         <translation>その領域には頂点がありません</translation>
     </message>
     <message>
-        <source>point %1 lies outside the shape</source>
-        <translation>点 %1 は形の外にあります</translation>
-    </message>
-    <message>
         <source>vertex %1 belongs to no cell</source>
         <translation>頂点 %1 はどのセルにも属していません</translation>
     </message>
@@ -957,6 +953,98 @@
     <message>
         <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
         <translation>立体 %1 と %2 は辺または点で接しています（%3 付近）: そこで両方に同じ三角形を与えるか、隙間を空けてください</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell; it lies at the place of another and moves with it. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 頂点がどのセルにも属しません。別の頂点と同じ位置にあり、一緒に動きます。書き出しには残ります。先に除く必要のあるソルバーもあります</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell; %2 of them lie at the place of another and move with it. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 頂点はどのセルにも属していません。うち %2 頂点は別の頂点と同じ位置にあり、一緒に動きます。書き出しには残ります。ソルバーによっては先に取り除く必要があります</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2 and %3 more</source>
+        <translation>%1: 表面がそのまま保たれ、その三角形 %2 と他 %3 個が原因です</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; has the blend mode %2: it is shown as normal</source>
+        <translation>レイヤー「%1」の描画モードは %2 です。通常として表示します</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 edges stayed open, larger than the limit of %2</source>
+        <translation>辺 %1 本の穴 1 個は、上限 %2 より大きいため開いたままです</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 edges stayed open, larger than the limit of %3</source>
+        <translation>辺が最大 %2 本の穴 %1 個は、上限 %3 より大きいため開いたままです</translation>
+    </message>
+    <message>
+        <source>1 vertex of open seams welded, the widest gap %1</source>
+        <translation>開いた継ぎ目の頂点 1 個を接合 (最大の隙間 %1)</translation>
+    </message>
+    <message>
+        <source>%1 vertices of open seams welded, the widest gap %2</source>
+        <translation>開いた継ぎ目の頂点 %1 個を接合 (最大の隙間 %2)</translation>
+    </message>
+    <message>
+        <source> (after the repair: %1)</source>
+        <translation> (修復後: %1)</translation>
+    </message>
+    <message>
+        <source>; the repair found nothing that it could repair</source>
+        <translation>。修復できる箇所は見つかりませんでした</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the joint at %3 in different ways at time %4</source>
+        <translation>%1 と %2 が %3 の関節を時刻 %4 に異なる向きへ動かしています</translation>
+    </message>
+    <message>
+        <source>the multigrid solver did not find the velocities near %1; solve directly (--solver direct), or make the material or the mesh more even</source>
+        <translation>マルチグリッドソルバーは %1 の近くの速度を求められませんでした。直接法 (--solver direct) を使うか、材質やメッシュをより均一にしてください</translation>
+    </message>
+    <message>
+        <source>%1: its points have any number of coordinates; only points in space, which have three, are read</source>
+        <translation>%1: 点の座標の数が決まっていません。読めるのは座標が三つの空間の点だけです</translation>
+    </message>
+    <message>
+        <source>%1 vertex that is not finite (first: %2)</source>
+        <translation>有限でない頂点 %1 個 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 vertices that are not finite (first: %2)</source>
+        <translation>有限でない頂点 %1 個 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle that names a missing vertex (first: %2)</source>
+        <translation>存在しない頂点を指す三角形 %1 個 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles that name a missing vertex (first: %2)</source>
+        <translation>存在しない頂点を指す三角形 %1 個 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>an IFF file</source>
+        <translation>IFF ファイル</translation>
+    </message>
+    <message>
+        <source>a KTX texture</source>
+        <translation>KTX テクスチャ</translation>
+    </message>
+    <message>
+        <source>a PostScript document</source>
+        <translation>PostScript 文書</translation>
+    </message>
+    <message>
+        <source>a PAM picture</source>
+        <translation>PAM 画像</translation>
+    </message>
+    <message>
+        <source>a Windows cursor</source>
+        <translation>Windows のカーソル</translation>
+    </message>
+    <message>
+        <source>a QOI picture</source>
+        <translation>QOI 画像</translation>
     </message>
 </context>
 <context>

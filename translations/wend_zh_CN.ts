@@ -307,10 +307,6 @@
         <translation>其区域内没有顶点</translation>
     </message>
     <message>
-        <source>point %1 lies outside the shape</source>
-        <translation>点 %1 位于形状之外</translation>
-    </message>
-    <message>
         <source>vertex %1 belongs to no cell</source>
         <translation>顶点 %1 不属于任何单元</translation>
     </message>
@@ -957,6 +953,98 @@
     <message>
         <source>bodies %1 and %2 touch along an edge or at a point (near %3): give both the same triangles there or leave a gap</source>
         <translation>实体 %1 和 %2 沿边或在一点相接触（%3 附近）：请让两者在该处使用相同的三角形，或留出间隙</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell; it lies at the place of another and moves with it. It stays in what is written: some solvers want it taken out first</source>
+        <translation>有 1 个顶点不属于任何单元；它与另一顶点重合并随之移动。写出时会保留：某些求解器要求先将其去除</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell; %2 of them lie at the place of another and move with it. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 个顶点不属于任何单元；其中 %2 个与另一顶点重合并随之移动。它们保留在写出的文件中：某些求解器要求先将其去除</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2 and %3 more</source>
+        <translation>%1：表面保持原样而导致，位于其三角形 %2 及另外 %3 个</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; has the blend mode %2: it is shown as normal</source>
+        <translation>图层“%1”的混合模式为 %2：按正常显示</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 edges stayed open, larger than the limit of %2</source>
+        <translation>1 个 %1 条边的孔洞仍然敞开，超过上限 %2</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 edges stayed open, larger than the limit of %3</source>
+        <translation>%1 个最多 %2 条边的孔洞仍然敞开，超过上限 %3</translation>
+    </message>
+    <message>
+        <source>1 vertex of open seams welded, the widest gap %1</source>
+        <translation>焊接开放接缝的 1 个顶点，最宽间隙 %1</translation>
+    </message>
+    <message>
+        <source>%1 vertices of open seams welded, the widest gap %2</source>
+        <translation>焊接开放接缝的 %1 个顶点，最宽间隙 %2</translation>
+    </message>
+    <message>
+        <source> (after the repair: %1)</source>
+        <translation>（修复后：%1）</translation>
+    </message>
+    <message>
+        <source>; the repair found nothing that it could repair</source>
+        <translation>；修复未找到可修复之处</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the joint at %3 in different ways at time %4</source>
+        <translation>%1 和 %2 在时刻 %4 以不同方式移动 %3 处的关节</translation>
+    </message>
+    <message>
+        <source>the multigrid solver did not find the velocities near %1; solve directly (--solver direct), or make the material or the mesh more even</source>
+        <translation>多重网格求解器未能求得 %1 附近的速度；请直接求解（--solver direct），或使材料或网格更均匀</translation>
+    </message>
+    <message>
+        <source>%1: its points have any number of coordinates; only points in space, which have three, are read</source>
+        <translation>%1：其点的坐标数任意；只能读取有三个坐标的空间点</translation>
+    </message>
+    <message>
+        <source>%1 vertex that is not finite (first: %2)</source>
+        <translation>%1 个非有限的顶点（%2）</translation>
+    </message>
+    <message>
+        <source>%1 vertices that are not finite (first: %2)</source>
+        <translation>%1 个非有限的顶点（首个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 triangle that names a missing vertex (first: %2)</source>
+        <translation>%1 个引用不存在顶点的三角形（%2）</translation>
+    </message>
+    <message>
+        <source>%1 triangles that name a missing vertex (first: %2)</source>
+        <translation>%1 个引用不存在顶点的三角形（首个：%2）</translation>
+    </message>
+    <message>
+        <source>an IFF file</source>
+        <translation>IFF 文件</translation>
+    </message>
+    <message>
+        <source>a KTX texture</source>
+        <translation>KTX 纹理</translation>
+    </message>
+    <message>
+        <source>a PostScript document</source>
+        <translation>PostScript 文档</translation>
+    </message>
+    <message>
+        <source>a PAM picture</source>
+        <translation>PAM 图片</translation>
+    </message>
+    <message>
+        <source>a Windows cursor</source>
+        <translation>Windows 光标</translation>
+    </message>
+    <message>
+        <source>a QOI picture</source>
+        <translation>QOI 图片</translation>
     </message>
 </context>
 <context>

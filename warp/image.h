@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
+
 namespace wend {
 
 enum class PixelType { UInt8, UInt16, Half, Float };
@@ -74,12 +76,11 @@ inline constexpr double kMaxMegapixels = 400;
 /// and numbers that are not finite. Throws InputError(path, why) for missing, empty, truncated, corrupt files
 /// and for more than `maxMegapixels`.
 Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels,
-                std::vector<std::string>* notices = nullptr);
+                std::vector<Message>* notices = nullptr);
 
 /// The same for one layer of a file with layers, without the opacity and the place that the file gives it.
 /// Throws InputError(path, why) if there is no such layer.
-Image readLayer(const std::string& path, const std::string& layer,
-                std::vector<std::string>* notices = nullptr);
+Image readLayer(const std::string& path, const std::string& layer, std::vector<Message>* notices = nullptr);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
 /// supported one; without alpha in the format the picture is placed on white. Throws InputError.

@@ -17,7 +17,7 @@ namespace wend {
 namespace {
 
 /// Says how many pixels have numbers that are not finite, and where the first one is; empty without any.
-std::string oddPixels(const Image& image) {
+Message oddPixels(const Image& image) {
     if (image.type != PixelType::Half && image.type != PixelType::Float) return {};
     return withPixelType(image.type, [&](auto t) {
         using T = decltype(t);
@@ -29,23 +29,25 @@ std::string oddPixels(const Image& image) {
             for (int c = 0; c < image.channels; ++c) sum += 0 * static_cast<float>(at[c]);
             if (std::isnan(sum) && count++ == 0) first = p;
         }
-        if (count == 0) return std::string();
+        if (count == 0) return Message();
         const auto width = static_cast<std::size_t>(image.width);
-        const std::string x = std::to_string(first % width), y = std::to_string(first / width);
-        return count == 1
-                   ? "1 pixel is not a finite number (NaN or infinity), at x " + x + ", y " + y
-                   : std::to_string(count) +
-                         " pixels are not finite numbers (NaN or infinity), the first at x " + x + ", y " + y;
+        const std::size_t x = first % width, y = first / width;
+        if (count == 1)
+            return Message(
+                sentence("Core", "1 pixel is not a finite number (NaN or infinity), at x %1, y %2"), x, y);
+        return Message(
+            sentence("Core", "%1 pixels are not finite numbers (NaN or infinity), the first at x %2, y %3"),
+            count, x, y);
     });
 }
 
 Image readUpright(const std::string& path, const std::string& layer, const PictureLimits& limits,
-                  std::vector<std::string>* notices) try {
+                  std::vector<Message>* notices) try {
     StoredPicture stored = readPicture(path, limits, layer);
     Image image = upright(std::move(stored.image), stored.orientation);
     if (!notices) return image;
-    if (std::string odd = oddPixels(image); !odd.empty()) stored.notices.push_back(std::move(odd));
-    for (const std::string& notice : stored.notices) notices->push_back(InputError(path, notice).what());
+    if (Message odd = oddPixels(image); !odd.isEmpty()) stored.notices.push_back(std::move(odd));
+    for (const Message& notice : stored.notices) notices->push_back(path + ": " + notice);
     return image;
 } catch (const OutOfMemory&) {
     throw;
@@ -97,22 +99,22 @@ Image readImageHeader(const std::string& path, const DrawnSize& drawn) {
     return std::move(image);
 }
 
-Image readImage(const std::string& path, double maxMegapixels, std::vector<std::string>* notices) {
+Image readImage(const std::string& path, double maxMegapixels, std::vector<Message>* notices) {
     Image image = readUpright(path, {}, {.megapixels = maxMegapixels}, notices);
     return hasPagesAsLayers(path, image) ? flattenedPages(path, image, maxMegapixels) : image;
 }
 
-Image readImage(const std::string& path, const DrawnSize& drawn, std::vector<std::string>* notices) {
+Image readImage(const std::string& path, const DrawnSize& drawn, std::vector<Message>* notices) {
     if (drawn[0] > 0 && isDrawing(path)) return readUpright(path, {}, {.drawn = drawn}, notices);
     return readImage(path, kMaxMegapixels, notices);
 }
 
-Image readLayer(const std::string& path, const std::string& layer, std::vector<std::string>* notices) {
+Image readLayer(const std::string& path, const std::string& layer, std::vector<Message>* notices) {
     return readLayer(path, layer, DrawnSize{}, notices);
 }
 
 Image readLayer(const std::string& path, const std::string& layer, const DrawnSize& drawn,
-                std::vector<std::string>* notices) {
+                std::vector<Message>* notices) {
     return readUpright(path, layer, {.drawn = drawn}, notices);
 }
 

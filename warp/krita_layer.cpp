@@ -141,7 +141,7 @@ KritaLayer kritaLayerOf(const ZipArchive& zip, const pugi::xml_node& node, Pictu
     const KritaColours& colours = *coloursOf(kritas.colours);
     const KritaPixels pixels = pixelsOf(zip, kritas.file);
     if (pixels.pixelBytes() != static_cast<std::size_t>(colours.bits / 8 * (colours.colours + 1)))
-        zip.fail("has a damaged " + kritas.file);
+        zip.fail({sentence("Core", "has a damaged %1"), kritas.file});
     kritas.box = boxOf(pixels, colours, node);
     layer.x = kritas.box.x, layer.y = kritas.box.y;
     layer.width = kritas.box.width, layer.height = kritas.box.height;
@@ -159,7 +159,7 @@ std::string kritaLayerPicture(const ZipArchive& zip, const KritaLayer& layer) tr
     picture.rows = rowsAt(pixelsOf(zip, layer.file), layer.x, layer.y);
     for (const KritaLayer::Mask& mask : layer.masks) {
         const KritaPixels pixels = pixelsOf(zip, mask.file);
-        if (pixels.pixelBytes() != 1) zip.fail("has a damaged " + mask.file);
+        if (pixels.pixelBytes() != 1) zip.fail({sentence("Core", "has a damaged %1"), mask.file});
         multiply(picture, rowsAt(pixels, mask.x, mask.y));
     }
     sortAsPng(picture);

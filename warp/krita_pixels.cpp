@@ -11,7 +11,7 @@ namespace {
 constexpr int kFarthest = 100'000'000, kLargestTile = 1024, kLargestPixel = 64;
 
 [[noreturn]] void failDamaged() {
-    throw InputError("is truncated or corrupt");
+    throw InputError(sentence("Core", "is truncated or corrupt"));
 }
 
 /// Returns the line at a place, without its end, and moves the place behind it.

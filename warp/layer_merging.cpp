@@ -198,7 +198,7 @@ struct MergedSheet {
 /// Composites nodes of the tree.
 class LayerMerger {
   public:
-    LayerMerger(const std::function<Image(const std::string&)>& read, std::vector<std::string>* notices)
+    LayerMerger(const std::function<Image(const std::string&)>& read, std::vector<Message>* notices)
         : m_read(read), m_notices(notices) {}
 
     /// Composites a node with those that it clips; their own opacity and mode are left to the caller.
@@ -220,8 +220,9 @@ class LayerMerger {
         if (isPlainBlend(node.blend())) return BlendMode::Normal;
         const auto mode = blendNamed(node.blend());
         if (!mode && m_notices)
-            m_notices->push_back("the layer \"" + node.name() + "\" has the blend mode " + node.blend() +
-                                 ": it is shown as normal");
+            m_notices->push_back(
+                {sentence("Core", "the layer \"%1\" has the blend mode %2: it is shown as normal"),
+                 node.name(), node.blend()});
         return mode.value_or(BlendMode::Normal);
     }
 
@@ -303,7 +304,7 @@ class LayerMerger {
     }
 
     const std::function<Image(const std::string&)>& m_read;
-    std::vector<std::string>* m_notices;
+    std::vector<Message>* m_notices;
     std::optional<PixelLayout> m_layout;
     std::shared_ptr<const Image::Metadata> m_metadata;
 };
@@ -337,7 +338,7 @@ std::vector<ShownLayer> shownLayers(const std::vector<PictureLayer>& layers) {
 
 MergedPicture mergedPicture(const std::vector<PictureLayer>& layers, const ShownLayer& shown,
                             const std::function<Image(const std::string& layer)>& read,
-                            std::vector<std::string>* notices) {
+                            std::vector<Message>* notices) {
     const Nodes tree = treeOf(layers);
     const Nodes* nodes = nullptr;
     std::size_t base = 0;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
 #include "warp/picture_metadata.h"
@@ -35,6 +36,6 @@ struct MergedPicture {
 /// picture of one layer. Notices name blend modes that are not shown.
 MergedPicture mergedPicture(const std::vector<PictureLayer>& layers, const ShownLayer& shown,
                             const std::function<Image(const std::string& layer)>& read,
-                            std::vector<std::string>* notices);
+                            std::vector<Message>* notices);
 
 }  // namespace wend

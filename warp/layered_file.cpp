@@ -126,7 +126,7 @@ LayerList layersOf(const ZipArchive& zip, PictureFormat format) {
     const auto text = zip.file(description.file);
     pugi::xml_document document;
     if (!text || !document.load_buffer(text->data(), text->size()))
-        zip.fail("has a damaged " + std::string(description.file));
+        zip.fail({sentence("Core", "has a damaged %1"), description.file});
     LayerList list;
     for (const auto& found : document.select_nodes("//layer[not(@nodetype='grouplayer')]")) {
         PictureLayer layer = layerOf(found.node(), description);
@@ -146,7 +146,9 @@ LayerList layersOf(const ZipArchive& zip, PictureFormat format) {
 LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
     const ZipArchive zip(path);
     auto merged = zip.file("mergedimage.png");
-    if (!merged) zip.fail("holds no picture of all its layers (mergedimage.png): save it with one");
+    if (!merged)
+        zip.fail({sentence("Core", "holds no picture of all its layers (%1): save it with one"),
+                  "mergedimage.png"});
     return {std::move(*merged), layersOf(zip, format).layers};
 }
 

@@ -75,21 +75,21 @@ constexpr std::array kRead{
 
 /// The more exact ones first.
 constexpr std::array kNotRead{
-    Mark<const char*>{4, "ftyp"sv, "a film"},
-    Mark<const char*>{0, "\x1a\x45\xdf\xa3"sv, "a film"},
-    Mark<const char*>{8, "AVI "sv, "a film"},
-    Mark<const char*>{0, "FORM"sv, "an IFF file"},
-    Mark<const char*>{0, "FOR4"sv, "an IFF file"},
-    Mark<const char*>{4, "JXL \r\n"sv, "a JPEG XL picture"},
-    Mark<const char*>{0, "\xff\x0a"sv, "a JPEG XL picture"},
-    Mark<const char*>{0, "\xabKTX "sv, "a KTX texture"},
-    Mark<const char*>{0, "%PDF"sv, "a PDF document"},
-    Mark<const char*>{0, "%!PS"sv, "a PostScript document"},
-    Mark<const char*>{0, "gimp xcf"sv, "a GIMP picture (XCF)"},
-    Mark<const char*>{0, "P7"sv, "a PAM picture"},
-    Mark<const char*>{0, "\0\0\2\0"sv, "a Windows cursor"},
-    Mark<const char*>{0, "qoif"sv, "a QOI picture"},
-    Mark<const char*>{0, "PK\3\4"sv, "a ZIP archive"},
+    Mark<Sentence>{4, "ftyp"sv, sentence("Core", "a film")},
+    Mark<Sentence>{0, "\x1a\x45\xdf\xa3"sv, sentence("Core", "a film")},
+    Mark<Sentence>{8, "AVI "sv, sentence("Core", "a film")},
+    Mark<Sentence>{0, "FORM"sv, sentence("Core", "an IFF file")},
+    Mark<Sentence>{0, "FOR4"sv, sentence("Core", "an IFF file")},
+    Mark<Sentence>{4, "JXL \r\n"sv, sentence("Core", "a JPEG XL picture")},
+    Mark<Sentence>{0, "\xff\x0a"sv, sentence("Core", "a JPEG XL picture")},
+    Mark<Sentence>{0, "\xabKTX "sv, sentence("Core", "a KTX texture")},
+    Mark<Sentence>{0, "%PDF"sv, sentence("Core", "a PDF document")},
+    Mark<Sentence>{0, "%!PS"sv, sentence("Core", "a PostScript document")},
+    Mark<Sentence>{0, "gimp xcf"sv, sentence("Core", "a GIMP picture (XCF)")},
+    Mark<Sentence>{0, "P7"sv, sentence("Core", "a PAM picture")},
+    Mark<Sentence>{0, "\0\0\2\0"sv, sentence("Core", "a Windows cursor")},
+    Mark<Sentence>{0, "qoif"sv, sentence("Core", "a QOI picture")},
+    Mark<Sentence>{0, "PK\3\4"sv, sentence("Core", "a ZIP archive")},
 };
 
 template <class Marks>
@@ -202,10 +202,10 @@ std::string modelNamed(const std::string& path) {
     return {};
 }
 
-std::string kindOfOther(std::string_view head) {
+Sentence kindOfOther(std::string_view head) {
     if (const auto known = marked(kNotRead, head); known != kNotRead.end()) return known->what;
-    if (arePoints(head)) return "a list of points without a surface";
-    return isText(head) ? "a text file" : "not a picture that Wend knows";
+    if (arePoints(head)) return sentence("Core", "a list of points without a surface");
+    return isText(head) ? sentence("Core", "a text file") : sentence("Core", "not a picture that Wend knows");
 }
 
 }  // namespace
@@ -219,13 +219,19 @@ PictureFormat pictureFormat(const InputFile& file) {
     if (isTga(head, static_cast<double>(file.size()))) return PictureFormat::Tga;
     if (const std::string model = modelNamed(file.path()); !model.empty()) {
         std::string read;
-        for (const std::string& one : readableMeshExtensions()) read += " " + one;
-        throw InputError(file.path(), "is a model or a mesh of a kind that is not read (" + model +
-                                          "); these are:" + read);
+        for (const std::string& one : readableMeshExtensions()) read += (read.empty() ? "" : " ") + one;
+        throw InputError(
+            file.path(),
+            {sentence("Core", "is a model or a mesh of a kind that is not read (%1); these are: %2"), model,
+             read});
     }
-    throw InputError(file.path(), "is " + kindOfOther(head) +
-                                      ". Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, "
-                                      "Krita, SVG, HEIC, AVIF, JPEG 2000, camera raw and other pictures");
+    throw InputError(
+        file.path(),
+        {sentence(
+             "Core",
+             "is %1. Wend opens PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, AVIF, "
+             "JPEG 2000, camera raw and other pictures"),
+         Message(kindOfOther(head))});
 }
 
 const std::vector<std::string>& pictureFileExtensions() {

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "warp/colour_space.h"
 #include "warp/film.h"
 #include "warp/image.h"
@@ -31,17 +32,17 @@ struct PictureSource {
 struct StoredPicture {
     Image image;
     int orientation = 1;
-    std::vector<std::string> notices = {};
+    std::vector<Message> notices = {};
 };
 
 /// Returns the notice about a file with several pictures.
-inline std::string severalPictures(unsigned long long count) {
-    return "has " + std::to_string(count) + " pictures (pages, frames or parts): the first one is read";
+inline Message severalPictures(unsigned long long count) {
+    return {sentence("Core", "has %1 pictures (pages, frames or parts): the first one is read"), count};
 }
 
 /// Returns the notice about a file with several layers.
-inline std::string flattenedLayers(std::size_t count) {
-    return "has " + std::to_string(count) + " layers: opened flattened";
+inline Message flattenedLayers(std::size_t count) {
+    return {sentence("Core", "has %1 layers: opened flattened"), count};
 }
 
 /// Receives a picture's pixels while they are read.

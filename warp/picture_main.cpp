@@ -43,7 +43,7 @@ class SharedPixels final : public PixelSink {
 };
 
 StoredPicture read(const PictureMessage& request, const PictureSource& source,
-                   const std::vector<std::string>& notices, PixelSink& sink) {
+                   const std::vector<Message>& notices, PixelSink& sink) {
     const PictureLibrary& library = pictureLibrary(source.path);
     StoredPicture stored = request.contains("megapixels")
                                ? library.read(source, request.at("megapixels"), sink)
@@ -55,7 +55,7 @@ StoredPicture read(const PictureMessage& request, const PictureSource& source,
 PictureMessage answerTo(const PictureMessage& request, PixelSink& sink) {
     bool isSound = true;  // no library has seen the file
     try {
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         const std::string layer = request.value("layer", "");
         const DrawnSize size = request.value("drawn", DrawnSize{});
         if (request.contains("vectors"))
@@ -66,7 +66,7 @@ PictureMessage answerTo(const PictureMessage& request, PixelSink& sink) {
         isSound = false;
         return {{"picture", messageOf(read(request, source, notices, sink))}};
     } catch (const InputError& error) {
-        return {{"wrong", error.reason()}, {"isSound", isSound}};
+        return {{"wrong", binaryOf(error.message())}, {"isSound", isSound}};
     } catch (const std::bad_alloc&) {
         return {{"memory", true}};
     }

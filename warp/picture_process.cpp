@@ -101,15 +101,17 @@ class Reading {
         PictureMessage answer = unpackMessage(bytes);
         if (answer.contains("wrong")) {
             if (answer.at("isSound")) idleReader().giveBack(std::move(m_reader));
-            throw InputError(m_path, properlyNamed(answer.at("wrong")));
+            throw InputError(m_path, properlyNamed(textOf(answer.at("wrong"))));
         }
         if (answer.contains("memory")) failForMemory();
         return answer;
     }
     /// `text` with the file called as the caller does.
-    std::string properlyNamed(std::string text) const {
-        const auto at = text.find(m_absolute);
-        return at == std::string::npos ? text : text.replace(at, m_absolute.size(), m_path);
+    Message properlyNamed(const Message& text) const {
+        return withTexts(text, [this](std::string part) {
+            const auto at = part.find(m_absolute);
+            return at == std::string::npos ? part : part.replace(at, m_absolute.size(), m_path);
+        });
     }
     void confirm(const std::string& answer = {}) {
         if (!m_reader->send(answer)) fail();

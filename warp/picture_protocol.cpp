@@ -73,13 +73,29 @@ PictureMetadata metadataOf(const PictureMessage& message) {
     return metadata;
 }
 
-std::vector<std::string> printableLines(const std::vector<std::string>& lines) {
-    std::vector<std::string> all;
-    for (const std::string& line : lines) all.push_back(printable(line));
+PictureMessage packedLines(const std::vector<Message>& lines) {
+    PictureMessage all = PictureMessage::array();
+    for (const Message& line : lines) all.push_back(binaryOf(printableMessage(line)));
+    return all;
+}
+
+std::vector<Message> unpackedLines(const PictureMessage& lines) {
+    std::vector<Message> all;
+    for (const PictureMessage& line : lines) all.push_back(textOf(line));
     return all;
 }
 
 }  // namespace
+
+PictureMessage binaryOf(const Message& text) {
+    const std::string bytes = packed(text);
+    return binary(bytes.data(), bytes.size());
+}
+
+Message textOf(const PictureMessage& binary) {
+    const auto& bytes = binary.get_binary();
+    return unpackedMessage({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
 
 std::string pack(const PictureMessage& message) {
     std::string bytes;
@@ -100,7 +116,7 @@ PictureMessage messageOf(const StoredPicture& stored) {
             {"unassociated", image.unassociated},
             {"metadata", image.metadata ? messageOf(*fileMetadata(image)) : PictureMessage()},
             {"orientation", stored.orientation},
-            {"notices", stored.notices}};
+            {"notices", packedLines(stored.notices)}};
 }
 
 StoredPicture pictureOf(const PictureMessage& message) {
@@ -119,7 +135,7 @@ StoredPicture pictureOf(const PictureMessage& message) {
     if (const PictureMessage& metadata = message.at("metadata"); !metadata.is_null())
         image.metadata = std::make_shared<const PictureMetadata>(metadataOf(metadata));
     stored.orientation = message.at("orientation");
-    stored.notices = message.at("notices");
+    stored.notices = unpackedLines(message.at("notices"));
     return stored;
 }
 
@@ -133,7 +149,7 @@ PictureMessage messageOf(const VectorDrawing& drawing) {
             {"size", {drawing.width, drawing.height}},
             {"own", {printable(drawing.ownWidth), printable(drawing.ownHeight)}},
             {"pictures", std::move(pictures)},
-            {"notices", printableLines(drawing.notices)}};
+            {"notices", packedLines(drawing.notices)}};
 }
 
 VectorDrawing drawingOf(const PictureMessage& message) {
@@ -147,7 +163,7 @@ VectorDrawing drawingOf(const PictureMessage& message) {
     drawing.ownWidth = message.at("own").at(0), drawing.ownHeight = message.at("own").at(1);
     for (const PictureMessage& one : message.at("pictures"))
         drawing.pictures.push_back({one.at(0), one.at(1), one.at(2), one.at(3), text(one.at(4))});
-    drawing.notices = message.at("notices");
+    drawing.notices = unpackedLines(message.at("notices"));
     return drawing;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/mesh/message.h"
 #include "warp/picture_library.h"
 #include "warp/vector_drawing.h"
 
@@ -17,6 +18,11 @@ namespace wend {
 /// {"picture"}, or {"wrong", "isSound"}: the reason, and whether the process can continue, or {"memory"}:
 /// there was too little.
 using PictureMessage = nlohmann::json;
+
+/// Convert a message for a user to a value, and back. Throw nlohmann::json::exception and InputError for
+/// invalid values.
+PictureMessage binaryOf(const Message& text);
+Message textOf(const PictureMessage& binary);
 
 std::string pack(const PictureMessage& message);
 /// Throws nlohmann::json::exception for anything else.

@@ -30,11 +30,11 @@ std::string problemOf(const InputFile& file, PictureFormat format) {
     }
 }
 
-void tellOf(const PngExtras& extras, std::vector<std::string>& notices) {
+void tellOf(const PngExtras& extras, std::vector<Message>& notices) {
     if (extras.frames > 1) notices.push_back(severalPictures(extras.frames));
     if (!extras.unknownColours.empty())
-        notices.push_back("has a colour space that is not known (cICP " + extras.unknownColours +
-                          "): it is not kept");
+        notices.push_back({sentence("Core", "has a colour space that is not known (cICP %1): it is not kept"),
+                           extras.unknownColours});
 }
 
 /// The picture of all layers, in place of the archive that it is in.
@@ -46,7 +46,7 @@ InputFile mergedPicture(const std::string& path, PictureSource& source) {
     return {path, std::move(layered.merged)};
 }
 
-void takePng(const InputFile& file, PictureSource& source, std::vector<std::string>& notices) {
+void takePng(const InputFile& file, PictureSource& source, std::vector<Message>& notices) {
     if (std::string problem = pngProblem(file); !problem.empty()) throw InputError(source.path, problem);
     const PngExtras extras = pngExtras(file);
     source.colours = extras.colours;
@@ -83,7 +83,7 @@ PictureSource tiffPage(const InputFile& file, const std::string& layer, PictureS
 
 }  // namespace
 
-PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vector<std::string>& notices) {
+PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vector<Message>& notices) {
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita) {
@@ -113,7 +113,7 @@ PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vect
 }
 
 PictureSource layerSourceOf(const std::string& path, const std::string& layer, const DrawnSize& size,
-                            std::vector<std::string>& notices) {
+                            std::vector<Message>& notices) {
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::Tiff) return tiffPage(file, layer, source);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "warp/picture_library.h"
 #include "warp/vector_drawing.h"
 
@@ -11,11 +12,11 @@ namespace wend {
 /// Returns what a picture's file is by its content, not by its name, with the facts that its format's library
 /// does not report; a drawing is drawn in that size. `notices` receives what the user should know. Throws
 /// InputError.
-PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vector<std::string>& notices);
+PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vector<Message>& notices);
 
 /// Does the same for one layer of a file with layers.
 PictureSource layerSourceOf(const std::string& path, const std::string& layer, const DrawnSize& size,
-                            std::vector<std::string>& notices);
+                            std::vector<Message>& notices);
 
 /// Returns the paths of an SVG drawing, or of one of its layers.
 VectorDrawing vectorSourceOf(const std::string& path, const std::string& layer, const DrawnSize& size);

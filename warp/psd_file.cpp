@@ -40,7 +40,7 @@ class ByteWalk {
     std::size_t left() const { return m_bytes.size() - m_at; }
     std::size_t at() const { return m_at; }
     std::string_view bytes(std::uint64_t size) {
-        if (size > left()) throw InputError("is truncated or corrupt");
+        if (size > left()) throw InputError(sentence("Core", "is truncated or corrupt"));
         m_at += size;
         return std::string_view(m_bytes).substr(m_at - size, size);
     }
@@ -319,7 +319,7 @@ class PsdUnpacker {
                 if (n < 0 && n != -128) plane.append(static_cast<std::size_t>(1 - n), row.bytes(1).front());
             }
         }
-        if (plane.size() != size()) throw InputError("is truncated or corrupt");
+        if (plane.size() != size()) throw InputError(sentence("Core", "is truncated or corrupt"));
         return plane;
     }
 
@@ -329,7 +329,7 @@ class PsdUnpacker {
         if (uncompress(reinterpret_cast<Bytef*>(plane.data()), &length,
                        reinterpret_cast<const Bytef*>(packed.data()), packed.size()) != Z_OK ||
             length != plane.size())
-            throw InputError("is truncated or corrupt");
+            throw InputError(sentence("Core", "is truncated or corrupt"));
         return plane;
     }
 
@@ -396,7 +396,7 @@ class PsdPlanes {
     }
     std::string_view plane(int kind) const {
         const auto found = m_planes.find(kind);
-        if (found == m_planes.end()) throw InputError("is truncated or corrupt");
+        if (found == m_planes.end()) throw InputError(sentence("Core", "is truncated or corrupt"));
         return found->second;
     }
 
@@ -445,7 +445,8 @@ class PsdSections {
     LayeredFile read() {
         LayeredFile result;
         if (lacksPicture(m_file.bytes(m_resources, m_layers - m_resources)))
-            throw InputError("holds no picture of all its layers (Maximize Compatibility): save it with one");
+            throw InputError({sentence("Core", "holds no picture of all its layers (%1): save it with one"),
+                              "Maximize Compatibility"});
         const LayerSection section = layers();
         result.layers = section.layers();
         result.merged = m_file.bytes(0, m_layers) + noLayers(m_isLarge, section.isTransparent) +
@@ -493,7 +494,7 @@ class PsdSections {
     LayerSection layers() const {
         if (m_layersEnd == m_layers + lengthSize()) return {};
         const std::uint64_t begin = m_layers + 2 * lengthSize(), size = lengthAt(m_layers + lengthSize());
-        if (begin + size > m_layersEnd) throw InputError("is truncated or corrupt");
+        if (begin + size > m_layersEnd) throw InputError(sentence("Core", "is truncated or corrupt"));
         if (size > 0) return layersIn(m_file.bytes(begin, size), m_isLarge);
         ByteWalk rest(m_file.bytes(begin, m_layersEnd - begin));
         if (rest.left() >= 4) rest.skip(std::min<std::size_t>(rest.number(), rest.left()));

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
+
 namespace wend {
 
 /// The size in pixels at which a drawing becomes a picture; zeros: its own, or larger if that is small.
@@ -26,7 +28,7 @@ struct VectorDrawing {
     int width = 1, height = 1;
     std::string ownWidth, ownHeight;  // as the file says them
     std::vector<DrawnPicture> pictures;
-    std::vector<std::string> notices;  // of what is left out or cannot be as it was
+    std::vector<Message> notices;  // of what is left out or cannot be as it was
 };
 
 }  // namespace wend

@@ -79,9 +79,9 @@ void convertPicture(const Conversion& conversion, OutputSet& files) {
     const std::string extension = conversion.extension(".png");
     if (!canWriteImage("picture" + extension))
         throw InputError(conversion.to, "is in no picture format that can be written");
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     const Image image = readImage(conversion.from, conversion.drawn, &notices);
-    for (const std::string& notice : notices) conversion.terminal.warn(conversion.from + ": " + notice);
+    for (const Message& notice : notices) conversion.terminal.warn(conversion.from + ": " + notice);
     conversion.tell(lostInPicture("picture" + extension, image));
     files.add(conversion.to, extension, [&](const std::string& file) { writeImage(file, image); });
 }

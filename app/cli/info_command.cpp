@@ -78,7 +78,7 @@ void addFileInfo(const Image& image, Json& json) {
 
 Json pictureInfo(const std::string& path) {
     static const char* const types[] = {"8 bit", "16 bit", "half float", "float"};
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     const Image image = readImage(path, kMaxMegapixels, &notices);
     Json json{{"kind", "picture"},
               {"width", image.width},
@@ -88,7 +88,7 @@ Json pictureInfo(const std::string& path) {
               {"alpha", image.alpha}};
     addFileInfo(image, json);
     if (image.alpha) json["outline"] = outlineInfo(image);
-    if (!notices.empty()) json["notices"] = notices;
+    if (!notices.empty()) json["notices"] = textsOf(notices);
     return json;
 }
 

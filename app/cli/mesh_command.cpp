@@ -92,7 +92,7 @@ Input inputFrom(const std::string& path, Terminal& terminal) {
 
 struct Meshed {
     MeshFile file;
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     std::optional<MeshVerdict> verdict;
     std::optional<CageFacts> cage;
 };
@@ -121,7 +121,7 @@ void printJson(const Meshed& meshed) {
     const MeshFile& file = meshed.file;
     Json json{{"vertices", file.points.cols()},
               {"cells", isVolume(file) ? file.tetrahedra.size() : file.triangles.size()},
-              {"notices", meshed.notices}};
+              {"notices", textsOf(meshed.notices)}};
     if (meshed.cage) json["cage"] = Json::parse(cageJson(*meshed.cage));
     if (meshed.verdict) json["quality"] = Json::parse(verdictJson(*meshed.verdict));
     print(prettyJson(json));
@@ -154,7 +154,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     for (const std::string& notice : meshed.notices) terminal.warn(path + ": " + notice);
     // A quality that is given by number is reported as missed even if the difference is small.
     if (arguments.has("--quality") && meshed.verdict && meshed.verdict->missed() &&
-        meshed.verdict->text().empty())
+        meshed.verdict->text().isEmpty())
         terminal.warn(path + ": the worst cell has a ratio of radius to edge of " +
                       shortNumber(meshed.verdict->got) + ", where " + shortNumber(meshed.verdict->asked) +
                       " was asked for");

@@ -31,7 +31,7 @@ ExitCode runWith(const Arguments& arguments, const RunSolvers& solvers, std::chr
     Terminal terminal(shown, arguments.has("--quiet"));
     LoadedProject loaded = readProject(path);
     std::vector<std::string> notices = loaded.warnings;
-    if (const std::string text = fitToPicture(*loaded.project, folderOf(path)); !text.empty())
+    if (const Message text = fitToPicture(*loaded.project, folderOf(path)); !text.isEmpty())
         notices.push_back(text);
     if (arguments.has("--motion-of")) {
         auto other = withMotionOf(arguments.text("--motion-of"), *loaded.project, folderOf(path));

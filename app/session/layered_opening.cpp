@@ -5,6 +5,7 @@
 #include "app/session/shape/part_pictures.h"
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/printable.h"
 #include "warp/layer_merging.h"
 #include "warp/layered_file.h"
 #include "warp/outline.h"
@@ -26,7 +27,7 @@ bool hasOutline(const Image& picture) {
 
 /// Returns what is shown of the layers that can be read, from front to back.
 std::vector<ShownLayer> layersOf(const std::string& path, const Image& picture,
-                                 std::vector<std::string>& notices) {
+                                 std::vector<Message>& notices) {
     std::vector<PictureLayer> layers =
         fromTheFront(fileMetadata(picture)->layers, pictureFormat(InputFile(path)));
     for (const PictureLayer& layer : layers)
@@ -57,9 +58,9 @@ void letSmallOnesRide(std::vector<PicturePart>& parts, const PartPictures& pictu
 }  // namespace
 
 std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& picture, const DrawnSize& drawn,
-                                       std::vector<std::string>& notices) try {
+                                       std::vector<Message>& notices) try {
     if (fileMetadata(picture)->layers.size() < 2) return {};
-    std::vector<std::string> ofLayers;
+    std::vector<Message> ofLayers;
     const std::vector<ShownLayer> layers = layersOf(path, picture, ofLayers);
     if (layers.size() < 2) return {};
     std::vector<PicturePart> parts;
@@ -81,7 +82,7 @@ std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& pic
     notices = std::move(ofLayers);  // instead of that it was flattened
     return parts;
 } catch (const InputError& error) {
-    notices.push_back(error.what());
+    notices.push_back(messageOf(error));
     return {};
 }
 

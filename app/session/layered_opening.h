@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/document/part.h"
+#include "core/mesh/message.h"
 #include "warp/image.h"
 #include "warp/vector_drawing.h"
 
@@ -14,6 +15,6 @@ namespace wend {
 /// too small for an outline of its own is attached to the next one below it. `picture` is that of all layers.
 /// `notices` receives the reason if a file with layers has no parts. A drawing is drawn in the size `drawn`.
 std::vector<PicturePart> partsOfLayers(const std::string& path, const Image& picture, const DrawnSize& drawn,
-                                       std::vector<std::string>& notices);
+                                       std::vector<Message>& notices);
 
 }  // namespace wend

@@ -42,17 +42,17 @@ OpenedFile openProject(const QString& path, const QMap<QString, QString>& found 
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = *loaded.project;
     const QString folder = QFileInfo(path).absolutePath();
-    if (const std::string text = fitToPicture(project, folder.toStdString()); !text.empty())
-        loaded.warnings.push_back(said(text).toStdString());
+    if (const Message notice = fitToPicture(project, folder.toStdString()); !notice.isEmpty())
+        loaded.warnings.push_back(said(notice).toStdString());
     for (std::string* own : filesOf(project)) {
         const QString name = QString::fromStdString(absolute(folder, *own));
         *own = found.value(name, name).toStdString();
     }
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     if (domainOf(project).kind == DomainKind::Image)
         file.picture = loadPicture(domainOf(project), folder.toStdString(), &notices);
-    for (const std::string& notice : notices) file.warnings << said(notice);
+    for (const Message& notice : notices) file.warnings << said(notice);
     file.project = std::move(loaded.project);
     file.path = path;
     return file;
@@ -100,12 +100,12 @@ void beginElastic(Project& project) {
 
 OpenedFile openPicture(const QString& path, bool evenIfBlank, const DrawnSize& drawn) {
     OpenedFile file;
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     auto picture = std::make_shared<const Image>(readImage(path.toStdString(), drawn, &notices));
     const bool isSized = isDrawing(path.toStdString());
     const DrawnSize size = isSized ? DrawnSize{picture->width, picture->height} : DrawnSize{};
     std::vector<PicturePart> parts = partsOfLayers(path.toStdString(), *picture, size, notices);
-    for (const std::string& notice : notices) file.warnings << said(notice);
+    for (const Message& notice : notices) file.warnings << said(notice);
     if (!evenIfBlank && isBlank(*picture))
         throw NothingToSee(path.toStdString(), sentence("Core", "is transparent everywhere"));
     auto project = newProject();
@@ -195,9 +195,9 @@ OpenedFile openTogether(const QStringList& paths) {
         const QFileInfo info(path);
         PicturePart& part = domain.parts.emplace_back();
         part.path = info.absoluteFilePath().toStdString();
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         const Image picture = readImage(part.path, kMaxMegapixels, &notices);
-        for (const std::string& notice : notices) file.warnings << said(notice);
+        for (const Message& notice : notices) file.warnings << said(notice);
         if (!hasTransparency(picture)) part.outline = PartOutline{};
         const std::string name = info.completeBaseName().toStdString();
         const std::vector<std::string> taken = namesOf(domain.parts);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "core/mesh/error.h"
@@ -163,12 +162,11 @@ class Rehearsal {
         if (other < 0) take(other, -1);
         const int low = std::min(handleOf(first), handleOf(other)),
                   high = std::max(handleOf(first), handleOf(other));
-        std::ostringstream out;
-        out.imbue(std::locale::classic());
-        out << m_constraints.handleName(low) << " and " << m_constraints.handleName(high)
-            << (isWeld(row.row) ? " move the joint at " : " move the point ")
-            << placeName<Dim>(m_units.domain(positions.col(first))) << " in different ways at time " << t;
-        throw InputError(out.str());
+        const Sentence what =
+            isWeld(row.row) ? sentence("Core", "%1 and %2 move the joint at %3 in different ways at time %4")
+                            : sentence("Core", "%1 and %2 move the point %3 in different ways at time %4");
+        throw InputError({what, m_constraints.handleName(low), m_constraints.handleName(high),
+                          placeName<Dim>(m_units.domain(positions.col(first))), timeText(t)});
     }
 
     const Constraints<Dim>& m_constraints;

@@ -14,6 +14,7 @@
 #include "core/integration/integration_options.h"
 #include "core/integration/step_progress.h"
 #include "core/integration/step_record.h"
+#include "core/mesh/message.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
@@ -25,9 +26,9 @@ enum class Outcome { Done, Cancelled, CellInverted, SolverFailed, StepTooSmall }
 /// The result of advance(). The state of the deformer is that at `time`.
 struct AdvanceResult {
     Outcome outcome = Outcome::Done;
-    double time = 0;      // the last good time
-    int cell = -1;        // CellInverted: the cell that would fold over
-    std::string message;  // one line with what happened, when and where; empty when done
+    double time = 0;  // the last good time
+    int cell = -1;    // CellInverted: the cell that would fold over
+    Message message;  // one line with what happened, when and where; empty when done
 };
 
 /// Records that an elastic shape jumped to another minimum, because the one before had ceased to exist.

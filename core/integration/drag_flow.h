@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/integration/orientation.h"
+#include "core/mesh/message.h"
 #include "core/mesh/used_vertices.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
@@ -29,8 +30,8 @@ class DragFlow {
 
     /// The result of lead().
     struct Led {
-        double done = 1;      // part of the motion that was possible
-        std::string problem;  // why it ended early: one line
+        double done = 1;  // part of the motion that was possible
+        Message problem;  // why it ended early: one line
     };
     /// The simultaneous displacement of another handle (by index), along straight lines.
     struct Alongside {

@@ -1,7 +1,6 @@
 // Messages for the reasons of a stop.
 
 #include <cmath>
-#include <sstream>
 
 #include "core/integration/integrator.h"
 #include "core/integration/stop_message.h"
@@ -54,11 +53,9 @@ int Deformer<Dim>::Integrator::nearestPoint(const Vec<Dim>& place) const {
 template <int Dim>
 AdvanceResult Deformer<Dim>::Integrator::stopped() const {
     AdvanceResult result{Outcome::Cancelled, state.time, -1, {}};
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message << "at time " << state.time << ' ';
+    const std::string time = timeText(state.time);
     if (m_failure.cancelled) {
-        result.message = message.str() + "cancelled";
+        result.message = "at time " + time + " cancelled";
         return result;
     }
     const StopReason reason = m_failure.stepTooSmall ? StopReason::StepTooSmall : reasonOf(m_failure.outcome);
@@ -77,15 +74,18 @@ AdvanceResult Deformer<Dim>::Integrator::stopped() const {
                      : reason == StopReason::StepTooSmall ? Outcome::StepTooSmall
                                                           : Outcome::SolverFailed;
     if (reason == StopReason::CellInverted) result.cell = cell;
-    const std::string handle =
-        point < 0 ? "the shape" : m_constraints->handleName(m_constraints->points()[point].handle);
     const bool settles = m_settling.rate(state.time, Side::After) > 0;
     if (reason == StopReason::StepTooSmall && settles)
-        result.message = message.str() + "the shape is too stiff to settle further near " +
-                         placeName<Dim>(place) + ": the steps would be too short; allow a larger tolerance";
+        result.message = {
+            sentence("Core",
+                     "at time %1 the shape is too stiff to settle further near %2: the steps would "
+                     "be too short; allow a larger tolerance"),
+            time, placeName<Dim>(place)};
     else
-        result.message =
-            message.str() + handle + " cannot go on: " + stopMessage(reason, placeName<Dim>(place), cell);
+        result.message = {sentence("Core", "at time %1 %2 cannot go on: %3"), time,
+                          point < 0 ? Message(sentence("Core", "the shape"))
+                                    : m_constraints->handleName(m_constraints->points()[point].handle),
+                          stopMessage(reason, placeName<Dim>(place), cell)};
     return result;
 }
 

@@ -17,37 +17,54 @@ StopReason reasonOf(const SolveOutcome& outcome) {
     }
 }
 
-std::string stopMessage(StopReason reason, const std::string& place, int cell) {
+Message stopMessage(StopReason reason, const std::string& place, int cell) {
     switch (reason) {
         case StopReason::CellInverted:
-            return "the shape would fold over near " + place +
-                   (cell < 0 ? "" : ", in cell " + std::to_string(cell)) +
-                   "; move it less far or along another path, or release what holds the shape there";
+            if (cell < 0)
+                return {
+                    sentence("Core",
+                             "the shape would fold over near %1; move it less far or along another path, or "
+                             "release what holds the shape there"),
+                    place};
+            return {
+                sentence("Core",
+                         "the shape would fold over near %1, in cell %2; move it less far or along another "
+                         "path, or release what holds the shape there"),
+                place, cell};
         case StopReason::StepTooSmall:
-            return "it moves too fast near " + place +
-                   ": the steps would be too short; give its motion more time, or allow a larger tolerance";
+            return {sentence("Core",
+                             "it moves too fast near %1: the steps would be too short; give its motion more "
+                             "time, or allow a larger tolerance"),
+                    place};
         case StopReason::Indefinite:
-            return "the shape near " + place +
-                   " is stretched or squeezed so much that no velocity can be computed; move it less far, or "
-                   "make the material or the mesh more even there";
+            return {sentence("Core",
+                             "the shape near %1 is stretched or squeezed so much that no velocity can be "
+                             "computed; move it less far, or make the material or the mesh more even there"),
+                    place};
         case StopReason::NotFinite:
-            return "it moves so fast near " + place +
-                   " that numbers overflow; move it less far, or give its motion more time";
+            return {sentence("Core",
+                             "it moves so fast near %1 that numbers overflow; move it less far, or give its "
+                             "motion more time"),
+                    place};
         case StopReason::NotConverged:
-            return "the multigrid solver did not find the velocities near " + place +
-                   "; solve directly (--solver direct), or make the material or the mesh more even";
+            return {sentence("Core",
+                             "the multigrid solver did not find the velocities near %1; solve directly "
+                             "(--solver direct), or make the material or the mesh more even"),
+                    place};
     }
     return {};
 }
 
-std::string snapMessage(const std::vector<Snap>& snaps, int dimension) {
+Message snapMessage(const std::vector<Snap>& snaps, int dimension) {
     if (snaps.empty()) return {};
     const Snap& first = snaps.front();
     const Vec<3> place(first.place[0], first.place[1], first.place[2]);
-    const std::string where = dimension == 2 ? placeName<2>(place.head<2>()) : placeName<3>(place);
-    const std::string text =
-        "at time " + numberText(first.time) + " the shape snaps to another equilibrium near " + where;
-    return snaps.size() == 1 ? text : text + ", and " + std::to_string(snaps.size() - 1) + " times more";
+    const std::string time = numberText(first.time),
+                      where = dimension == 2 ? placeName<2>(place.head<2>()) : placeName<3>(place);
+    if (snaps.size() == 1)
+        return {sentence("Core", "at time %1 the shape snaps to another equilibrium near %2"), time, where};
+    return {sentence("Core", "at time %1 the shape snaps to another equilibrium near %2, and %3 times more"),
+            time, where, snaps.size() - 1};
 }
 
 }  // namespace wend

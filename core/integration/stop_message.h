@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/integration/deformer.h"
+#include "core/mesh/message.h"
 #include "core/solver/velocity_solver.h"
 
 namespace wend {
@@ -15,10 +16,10 @@ StopReason reasonOf(const SolveOutcome& outcome);
 
 /// Describes to a user why a handle, "it", cannot continue: what is wrong, where, and what helps. `place` is
 /// a point of the domain as it is printed; the cell counts for CellInverted only, −1: none to name.
-std::string stopMessage(StopReason reason, const std::string& place, int cell);
+Message stopMessage(StopReason reason, const std::string& place, int cell);
 
 /// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if
 /// it did not. The place has `dimension` coordinates.
-std::string snapMessage(const std::vector<Snap>& snaps, int dimension);
+Message snapMessage(const std::vector<Snap>& snaps, int dimension);
 
 }  // namespace wend

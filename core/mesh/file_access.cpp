@@ -53,13 +53,16 @@ mode_t withoutGroup(mode_t mode) {
 
 }  // namespace
 
-std::string whyKept(const std::string& target) {
+Message whyKept(const std::string& target) {
     struct stat status {};
-    if (lstat(target.c_str(), &status) != 0) return errno == ENOENT ? "" : std::strerror(errno);
-    if (stat(target.c_str(), &status) != 0) return errno == ENOENT ? "" : std::strerror(errno);
-    if (!S_ISREG(status.st_mode)) return "";
+    if (lstat(target.c_str(), &status) != 0)
+        return errno == ENOENT ? Message() : Message(std::strerror(errno));
+    if (stat(target.c_str(), &status) != 0)
+        return errno == ENOENT ? Message() : Message(std::strerror(errno));
+    if (!S_ISREG(status.st_mode)) return {};
     const bool writable = (status.st_mode & 0222) != 0 && access(target.c_str(), W_OK) == 0;
-    return writable ? "" : "is read-only: make it writable first, or choose another name";
+    if (writable) return {};
+    return sentence("Core", "is read-only: make it writable first, or choose another name");
 }
 
 /// Copies owner, permissions, access list and attributes of an existing target, as far as the user may.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,8 +23,8 @@ constexpr Sentence sentence(const char* /*context*/, const char* text) {
 /// Returns the template with its %1, %2 … replaced by the arguments; other text is unchanged.
 std::string filled(std::string_view sentence, const std::vector<std::string>& arguments);
 
-/// What the core tells a user: a template and its arguments, which may be messages themselves, so that the
-/// window can translate it; or a plain text, which stays as it is.
+/// A message for a user: a template and its arguments, which may be messages themselves, so that the window
+/// can translate it; or a plain text, which stays as it is. Where a string is wanted it is its English text.
 class Message {
   public:
     Message() = default;
@@ -37,6 +38,8 @@ class Message {
 
     /// Returns the English text.
     const std::string& text() const { return m_text; }
+    operator const std::string&() const { return m_text; }
+    bool isEmpty() const { return m_text.empty(); }
     /// Returns the English template; it is empty for a plain text.
     const std::string& sentence() const { return m_sentence; }
     const std::vector<Message>& arguments() const { return m_arguments; }
@@ -50,9 +53,28 @@ class Message {
     std::vector<Message> m_arguments;
 };
 
-/// Returns one after the other, such as a subject and what is said of it.
+/// Returns one after the other, such as a subject and its predicate.
 inline Message operator+(const Message& first, const Message& second) {
     return {Sentence{"%1%2"}, first, second};
 }
+inline Message& operator+=(Message& first, const Message& second) {
+    return first = first.isEmpty() ? second : first + second;
+}
+inline bool operator==(const Message& message, std::string_view text) {
+    return std::string_view(message.text()) == text;
+}
+
+/// Returns the messages one after another with ", " between them; empty ones are left out.
+Message listed(const std::vector<Message>& messages);
+
+/// Returns the English texts of messages.
+std::vector<std::string> textsOf(const std::vector<Message>& messages);
+
+/// Returns the message with its plain texts changed.
+Message withTexts(const Message& message, const std::function<std::string(const std::string&)>& change);
+
+/// Returns a message as bytes for another process, and reads them again. Throws InputError for other bytes.
+std::string packed(const Message& message);
+Message unpackedMessage(std::string_view bytes);
 
 }  // namespace wend

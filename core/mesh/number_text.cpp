@@ -34,6 +34,12 @@ std::string numberText(double value) {
     return text;
 }
 
+std::string timeText(double time) {
+    std::string text;
+    appendDigits(text, time, 6);
+    return text;
+}
+
 template <int Dim>
 std::string placeName(const Vec<Dim>& p) {
     std::string text;

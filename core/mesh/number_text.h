@@ -17,6 +17,9 @@ void appendNumber(std::string& text, double value);
 /// Returns at most nine significant digits, for messages and command lines.
 std::string numberText(double value);
 
+/// Returns at most six significant digits, for times in messages.
+std::string timeText(double time);
+
 /// Returns (x, y) or (x, y, z) with at most nine significant digits, for messages: enough to distinguish
 /// points of a shape far from the origin, and 0.1 + 0.2 is 0.3.
 template <int Dim>

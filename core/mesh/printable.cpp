@@ -42,14 +42,6 @@ std::string asCode(const char* format, unsigned value) {
     return text.data();
 }
 
-/// Returns the message with printable arguments.
-Message withPrintableArguments(const Message& message) {
-    if (message.sentence().empty()) return printable(message.text());
-    std::vector<Message> arguments;
-    for (const Message& argument : message.arguments()) arguments.push_back(withPrintableArguments(argument));
-    return {message.sentence(), std::move(arguments)};
-}
-
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -70,10 +62,14 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
+Message printableMessage(const Message& message) {
+    return withTexts(message, [](const std::string& text) { return printable(text); });
+}
+
 Message messageOf(const std::exception& error) {
     const auto* input = dynamic_cast<const InputError*>(&error);
     if (!input) return printable(error.what());
-    const Message reason = withPrintableArguments(input->message());
+    const Message reason = printableMessage(input->message());
     return input->file().empty() ? reason : printable(input->file()) + ": " + reason;
 }
 

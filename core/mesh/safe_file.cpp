@@ -42,7 +42,7 @@ void requirePlace(const std::string& path, const std::string& target) {
     if (fs::is_directory(target, error)) throw InputError(path, sentence("Core", "is a folder"));
     if (access(folder.c_str(), W_OK) != 0)
         throw InputError(path, {sentence("Core", "the folder %1 is not writable"), folder});
-    if (const std::string why = whyKept(target); !why.empty()) throw InputError(path, why);
+    if (const Message why = whyKept(target); !why.isEmpty()) throw InputError(path, why);
 }
 
 /// Follows links, even to a missing file, so that the target is replaced and not the link.

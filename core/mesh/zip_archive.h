@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/mesh/message.h"
+
 namespace wend {
 
 /// Reads files of a ZIP archive.
@@ -18,7 +20,7 @@ class ZipArchive {
     /// Returns the file of that name, in upper or lower case, or its first bytes; nothing if there is none.
     std::optional<std::string> file(const std::string& name, std::uint64_t most = kLongest) const;
 
-    [[noreturn]] void fail(const std::string& why) const;
+    [[noreturn]] void fail(const Message& why) const;
 
   private:
     std::string m_path;

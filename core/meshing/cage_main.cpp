@@ -12,9 +12,6 @@
 
 namespace {
 
-constexpr const char* kNoMemory =
-    "there is no memory for a cage of so many cells; fewer vertices or larger cells may help";
-
 wend::CageReply replyTo(const std::string& bytes) {
     wend::CageRequest request;
     if (!unpack(bytes, request)) return {"the cage mesher got an incomplete request", {}};
@@ -26,9 +23,13 @@ std::string answer() {
     try {
         return pack(replyTo(wend::readAll(STDIN_FILENO)));
     } catch (const wend::InputError& error) {
-        return pack(wend::CageReply{error.reason(), {}});
+        return pack(wend::CageReply{error.message(), {}});
     } catch (const std::bad_alloc&) {
-        return pack(wend::CageReply{kNoMemory, {}});
+        return pack(wend::CageReply{
+            wend::sentence(
+                "Core",
+                "there is no memory for a cage of so many cells; fewer vertices or larger cells may help"),
+            {}});
     }
 }
 

@@ -55,7 +55,7 @@ bool unpack(const std::string& bytes, CageRequest& request) {
 std::string pack(const CageReply& reply) {
     const Cage& cage = reply.cage;
     ArrayWriter writer;
-    writer.array(reply.error);
+    writer.array(packed(reply.error));
     writer.array(cage.mesh.points);
     writer.array(cage.mesh.cells);
     writer.array(std::vector<int>{cage.aimMet ? 1 : 0, cage.bodies, cage.parts, cage.apart});
@@ -69,10 +69,12 @@ bool unpack(const std::string& bytes, CageReply& reply) {
     std::vector<int> counts;
     std::vector<double> numbers;
     Cage& cage = reply.cage;
-    if (!reader.array(reply.error) || !points(reader, cage.mesh.points) || !reader.array(cage.mesh.cells) ||
+    std::string error;
+    if (!reader.array(error) || !points(reader, cage.mesh.points) || !reader.array(cage.mesh.cells) ||
         !reader.array(counts) || !reader.array(numbers) || !gaps(reader, cage.gaps) || !reader.done())
         return false;
     if (counts.size() != 4 || numbers.size() != 3) return false;
+    reply.error = unpackedMessage(error);
     cage.aimMet = counts[0] != 0;
     cage.bodies = counts[1];
     cage.parts = counts[2];

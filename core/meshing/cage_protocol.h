@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/mesh/message.h"
 #include "core/meshing/cage.h"
 
 namespace wend {
@@ -15,7 +16,7 @@ struct CageRequest {
 };
 /// The answer to a request.
 struct CageReply {
-    std::string error;  // why there is no cage, or empty
+    Message error;  // why there is no cage, or empty
     Cage cage;
 };
 

@@ -12,7 +12,7 @@ constexpr int kMegabytes = 8192;         // address space
 constexpr int kTrianglesInPart = 50000;  // see MesherProcess::secondsPerPart
 
 /// Describes why the helper gave no answer. Throws MesherLost if it is missing or was killed from outside.
-std::string failureOf(const MesherProcess& mesher, const ChildResult& result, double seconds) {
+Message failureOf(const MesherProcess& mesher, const ChildResult& result, double seconds) {
     using End = ChildResult::End;
     const std::string name = mesher.name, signal = "(signal " + std::to_string(result.code) + ")";
     switch (result.end) {
@@ -20,7 +20,7 @@ std::string failureOf(const MesherProcess& mesher, const ChildResult& result, do
             throw MesherLost(name + " " + mesher.program + " is missing beside the program");
         case End::TimedOut:
         case End::Idle:
-            return mesher.late + numberText(seconds) + " s of computing; " + mesher.help;
+            return {mesher.late, numberText(seconds)};
         case End::Stopped:
             throw Cancelled();
         case End::Signalled:
@@ -42,8 +42,8 @@ std::string answerOf(const MesherProcess& mesher, const std::string& request, in
     const double seconds = mesher.secondsPerPart * (1 + triangles / kTrianglesInPart);
     const ChildResult result =
         runChild(siblingProgram(mesher.program), request, 10 * seconds, kMegabytes, stop, seconds);
-    const std::string reason = failureOf(mesher, result, seconds);
-    if (!reason.empty()) throw InputError(reason);
+    const Message reason = failureOf(mesher, result, seconds);
+    if (!reason.isEmpty()) throw InputError(reason);
     return result.output;
 }
 

@@ -17,8 +17,7 @@ class MesherLost : public InputError {
 struct MesherProcess {
     const char* program;
     const char* name;             // in messages
-    const char* late;             // start of the message when its time is over …
-    const char* help;             // … and its end
+    Sentence late;                // the message when its time is over, with the seconds that it had
     double secondsPerPart = 120;  // of computing, for each 50 000 triangles that the surface begins
 };
 

@@ -149,13 +149,20 @@ bool ShellSpaces::shareWalls() const {
                                [&](const ShellSpace& space) { return !shells.insert(space.shell).second; });
 }
 
-std::string ShellSpaces::summary() const {
+Message ShellSpaces::summary() const {
     const int hollow = static_cast<int>(spaces.size()) - filled();
-    std::string text;
-    if (deepest() > 1) text = "shells lie one in the other, up to " + std::to_string(deepest()) + " deep";
-    if (shareWalls()) text += std::string(text.empty() ? "" : ", and ") + "bodies touch along shared walls";
-    if (text.empty()) return {};
-    return text + "; spaces filled: " + std::to_string(filled()) + ", hollow: " + std::to_string(hollow);
+    if (deepest() <= 1) {
+        if (!shareWalls()) return {};
+        return {sentence("Core", "bodies touch along shared walls; spaces filled: %1, hollow: %2"), filled(),
+                hollow};
+    }
+    return {
+        shareWalls()
+            ? sentence("Core",
+                       "shells lie one in the other, up to %1 deep, and bodies touch along shared walls; "
+                       "spaces filled: %2, hollow: %3")
+            : sentence("Core", "shells lie one in the other, up to %1 deep; spaces filled: %2, hollow: %3"),
+        deepest(), filled(), hollow};
 }
 
 ShellSpaces shellSpaces(int count, const std::vector<SpaceWall>& walls, Shells choice,

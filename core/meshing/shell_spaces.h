@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -42,7 +43,7 @@ struct ShellSpaces {
     /// Returns whether one shell contains several spaces: bodies share walls.
     bool shareWalls() const;
     /// Returns one line for the user if shells lie one in the other or bodies share walls; else empty.
-    std::string summary() const;
+    Message summary() const;
 };
 
 /// Finds the spaces of `count` regions of a mesh from the walls between them. A shell is around a region that

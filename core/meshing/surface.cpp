@@ -10,26 +10,22 @@
 namespace wend {
 namespace {
 
-/// Returns "3 open edges" for "open edge|s".
-std::string amount(std::size_t count, std::string what) {
-    const std::size_t mark = what.find('|');
-    if (mark != std::string::npos) what.erase(mark, count == 1 ? 2 : 1);
-    return std::to_string(count) + " " + what;
-}
+/// The sentences about one thing and about several.
+struct Plural {
+    Sentence one, more;
+    Sentence operator()(std::size_t count) const { return count == 1 ? one : more; }
+};
 
-std::string counted(std::size_t count, const std::string& what, const std::string& first) {
-    if (count == 0) return {};
-    return amount(count, what) + " (first: " + first + ")";
+/// Returns the sentence about as many things, whose second argument is the first of them; nothing about none.
+Message counted(std::size_t count, const Plural& what, const std::string& first) {
+    return count == 0 ? Message() : Message(what(count), count, first);
+}
+Message counted(int count, const Plural& what) {
+    return count == 0 ? Message() : Message(what(static_cast<std::size_t>(count)), count);
 }
 
 std::string pair(const std::array<int, 2>& ids) {
     return std::to_string(ids[0]) + "–" + std::to_string(ids[1]);
-}
-
-void append(std::string& list, const std::string& item) {
-    if (item.empty()) return;
-    if (!list.empty()) list += ", ";
-    list += item;
 }
 
 /// Merges vertices at one place; returns for each old vertex its new id.
@@ -106,45 +102,64 @@ bool SurfaceProblems::boundsVolume() const {
 /// The most pairs of bodies in a summary.
 constexpr std::size_t kMostNamed = 3;
 
-std::string SurfaceProblems::summary() const {
-    std::string list;
+Message SurfaceProblems::summary() const {
     const auto first = [](const std::vector<int>& ids) {
         return ids.empty() ? std::string() : std::to_string(ids[0]);
     };
     const auto firstPair = [](const auto& pairs) { return pairs.empty() ? std::string() : pair(pairs[0]); };
-    append(list, counted(notFinite.size(),
-                         notFinite.size() == 1 ? "vertex that is not finite" : "vertices that are not finite",
-                         first(notFinite)));
-    append(list, counted(badIndex.size(),
-                         badIndex.size() == 1 ? "triangle that names a missing vertex"
-                                              : "triangles that name a missing vertex",
-                         first(badIndex)));
-    if (flat) append(list, "all points lie in one plane");
-    append(list, counted(openEdges.size(), "open edge|s", firstPair(openEdges)));
-    append(list, counted(nonManifoldEdges.size(), "edge|s of more than two triangles",
-                         firstPair(nonManifoldEdges)));
     std::size_t crossing = intersecting.size();
     for (const TouchingBodies& one : touching) crossing -= static_cast<std::size_t>(one.pairs);
-    append(list, counted(crossing, "pair|s of triangles that intersect", firstPair(intersecting)));
-    for (std::size_t i = 0; i < std::min(touching.size(), kMostNamed); ++i) append(list, textOf(touching[i]));
-    append(list, counted(degenerate.size(), "triangle|s without area", first(degenerate)));
-    append(list, counted(duplicate.size(), "duplicate triangle|s", first(duplicate)));
-    append(list, counted(misoriented.size(), "edge|s where the orientation changes", firstPair(misoriented)));
-    return list;
+    std::vector<Message> list{
+        counted(notFinite.size(),
+                {sentence("Core", "%1 vertex that is not finite (first: %2)"),
+                 sentence("Core", "%1 vertices that are not finite (first: %2)")},
+                first(notFinite)),
+        counted(badIndex.size(),
+                {sentence("Core", "%1 triangle that names a missing vertex (first: %2)"),
+                 sentence("Core", "%1 triangles that name a missing vertex (first: %2)")},
+                first(badIndex)),
+        flat ? Message(sentence("Core", "all points lie in one plane")) : Message(),
+        counted(openEdges.size(),
+                {sentence("Core", "%1 open edge (first: %2)"), sentence("Core", "%1 open edges (first: %2)")},
+                firstPair(openEdges)),
+        counted(nonManifoldEdges.size(),
+                {sentence("Core", "%1 edge of more than two triangles (first: %2)"),
+                 sentence("Core", "%1 edges of more than two triangles (first: %2)")},
+                firstPair(nonManifoldEdges)),
+        counted(crossing,
+                {sentence("Core", "%1 pair of triangles that intersect (first: %2)"),
+                 sentence("Core", "%1 pairs of triangles that intersect (first: %2)")},
+                firstPair(intersecting))};
+    for (std::size_t i = 0; i < std::min(touching.size(), kMostNamed); ++i)
+        list.push_back(textOf(touching[i]));
+    list.push_back(counted(degenerate.size(),
+                           {sentence("Core", "%1 triangle without area (first: %2)"),
+                            sentence("Core", "%1 triangles without area (first: %2)")},
+                           first(degenerate)));
+    list.push_back(counted(duplicate.size(),
+                           {sentence("Core", "%1 duplicate triangle (first: %2)"),
+                            sentence("Core", "%1 duplicate triangles (first: %2)")},
+                           first(duplicate)));
+    list.push_back(counted(misoriented.size(),
+                           {sentence("Core", "%1 edge where the orientation changes (first: %2)"),
+                            sentence("Core", "%1 edges where the orientation changes (first: %2)")},
+                           firstPair(misoriented)));
+    return listed(list);
 }
 
-std::string RepairReport::summary() const {
-    std::string list;
-    const auto add = [&](int count, const std::string& what) {
-        if (count > 0) append(list, amount(count, what));
-    };
-    add(steps, "single step|s");
-    add(mergedVertices, mergedVertices == 1 ? "coincident vertex merged" : "coincident vertices merged");
-    add(droppedDegenerate, "triangle|s without area dropped");
-    add(droppedDuplicate, "duplicate triangle|s dropped");
-    add(flipped, "triangle|s turned over");
-    add(filledHoles, "hole|s filled");
-    return list;
+Message RepairReport::summary() const {
+    return listed({
+        counted(steps, {sentence("Core", "%1 single step"), sentence("Core", "%1 single steps")}),
+        counted(mergedVertices, {sentence("Core", "%1 coincident vertex merged"),
+                                 sentence("Core", "%1 coincident vertices merged")}),
+        counted(droppedDegenerate, {sentence("Core", "%1 triangle without area dropped"),
+                                    sentence("Core", "%1 triangles without area dropped")}),
+        counted(droppedDuplicate, {sentence("Core", "%1 duplicate triangle dropped"),
+                                   sentence("Core", "%1 duplicate triangles dropped")}),
+        counted(flipped,
+                {sentence("Core", "%1 triangle turned over"), sentence("Core", "%1 triangles turned over")}),
+        counted(filledHoles, {sentence("Core", "%1 hole filled"), sentence("Core", "%1 holes filled")}),
+    });
 }
 
 Surface repairSurface(const Surface& input, int largestHole, RepairReport& report) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "core/mesh/types.h"
 
 namespace wend {
@@ -50,7 +51,7 @@ struct SurfaceProblems {
     bool boundsVolume() const;
     /// Returns one line: "12 open edges (first: 3–17), 4 pairs of triangles intersect (first: 20, 81)". Empty
     /// without problems.
-    std::string summary() const;
+    Message summary() const;
     /// Returns all triangles that are part of a problem, each once, in increasing order.
     std::vector<int> triangles(const Surface& surface) const;
 };
@@ -65,7 +66,7 @@ struct RepairReport {
     int mergedVertices = 0, droppedDegenerate = 0, droppedDuplicate = 0, flipped = 0, filledHoles = 0;
     int addedTriangles = 0;        // that fill them: the last of the surface
     std::vector<int> largerHoles;  // edges of each hole beyond the limit, the largest last
-    std::string summary() const;   // one line; empty if nothing was done
+    Message summary() const;       // one line; empty if nothing was done
 };
 
 /// Does the simple repairs: merges coincident vertices, drops degenerate and duplicate triangles, orients

@@ -118,12 +118,18 @@ std::vector<TouchingBodies> touchingBodies(const Surface& surface,
     return touching;
 }
 
-std::string textOf(const TouchingBodies& one) {
-    return "bodies " + std::to_string(one.first) + " and " + std::to_string(one.second) +
-           (one.alongAFace ? " touch along a face whose triangles do not match"
-                           : " touch along an edge or at a point") +
-           " (near " + numberText(one.place.x()) + " " + numberText(one.place.y()) + " " +
-           numberText(one.place.z()) + "): give both the same triangles there or leave a gap";
+Message textOf(const TouchingBodies& one) {
+    const std::string place =
+        numberText(one.place.x()) + " " + numberText(one.place.y()) + " " + numberText(one.place.z());
+    return {one.alongAFace
+                ? sentence(
+                      "Core",
+                      "bodies %1 and %2 touch along a face whose triangles do not match (near %3): give both "
+                      "the same triangles there or leave a gap")
+                : sentence("Core",
+                           "bodies %1 and %2 touch along an edge or at a point (near %3): give both the same "
+                           "triangles there or leave a gap"),
+            one.first, one.second, place};
 }
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/message.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -11,6 +12,6 @@ std::vector<TouchingBodies> touchingBodies(const Surface& surface,
 
 /// Describes them: "bodies 1 and 2 touch along a face whose triangles do not match (near 1 0.5 0.5): give
 /// both the same triangles there or leave a gap".
-std::string textOf(const TouchingBodies& touching);
+Message textOf(const TouchingBodies& touching);
 
 }  // namespace wend

@@ -36,21 +36,25 @@ Surface oriented(const Surface& surface) {
 }
 
 MesherProcess mesherFor(const VolumeMeshOptions& options) {
-    return {"wend-tetgen", "the volume mesher", "the volume mesher did not finish within ",
-            "a coarser quality or a larger maxVolume may help", options.timeLimit};
+    return {
+        "wend-tetgen", "the volume mesher",
+        sentence("Core",
+                 "the volume mesher did not finish within %1 s of computing; a coarser quality or a larger "
+                 "maxVolume may help"),
+        options.timeLimit};
 }
 
 /// Returns the reason for one of TetGen's error codes.
-std::string reasonInWords(int tetgenError) {
+Message reasonInWords(int tetgenError) {
     switch (tetgenError) {
         case 1:
-            return "the volume mesher ran out of memory";
+            return sentence("Core", "the volume mesher ran out of memory");
         case 3:
-            return "the surface intersects itself";
+            return sentence("Core", "the surface intersects itself");
         case 4:
-            return "the surface has features too small for its size";
+            return sentence("Core", "the surface has features too small for its size");
         case 5:
-            return "two facets of the surface lie almost on each other";
+            return sentence("Core", "two facets of the surface lie almost on each other");
         default:
             return "the volume mesher failed inside (code " + std::to_string(tetgenError) + ")";
     }

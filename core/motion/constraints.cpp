@@ -116,8 +116,9 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
     : m_welds(rest.welds) {
     const HandlePlacer<Dim> placer(rest, units);
     for (size_t i = 0; i < handles.size(); ++i) {
-        m_names.push_back(handles[i].name.empty() ? "handle " + std::to_string(i)
-                                                  : "handle \"" + handles[i].name + '"');
+        m_names.push_back(handles[i].name.empty()
+                              ? Message(sentence("Core", "handle %1"), i)
+                              : Message(sentence("Core", "handle \"%1\""), handles[i].name));
         try {
             m_timelines.emplace_back(handles[i]);
             std::vector<ConstrainedPoint> points = placer.place(handles[i], static_cast<int>(i));
@@ -125,7 +126,7 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
             if (handles[i].slide) surface = surfaceOf(handles[i], points, rest);
             take(surface ? onSurface<Dim>(*surface, points, rest.points) : points, handles[i], surface);
         } catch (const InputError& error) {
-            throw InputError(Message(m_names.back()) + ": " + error.message());
+            throw InputError(m_names.back() + ": " + error.message());
         }
         const std::vector<double> times = m_timelines.back().breakpoints();
         m_breakpoints.insert(m_breakpoints.end(), times.begin(), times.end());

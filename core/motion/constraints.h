@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "core/motion/guide_surface.h"
 #include "core/motion/normalization.h"
 #include "core/motion/trajectory.h"
@@ -98,7 +99,7 @@ class Constraints {
     }
     const HandleTimeline<Dim>& timeline(int handle) const { return m_timelines[handle]; }
     /// Returns `handle "name"`, with the number if it has no name.
-    const std::string& handleName(int handle) const { return m_names[handle]; }
+    const Message& handleName(int handle) const { return m_names[handle]; }
 
     /// Returns the sorted times that no step may cross: windows, breaks of velocity, active ranges.
     const std::vector<double>& breakpoints() const { return m_breakpoints; }
@@ -169,7 +170,7 @@ class Constraints {
     std::vector<Hold> m_holds;            // per handle
     std::vector<Vec<Dim>> m_restNormals;  // per point; empty if none slides on a surface
     std::vector<HandleTimeline<Dim>> m_timelines;
-    std::vector<std::string> m_names;
+    std::vector<Message> m_names;
     std::vector<double> m_breakpoints;
 };
 

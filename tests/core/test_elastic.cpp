@@ -179,7 +179,7 @@ void closedPathsClose(double phi, unsigned seed) {
     double farthest = 0;
     for (const double t : {1.0, 2.0}) {
         const AdvanceResult result = deformer.advance(t);
-        QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+        QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
         farthest = std::max(farthest, distance(deformer.state().points, mesh->points) / size);
     }
     QCOMPARE(deformer.advance(3).outcome, Outcome::Done);
@@ -273,14 +273,14 @@ void bucklesAndComesBack() {
     }
     Deformer<2> deformer(mesh, withMemory(material, kElastic), handles, {});
     AdvanceResult result = deformer.advance(1);
-    QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+    QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
     const double bulge = (deformer.state().points.row(1) - mesh->points.row(1)).cwiseAbs().maxCoeff();
     qInfo("bulge %.3f, force %.1e, %zu snaps, %d steps", bulge, deformer.restForce(),
           deformer.statistics().snaps.size(), deformer.statistics().steps);
     QVERIFY(bulge > 0.5);
     QVERIFY(deformer.restForce() < 1e-9);
     result = deformer.advance(2);
-    QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+    QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
     QVERIFY(distance(deformer.state().points, mesh->points) < 1e-8);
 }
 
@@ -304,7 +304,7 @@ void snapsAreReported() {
         }
         Deformer<2> deformer(mesh, withMemory(material, kElastic), handles, {});
         const AdvanceResult result = deformer.advance(2);
-        QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+        QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
         QVERIFY(deformer.restForce() < 1e-9);
         QCOMPARE(distortion<2>(*mesh, deformer.state().points).flips, 0);
         for (const Snap& snap : deformer.statistics().snaps) {
@@ -332,7 +332,7 @@ void letsGo() {
     QCOMPARE(deformer.advance(1.5).outcome, Outcome::Done);
     QVERIFY(distance(deformer.state().points, mesh->points) > 0.5);
     const AdvanceResult result = deformer.advance(2);
-    QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+    QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
     QVERIFY(distance(deformer.state().points, mesh->points) < 1e-8);
     QVERIFY(deformer.statistics().snaps.empty());
 }
@@ -349,7 +349,7 @@ void strongMemoryIsNearlyElastic() {
         bend.material = withMemory(material, memory);
         auto deformer = bend.deformer({});
         const AdvanceResult result = deformer.advance(1);
-        QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+        QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
         const double off = distance(deformer.state().points, elastic.state().points);
         qInfo("memory %g: off %.2e, %d steps, %d factors", memory, off, deformer.statistics().steps,
               deformer.statistics().factorizations);

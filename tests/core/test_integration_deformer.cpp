@@ -346,7 +346,7 @@ class TestIntegrationDeformer : public QObject {
         const AdvanceResult result = deformer.advance(1);
         QVERIFY(result.outcome == Outcome::StepTooSmall);
         QVERIFY(result.time < 1e-3);
-        QVERIFY2(result.message.find("too fast") != std::string::npos, result.message.c_str());
+        QVERIFY2(result.message.text().find("too fast") != std::string::npos, result.message.text().c_str());
         QVERIFY(deformer.statistics().steps < 1000);
     }
 
@@ -383,7 +383,7 @@ class TestIntegrationDeformer : public QObject {
             flips += distortion<Dim>(*bend.mesh, state.points).flips;
         };
         const AdvanceResult result = deformer.advance(1, watch);
-        QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+        QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
         QCOMPARE(flips, 0);
         QVERIFY(deformer.statistics().constraintError <= 1e-12);
     }

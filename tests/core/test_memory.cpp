@@ -225,7 +225,7 @@ void settledIsStationary(double phi, bool anisotropic) {
     const double before = deformer.restEnergy(), force = deformer.restForce();
     QVERIFY(force > 1e-4);
     const AdvanceResult result = deformer.advance(2);
-    QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+    QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
     QVERIFY(deformer.restEnergy() < before);
     qInfo("%dD, phi %.3f: W %.6f -> %.6f, force %.2e -> %.2e, steps %d, rejected %d", Dim, phi, before,
           deformer.restEnergy(), force, deformer.restForce(), deformer.statistics().steps,

@@ -205,7 +205,7 @@ void TestShellSpaces::nestedShells() {
         QVERIFY(isNear(volumesOf(holes)[0], filled));
         QCOMPARE(holes.spaces.filled(), (shells + 1) / 2);
         QCOMPARE(holes.spaces.deepest(), shells);
-        QCOMPARE(holes.spaces.summary().empty(), shells == 1);
+        QCOMPARE(holes.spaces.summary().text().empty(), shells == 1);
     }
     const VolumeMesh regions = meshed(surface, Shells::Regions);
     QCOMPARE(regions.spaces.filled(), shells);
@@ -224,7 +224,7 @@ void TestShellSpaces::shellsThatTouch() {
     const Surface beside = joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}));
     const VolumeMesh mesh = meshed(beside);
     QVERIFY(isNear(volumesOf(mesh)[0], 2));
-    QVERIFY(mesh.spaces.summary().empty());
+    QVERIFY(mesh.spaces.summary().text().empty());
 }
 
 void TestShellSpaces::namesOfSpaces() {
@@ -273,8 +273,9 @@ void TestShellSpaces::depthsOfKnownWalls() {
         QCOMPARE(holes.spaces[static_cast<std::size_t>(inner)].shell, 1);
     }
     QCOMPARE(holes.filled(), 1);
-    QCOMPARE(holes.summary(), std::string("shells lie one in the other, up to 2 deep, and bodies touch along "
-                                          "shared walls; spaces filled: 1, hollow: 2"));
+    QCOMPARE(holes.summary().text(),
+             std::string("shells lie one in the other, up to 2 deep, and bodies touch along "
+                         "shared walls; spaces filled: 1, hollow: 2"));
     QCOMPARE(shellSpaces(3, walls, Shells::Regions, {}).filled(), 3);
 }
 

@@ -59,7 +59,7 @@ void TestSolverFallback::factorsTakeOver() {
     watch.frames = {0, 0.01, 0.02};
     watch.onFrame = [&](const State<3>& frame) { frames.push_back(frame.time); };
     const AdvanceResult result = deformer.advance(0.02, watch);
-    QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+    QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
     QCOMPARE(deformer.solver(), SolverKind::Direct);
     QCOMPARE(frames, watch.frames);
     QVERIFY(deformer.statistics().factorizations >= 2);  // levels, and a factor
@@ -77,7 +77,8 @@ void TestSolverFallback::multigridThatWasAskedForEnds() {
     auto deformer = impatient(bend, options);
     const AdvanceResult result = deformer.advance(1);
     QVERIFY(result.outcome != Outcome::Done);
-    QVERIFY2(result.message.find("--solver direct") != std::string::npos, result.message.c_str());
+    QVERIFY2(result.message.text().find("--solver direct") != std::string::npos,
+             result.message.text().c_str());
     QCOMPARE(result.time, 0.0);
     QVERIFY(deformer.statistics().evaluations <= 2);
     QCOMPARE(deformer.solver(), SolverKind::Multigrid);

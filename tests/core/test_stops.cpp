@@ -153,7 +153,7 @@ class TestStops : public QObject {
             QVERIFY(result.outcome == Outcome::Cancelled && result.message == "at time 0 cancelled");
         } else {
             const AdvanceResult result = deformer.advance(0.25);
-            QVERIFY(result.outcome == Outcome::Done && result.message.empty());
+            QVERIFY(result.outcome == Outcome::Done && result.message.text().empty());
         }
     }
 
@@ -174,7 +174,7 @@ class TestStops : public QObject {
         press.options.solver = SolverKind::Multigrid;
         Deformer<Dim> deformer = press.deformer();
         const AdvanceResult moved = deformer.advance(1);
-        QVERIFY2(moved.outcome == Outcome::Done, moved.message.c_str());
+        QVERIFY2(moved.outcome == Outcome::Done, moved.message.text().c_str());
         const AdvanceResult result = deformer.advance(2);
         const QString message = QString::fromStdString(result.message);
         QVERIFY2(result.outcome == Outcome::StepTooSmall, qPrintable(message));
@@ -219,7 +219,7 @@ class TestStops : public QObject {
             bad += invertedElsewhere<Dim>(press.mesh, state.points);
         };
         const AdvanceResult result = deformer.advance(1, watch);
-        QVERIFY2(result.outcome == Outcome::CellInverted, result.message.c_str());
+        QVERIFY2(result.outcome == Outcome::CellInverted, result.message.text().c_str());
         QCOMPARE(bad, 0);
         QCOMPARE(invertedElsewhere<Dim>(press.mesh, deformer.state().points), 0);
         QVERIFY(distortion<Dim>(press.mesh, deformer.state().points).minDet > 0);

@@ -90,7 +90,7 @@ struct Bend {
 template <int Dim>
 Points<Dim> runTo(Deformer<Dim>& deformer, double time, const typename Deformer<Dim>::Watch& watch = {}) {
     const AdvanceResult result = deformer.advance(time, watch);
-    if (result.outcome != Outcome::Done) std::fprintf(stderr, "%s\n", result.message.c_str());
+    if (result.outcome != Outcome::Done) std::fprintf(stderr, "%s\n", result.message.text().c_str());
     return result.outcome == Outcome::Done ? deformer.state().points
                                            : Points<Dim>::Constant(Dim, deformer.state().points.cols(), NAN);
 }

@@ -293,7 +293,7 @@ void TestSurfaceFixes::crossingGoes() {
         done.insert(done.end(), fix.steps.begin(), fix.steps.end());
     }
     const SurfaceProblems left = checkSurface(fixed(surface, done));
-    QVERIFY2(left.boundsVolume(), left.summary().c_str());
+    QVERIFY2(left.boundsVolume(), left.summary().text().c_str());
 }
 
 /// Two vertices of the top lie too far aside: the triangles around them pass through one another, and what
@@ -355,7 +355,7 @@ void TestSurfaceFixes::allCrossingsGo() {
             if (surface.points.col(v) == Vec<3>(x, 3, 6)) surface.points.col(v) = Vec<3>(x + 0.1, 3.2, -1);
     QVERIFY(casesOf(surface, "crossing").size() > 2);
     const FaultFix all = fixForAll(surface, {}, "crossing", 30);
-    QVERIFY2(all.left.boundsVolume(), all.left.summary().c_str());
+    QVERIFY2(all.left.boundsVolume(), all.left.summary().text().c_str());
     QCOMPARE(all.faults, 0);
     QCOMPARE(int(all.changed.size()), all.dropped);
     QVERIFY(all.dropped > 2 && all.dropped < surface.triangleCount() / 4 && all.added > 0);

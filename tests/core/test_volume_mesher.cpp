@@ -367,7 +367,7 @@ void TestVolumeMesher::holesThatMeet() {
         QCOMPARE(left.openEdges.size(), std::size_t(3));  // its own
         return;
     }
-    QVERIFY2(left.boundsVolume() && left.misoriented.empty(), left.summary().c_str());
+    QVERIFY2(left.boundsVolume() && left.misoriented.empty(), left.summary().text().c_str());
     QVERIFY(std::abs(volumeOf(meshVolume(repaired, {}).mesh) - 49) < 1e-12);
 }
 

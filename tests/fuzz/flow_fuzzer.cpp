@@ -142,11 +142,11 @@ class Check {
         m_tally.arrived += result.outcome == Outcome::Done;
         m_tally.folding += result.outcome == Outcome::CellInverted;
         m_tally.indefinite += result.outcome == Outcome::SolverFailed;
-        const bool stiff = result.message.find("too stiff") != std::string::npos;
+        const bool stiff = result.message.text().find("too stiff") != std::string::npos;
         m_tally.tooStiff += stiff;
         m_tally.tooFast += result.outcome == Outcome::StepTooSmall && !stiff;
-        if (result.outcome != Outcome::Done && !std::regex_match(result.message, held ? told : alone))
-            found("stops with \"" + result.message + "\"");
+        if (result.outcome != Outcome::Done && !std::regex_match(result.message.text(), held ? told : alone))
+            found("stops with \"" + result.message.text() + "\"");
     }
 
     RandomFlow<Dim> m_flow;

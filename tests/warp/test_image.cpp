@@ -419,7 +419,7 @@ class TestImage : public QObject {
     void displayWindowIsThePicture() {
         const Image part = chart(20, 16, {PixelType::Half, 4, true, false});
         writeExr("window.exr", part, {3, 5, 40, 30, -2, 1});
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         Image image = readImage(path("window.exr"), kMaxMegapixels, &notices);
         QCOMPARE(image.width, 40);
         QCOMPARE(image.height, 30);
@@ -440,7 +440,7 @@ class TestImage : public QObject {
 
     void overscanIsCutAndTold() {
         writeExr("over.exr", chart(20, 16, {PixelType::Half, 4, true, false}), {-4, 2, 10, 30, 0, 0});
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         const Image image = readImage(path("over.exr"), kMaxMegapixels, &notices);
         QCOMPARE(image.width, 10);
         QCOMPARE(notices.size(), std::size_t(1));
@@ -487,7 +487,7 @@ class TestImage : public QObject {
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(plainTiff(2, 1, static_cast<quint16>(samples), unspecified, pixels));
         file.close();
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         const Image image = readImage(path("extra.tif"), kMaxMegapixels, &notices);
         QVERIFY(image.alpha && image.unassociated);
         QCOMPARE(image.channels, samples);
@@ -505,7 +505,7 @@ class TestImage : public QObject {
         const auto exr = OIIO::ImageOutput::create("exr");
         QVERIFY(exr->open(path("deep.exr"), spec) && exr->write_image(OIIO::TypeDesc::HALF, values.data()) &&
                 exr->close());
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         const Image image = readImage(path("deep.exr"), kMaxMegapixels, &notices);
         QVERIFY(image.metadata->leftOut == (std::vector<std::string>{"Z", "id"}));
         QCOMPARE(notices.size(), std::size_t(1));
@@ -528,7 +528,7 @@ class TestImage : public QObject {
     void numbersThatAreNotFiniteAreTold() {
         Image image = chart(9, 7, {PixelType::Float, 4, true, false});
         writeImage(path("finite.exr"), image);
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         readImage(path("finite.exr"), kMaxMegapixels, &notices);
         QVERIFY(notices.empty());
         auto* row = reinterpret_cast<float*>(image.row(4));

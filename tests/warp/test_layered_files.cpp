@@ -85,7 +85,7 @@ void TestLayeredFiles::pictureOfAllLayers() {
     QFETCH(QString, name);
     QFETCH(int, layers);
     QFETCH(bool, exact);
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     const Image image = readImage(given(name), kMaxMegapixels, &notices);
     QCOMPARE(std::pair(image.width, image.height), std::pair(kWidth, kHeight));
     QCOMPARE(image.type, name.contains("16") ? PixelType::UInt16 : PixelType::UInt8);
@@ -258,12 +258,12 @@ void TestLayeredFiles::greyLayers() {
 
 /// The first page is below, and the picture reaches as far as both.
 void TestLayeredFiles::pagesAreFlattened() {
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
     const std::string path = given("layers.tif");
     const Image image = readImage(path, kMaxMegapixels, &notices);
     QCOMPARE(QSize(image.width, image.height), QSize(9, 7));
     QCOMPARE(readImageHeader(path).width, 9);
-    QCOMPARE(notices, std::vector{path + ": has 2 layers: opened flattened"});
+    QCOMPARE(textsOf(notices), std::vector{path + ": has 2 layers: opened flattened"});
     for (int y = 0; y < 7; ++y)
         for (int x = 0; x < 9; ++x) {
             const bool isBody = x < 8 && y < 6, isArm = x >= 5 && y >= 4;

@@ -368,7 +368,7 @@ void TestWarpedDrawing::drawingsStayTheSame() {
       <line x1="60" y1="95" x2="95" y2="92" stroke="blue" stroke-width="1.2" stroke-linecap="round"/>
       <text x="12" y="45" font-size="9" fill="#204060">Wend</text>)svg";
     const VectorDrawing drawing = vectors(body);
-    QCOMPARE(drawing.notices, std::vector<std::string>());
+    QCOMPARE(textsOf(drawing.notices), std::vector<std::string>());
     const QSize size(800, 800);
     const QImage before =
         drawn("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>" + body + "</svg>", size);
@@ -482,7 +482,7 @@ void TestWarpedDrawing::picturesAreEmbedded() {
     const double scale = drawing.width / 100.0;
     QVERIFY(std::abs(picture.x - 10 * scale) <= 3 && std::abs(picture.height - 30 * scale) <= 6);
     QCOMPARE(picture.pixels.size(), std::size_t(4 * picture.width * picture.height));
-    QCOMPARE(drawing.notices,
+    QCOMPARE(textsOf(drawing.notices),
              (std::vector<std::string>{"a picture in it stays one",
                                        "its picture \"other.png\" is not in the file: it is left out"}));
     const std::string svg = carried(drawing, &::same);
@@ -542,7 +542,7 @@ void TestWarpedDrawing::damagedDrawings() {
     try {
         const VectorDrawing drawing = vectors(body.toStdString());
         carried(drawing, &::same);
-        for (const std::string& notice : drawing.notices) said += QString::fromStdString(notice);
+        for (const Message& notice : drawing.notices) said += QString::fromStdString(notice);
     } catch (const InputError& error) {
         said = QString::fromStdString(error.what());
         QVERIFY2(!said.contains('\n') && !said.contains(QStringLiteral("signal")), qPrintable(said));

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 #include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
@@ -48,8 +48,8 @@ class OpenPicture {
         if (m_input->open(source.path, spec, hints) && m_input->seek_subimage(source.page.value_or(0), 0))
             return;
         const std::string reason = firstLine(m_input->geterror());
-        throw InputError(source.path,
-                         "cannot be read as a picture" + (reason.empty() ? reason : ": " + reason));
+        if (reason.empty()) throw InputError(source.path, "cannot be read as a picture");
+        throw InputError(source.path, {sentence("Core", "cannot be read as a picture: %1"), reason});
     }
     OIIO::ImageInput* operator->() const { return m_input.get(); }
     OIIO::ImageInput& operator*() const { return *m_input; }
@@ -182,7 +182,8 @@ StoredPicture header(const OIIO::ImageSpec& spec, const PictureSource& source) {
             metadata->iccProfile.assign(bytes, bytes + profile->datasize());
         } else {
             described.erase_attribute("ICCProfile");
-            stored.notices.push_back("has a colour profile that does not fit its colours: it is left out");
+            stored.notices.emplace_back(
+                sentence("Core", "has a colour profile that does not fit its colours: it is left out"));
         }
     }
     metadata->leftOut = channelsLeftOut(spec, image.channels);
@@ -204,9 +205,11 @@ std::string joined(const std::vector<std::string>& names) {
 void tellOfFile(const OIIO::ImageSpec& spec, bool namesExtraSamples, StoredPicture& stored) {
     const PictureMetadata& metadata = *fileMetadata(stored.image);
     if (undeclaredAlpha(spec, namesExtraSamples) > 0)
-        stored.notices.push_back("has a channel of no declared kind after its colours: it is taken as alpha");
+        stored.notices.emplace_back(
+            sentence("Core", "has a channel of no declared kind after its colours: it is taken as alpha"));
     if (!metadata.leftOut.empty())
-        stored.notices.push_back("has channels that are left out: " + joined(metadata.leftOut));
+        stored.notices.emplace_back(sentence("Core", "has channels that are left out: %1"),
+                                    joined(metadata.leftOut));
     if (const auto count = metadata.pictures.size(); count > 1)
         stored.notices.push_back(severalPictures(count));
     if (const auto count = metadata.layers.size(); count > 1)
@@ -214,23 +217,23 @@ void tellOfFile(const OIIO::ImageSpec& spec, bool namesExtraSamples, StoredPictu
     const PixelBox& box = metadata.stored;
     const PixelBox seen = box.within(stored.image.width, stored.image.height);
     if (box.width > 0 && (seen.width < box.width || seen.height < box.height))
-        stored.notices.push_back(
-            "reaches beyond its display window of " + std::to_string(stored.image.width) + " x " +
-            std::to_string(stored.image.height) + " pixels: what lies outside is cut off");
+        stored.notices.emplace_back(
+            sentence("Core",
+                     "reaches beyond its display window of %1 x %2 pixels: what lies outside is cut off"),
+            stored.image.width, stored.image.height);
 }
 
 void requireSize(const std::string& path, int width, int height, double maxMegapixels) {
     if (width * 1e-6 * height <= maxMegapixels) return;
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << "has " << width << " x " << height << " pixels, more than " << maxMegapixels << " million";
-    throw InputError(path, text.str());
+    throw InputError(path, {sentence("Core", "has %1 x %2 pixels, more than %3 million"), width, height,
+                            numberText(maxMegapixels)});
 }
 
 void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, PictureFormat format,
                      double maxMegapixels) {
-    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw InputError(path, "has no pixels");
-    if (spec.depth > 1) throw InputError(path, "is a volume, not a picture");
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        throw InputError(path, sentence("Core", "has no pixels"));
+    if (spec.depth > 1) throw InputError(path, sentence("Core", "is a volume, not a picture"));
     // OpenImageIO adds the rows of a strip to such places, in 32 bits.
     for (const int place : {spec.x, spec.y, spec.full_x, spec.full_y})
         if (std::abs(static_cast<double>(place)) > kFarthest)
@@ -254,7 +257,8 @@ bool harmless(const std::string& error) {
 void requireSuccess(const std::string& path, OIIO::ImageInput& input, bool success) {
     const std::string error = firstLine(input.geterror());
     if (success && (error.empty() || harmless(error))) return;
-    throw InputError(path, "is truncated or corrupt" + (error.empty() ? error : ": " + error));
+    const Message what = sentence("Core", "is truncated or corrupt");
+    throw InputError(path, error.empty() ? what : what + ": " + error);
 }
 
 /// Hands over a picture that was read as a whole.

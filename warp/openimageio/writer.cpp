@@ -77,7 +77,7 @@ void dropOddProfile(PictureFormat format, OIIO::ImageSpec& spec) {
 
 /// The result of an attempt to write: the error, empty on success, and whether the disk is the cause.
 struct Attempt {
-    std::string problem;
+    Message problem;
     bool disk = false;
 };
 
@@ -90,8 +90,8 @@ std::size_t mixed(std::size_t sum, Bytes bytes) {
 /// Writes all rows; `failed` reports errors that the format's library misses. `sum` receives the checksum of
 /// the rows.
 template <typename Failed>
-std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const PictureToWrite& writing,
-                       const OIIO::ImageSpec& spec, std::size_t& sum) {
+Message tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const PictureToWrite& writing,
+                   const OIIO::ImageSpec& spec, std::size_t& sum) {
     if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
     const bool written = writing.strips([&](int top, const Image& strip) {
         const auto* bytes = reinterpret_cast<const char*>(strip.data.data());
@@ -104,13 +104,14 @@ std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const Pi
     const std::string error = output.geterror();
     const bool closed = output.close();
     if (written && closed) return {};
-    return error.empty() ? "the disk may be full" : error;
+    if (error.empty()) return sentence("Core", "the disk may be full");
+    return error;
 }
 
 /// Reopens a finished file with the reader of its own format, and reads its rows from `first` on. Returns the
 /// error, or an empty string. `sum` receives the checksum of the rows.
-std::string tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& spec, int first,
-                          std::size_t& sum) {
+Message tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& spec, int first,
+                      std::size_t& sum) {
     const std::unique_ptr<OIIO::ImageInput> input(codecOf(writing.format).reader());
     OIIO::ImageSpec found, config;
     config.attribute("oiio:UnassociatedAlpha", writing.picture.unassociated ? 1 : 0);
@@ -133,10 +134,10 @@ std::string tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& 
 /// object, because OpenImageIO then cannot read back what it has written. So all pixels are compared.
 Attempt tryWriteTiff(OIIO::ImageOutput& output, const PictureToWrite& writing, const OIIO::ImageSpec& spec) {
     std::size_t written = 0, read = 0;
-    std::string problem = tryWriteTo(
+    Message problem = tryWriteTo(
         output, [] { return false; }, writing, spec, written);
-    if (problem.empty()) problem = tryToReadBack(writing, spec, 0, read);
-    if (problem.empty() && written != read) problem = "is another picture when it is read again";
+    if (problem.isEmpty()) problem = tryToReadBack(writing, spec, 0, read);
+    if (problem.isEmpty() && written != read) problem = "is another picture when it is read again";
     return {problem};
 }
 
@@ -150,27 +151,30 @@ Attempt tryWrite(const PictureToWrite& writing, OIIO::ImageSpec spec) {
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
     std::size_t sum = 0;
     const auto failed = [&] { return proxy->file().failed(); };
-    const std::string problem = tryWriteTo(*output, failed, writing, spec, sum);
+    const Message problem = tryWriteTo(*output, failed, writing, spec, sum);
     if (const std::string reason = proxy->file().finish(); !reason.empty()) return {reason, true};
-    return {problem.empty() ? tryToReadBack(writing, spec, spec.height - 1, sum) : problem};
+    return {problem.isEmpty() ? tryToReadBack(writing, spec, spec.height - 1, sum) : problem};
 }
 
-/// `text` with the temporary file called by its proper name.
+/// Returns the first line of a text, with the temporary file called by its proper name.
 std::string properlyNamed(std::string text, const PictureToWrite& writing) {
     const auto at = text.find(writing.temporary);
-    return at == std::string::npos ? text : text.replace(at, writing.temporary.size(), writing.path);
+    if (at != std::string::npos) text.replace(at, writing.temporary.size(), writing.path);
+    return text.substr(0, text.find('\n'));
 }
 
 /// A colour profile that the format's library refuses fails the whole file: better the picture without it.
 void writePicture(const PictureToWrite& writing, OIIO::ImageSpec spec) {
     Attempt attempt = tryWrite(writing, spec);
-    if (!attempt.problem.empty() && !attempt.disk && spec.find_attribute("ICCProfile")) {
+    if (!attempt.problem.isEmpty() && !attempt.disk && spec.find_attribute("ICCProfile")) {
         spec.erase_attribute("ICCProfile");
         attempt = tryWrite(writing, spec);
     }
-    if (attempt.problem.empty()) return;
-    const std::string problem = properlyNamed(attempt.problem, writing);
-    throw InputError(writing.path, "cannot be written: " + problem.substr(0, problem.find('\n')));
+    if (attempt.problem.isEmpty()) return;
+    throw InputError(
+        writing.path,
+        {sentence("Core", "cannot be written: %1"),
+         withTexts(attempt.problem, [&](const std::string& text) { return properlyNamed(text, writing); })});
 }
 
 /// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.

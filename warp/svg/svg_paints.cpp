@@ -180,7 +180,8 @@ std::string SvgPaints::pattern(const std::vector<pugi::xml_node>& chain, const A
     Affine transform = map;
     readTransform(attributeIn(chain, "patternTransform"), transform);
     own.append_attribute("patternTransform") = transformText(transform).c_str();
-    m_tell("its pattern \"" + original + "\" turns and stretches with each shape, but is not bent");
+    m_tell({sentence("Core", "its pattern \"%1\" turns and stretches with each shape, but is not bent"),
+            original});
     return id;
 }
 

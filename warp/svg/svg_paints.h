@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "warp/svg/svg_style.h"
 #include "warp/svg_path.h"
 
@@ -36,7 +37,7 @@ double lengthOf(std::string_view text, double whole, double otherwise);
 /// Makes the paints of paths: gradients and patterns of their own, in <defs>.
 class SvgPaints {
   public:
-    SvgPaints(const SvgElements& elements, pugi::xml_node defs, std::function<void(const std::string&)> tell)
+    SvgPaints(const SvgElements& elements, pugi::xml_node defs, std::function<void(const Message&)> tell)
         : m_elements(elements), m_defs(defs), m_tell(std::move(tell)) {}
 
     /// Returns the paint of a path; `map` leads from its own coordinates, in which `box` is around it, to
@@ -56,7 +57,7 @@ class SvgPaints {
 
     const SvgElements& m_elements;
     pugi::xml_node m_defs;
-    std::function<void(const std::string&)> m_tell;
+    std::function<void(const Message&)> m_tell;
     std::map<std::string, std::string> m_stops;  // by the id of the gradient
     std::set<std::string> m_kept;
     int m_count = 0;

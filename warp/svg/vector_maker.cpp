@@ -71,7 +71,7 @@ class VectorMaker {
         m_root.append_attribute("xmlns:xlink") = "http://www.w3.org/1999/xlink";
         m_root.append_attribute("xmlns:inkscape") = "http://www.inkscape.org/namespaces/inkscape";
         m_defs = m_root.append_child("defs");
-        m_paints.emplace(m_elements, m_defs, [this](const std::string& text) { tell(text); });
+        m_paints.emplace(m_elements, m_defs, [this](const Message& text) { tell(text); });
     }
 
     VectorDrawing make(const pugi::xml_node& svg) {
@@ -90,8 +90,9 @@ class VectorMaker {
     }
 
   private:
-    void tell(const std::string& text) {
-        if (m_notices.size() < kMostNotices && std::ranges::find(m_notices, text) == m_notices.end())
+    void tell(const Message& text) {
+        if (m_notices.size() < kMostNotices &&
+            std::ranges::find(m_notices, text.text(), &Message::text) == m_notices.end())
             m_notices.push_back(text);
     }
 
@@ -122,7 +123,7 @@ class VectorMaker {
         if (name == "text") return text(node, out, own);
         if (name == "image") return image(node, out, own);
         if (const auto path = pathOfShape(node, own)) return shape(node, *path, out, own);
-        tell("its <" + name.substr(0, 40) + "> is left out");
+        tell({sentence("Core", "its <%1> is left out"), name.substr(0, 40)});
     }
 
     void chosen(const pugi::xml_node& node, pugi::xml_node out, const Around& around) {
@@ -444,7 +445,7 @@ class VectorMaker {
     }
 
     void text(const pugi::xml_node& node, pugi::xml_node out, const Around& around) {
-        if (node.child("textPath")) tell("its text along a path is left out");
+        if (node.child("textPath")) tell(sentence("Core", "its text along a path is left out"));
         SvgStyle style = around.style;
         const std::string fill = valueOf(style, "fill", "black");
         const bool isPainted = fill.starts_with("url(");
@@ -478,7 +479,8 @@ class VectorMaker {
         std::string href = node.attribute("href").value();
         if (href.empty()) href = node.attribute("xlink:href").value();
         if (!trimmed(href).starts_with("data:"))
-            return tell("its picture \"" + href.substr(0, 60) + "\" is not in the file: it is left out");
+            return tell({sentence("Core", "its picture \"%1\" is not in the file: it is left out"),
+                         href.substr(0, 60)});
         const QRectF area(lengthOf(node.attribute("x").value(), around.viewport.x(), 0),
                           lengthOf(node.attribute("y").value(), around.viewport.y(), 0),
                           lengthOf(node.attribute("width").value(), around.viewport.x(), 1e6),
@@ -508,7 +510,7 @@ class VectorMaker {
         for (int y = 0; y < drawn.height(); ++y)
             picture.pixels.append(reinterpret_cast<const char*>(drawn.constScanLine(y)),
                                   4 * static_cast<std::size_t>(drawn.width()));
-        tell("a picture in it stays one");
+        tell(sentence("Core", "a picture in it stays one"));
     }
 
     SvgElements m_elements;
@@ -520,7 +522,7 @@ class VectorMaker {
     std::map<std::string, std::string> m_definitions;  // by kind, id and place
     std::set<std::string> m_used, m_names;
     std::vector<DrawnPicture> m_pictures;
-    std::vector<std::string> m_notices;
+    std::vector<Message> m_notices;
     int m_count = 0;
 };
 

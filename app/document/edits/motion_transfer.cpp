@@ -164,13 +164,15 @@ class Transfer {
         auto project = std::make_shared<Project>(m_target.project);
         takeTimes(*project);
         takeHandles(designOf<Dim>(*project).handles);
-        std::vector<std::string> notices;
-        const auto tell = [&](const std::vector<std::string>& names, const std::string& what) {
-            if (!names.empty()) notices.push_back(what + ": " + listed(names));
+        std::vector<Message> notices;
+        const auto tell = [&](const std::vector<std::string>& names, const Sentence& what) {
+            if (!names.empty()) notices.emplace_back(what, listed(names));
         };
-        tell(m_added, "pins of the other project without a namesake here, placed in proportion");
-        tell(m_lost, "pins of the other project that find no place here and are left out");
-        tell(m_still, "pins without a motion in the other project, which hold still");
+        tell(m_added,
+             sentence("Core", "pins of the other project without a namesake here, placed in proportion: %1"));
+        tell(m_lost,
+             sentence("Core", "pins of the other project that find no place here and are left out: %1"));
+        tell(m_still, sentence("Core", "pins without a motion in the other project, which hold still: %1"));
         return {std::move(project), std::move(notices)};
     }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document/project_fwd.h"
+#include "core/mesh/message.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/motion/handle.h"
 
@@ -13,7 +14,7 @@ namespace wend {
 /// A project with the motion of another one, and messages for the user.
 struct TransferredMotion {
     std::shared_ptr<Project> project;
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
 };
 
 /// A project with its rest shape, and its handles with vertices in the numbers of that shape.

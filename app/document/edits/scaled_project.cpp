@@ -42,10 +42,6 @@ void scale(Handle<2>& handle, const Scaling& scaling) {
     for (Motion<2>& motion : handle.motions) motion = carried<2>(motion, scaling);
 }
 
-std::string sizeText(const std::array<int, 2>& size) {
-    return std::to_string(size[0]) + " × " + std::to_string(size[1]);
-}
-
 }  // namespace
 
 void scalePixels(Project& project, double factor) {
@@ -72,7 +68,7 @@ double factorBetween(const std::array<int, 2>& from, const std::array<int, 2>& t
     return std::abs(from[1] * factor - to[1]) <= pixel ? factor : 0;
 }
 
-std::string fitToPicture(Project& project, const std::string& folder) {
+Message fitToPicture(Project& project, const std::string& folder) {
     Domain& domain = project.domain;
     if (domain.kind != DomainKind::Image || domain.size[0] == 0 || domain.path.empty()) return {};
     std::array<int, 2> now{};
@@ -85,12 +81,18 @@ std::string fitToPicture(Project& project, const std::string& folder) {
     if (now == domain.size) return {};
     const double factor = factorBetween(domain.size, now);
     const std::string name = std::filesystem::path(domain.path).filename().string();
-    const std::string text =
-        name + " has " + sizeText(now) + " pixels, and the project was made for " + sizeText(domain.size);
-    if (factor == 0) return text + ": pins and paths stay where they are";
+    const auto notice = [name, now, made = domain.size](const Sentence& what) {
+        return Message(what, name, now[0], now[1], made[0], made[1]);
+    };
+    if (factor == 0)
+        return notice(
+            sentence("Core",
+                     "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay "
+                     "where they are"));
     scalePixels(project, factor);
     domain.size = now;
-    return text + ": pins and paths are scaled";
+    return notice(sentence(
+        "Core", "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled"));
 }
 
 }  // namespace wend

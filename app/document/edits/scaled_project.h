@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/document/project_fwd.h"
+#include "core/mesh/message.h"
 
 namespace wend {
 
@@ -15,8 +16,7 @@ void scalePixels(Project& project, double factor);
 double factorBetween(const std::array<int, 2>& from, const std::array<int, 2>& to);
 
 /// Scales a project that was made for a picture of another size (domain.size) to the one that its file has
-/// now. Returns a notice if the sizes differ, else an empty text. A picture that cannot be read is left to
-/// who needs it.
-std::string fitToPicture(Project& project, const std::string& folder);
+/// now. Returns a notice if the sizes differ, else an empty one. A picture that cannot be read is ignored.
+Message fitToPicture(Project& project, const std::string& folder);
 
 }  // namespace wend

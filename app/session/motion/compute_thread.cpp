@@ -82,7 +82,7 @@ ShapeEngine::Sink ComputeThread::sink() {
     sink.within = [this](double time, double end) {
         m_out.call([this, time, end] { emit within(time, end); });
     };
-    sink.finished = [this](double time, const std::string& problem, const std::string& remark) {
+    sink.finished = [this](double time, const Message& problem, const Message& remark) {
         m_out.call(
             [this, time, why = said(problem), note = said(remark)] { emit finished(time, why, note); });
     };

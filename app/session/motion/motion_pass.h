@@ -8,6 +8,7 @@
 #include "app/session/motion/velocity_probe.h"
 #include "app/session/shape/shape.h"
 #include "core/integration/stop_message.h"
+#include "core/mesh/message.h"
 
 namespace wend {
 
@@ -41,7 +42,7 @@ class MotionPass {
     /// How the motion ended; valid once it is finished.
     const AdvanceResult& result() const { return *m_result; }
     /// Says whether an elastic shape has snapped; empty if it has not.
-    std::string snaps() const { return snapMessage(m_deformer->statistics().snaps, Dim); }
+    Message snaps() const { return snapMessage(m_deformer->statistics().snaps, Dim); }
     const State<Dim>& state() const { return *m_cache.last(); }
     double end() const { return m_end; }
 

@@ -9,6 +9,7 @@
 #include "app/session/motion/live_drag.h"
 #include "app/session/motion/mailbox.h"
 #include "app/session/motion/motion_pass.h"
+#include "core/mesh/message.h"
 
 namespace wend {
 
@@ -21,7 +22,7 @@ class ShapeEngine {
         std::function<void(FramePtr)> frameReady;
         std::function<void(int number, VelocityPtr)> fieldReady;
         std::function<void(double time, double end)> progress, within;
-        std::function<void(double time, std::string problem, std::string remark)> finished;
+        std::function<void(double time, const Message& problem, const Message& remark)> finished;
     };
     static std::unique_ptr<ShapeEngine> make(int dimension, Sink sink);
     virtual ~ShapeEngine() = default;

@@ -26,7 +26,9 @@ void PoseFile::add(const Points<2>& pose) {
     m_columns = pose.cols();
     m_stream.write(reinterpret_cast<const char*>(pose.data()),
                    static_cast<std::streamsize>(sizeof(double)) * pose.size());
-    if (!m_stream) throw InputError(m_path, "cannot be written: the disk may be full");
+    if (!m_stream)
+        throw InputError(m_path, {sentence("Core", "cannot be written: %1"),
+                                  Message(sentence("Core", "the disk may be full"))});
     ++m_count;
 }
 
@@ -35,7 +37,9 @@ Points<2> PoseFile::read(int k) {
     const auto bytes = static_cast<std::streamsize>(sizeof(double)) * pose.size();
     m_stream.seekg(k * bytes);  // which writes what is still buffered
     m_stream.read(reinterpret_cast<char*>(pose.data()), bytes);
-    if (!m_stream) throw InputError(m_path, "cannot be written: the disk may be full");
+    if (!m_stream)
+        throw InputError(m_path, {sentence("Core", "cannot be written: %1"),
+                                  Message(sentence("Core", "the disk may be full"))});
     return pose;
 }
 

@@ -105,7 +105,7 @@ std::string cageJson(const CageFacts& cage) {
     for (const ClosedGap& gap : cage.gaps)
         json["gaps"].push_back(
             {{"place", {gap.place.x(), gap.place.y(), gap.place.z()}}, {"width", gap.width}});
-    if (!cage.why.empty()) json["why"] = cage.why;
+    if (!cage.why.isEmpty()) json["why"] = cage.why.text();
     return json.dump();
 }
 

@@ -107,7 +107,7 @@ class Run {
             result = m_deformer.failure();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
-        if (const std::string snaps = snapMessage(m_deformer.statistics().snaps, Dim); !snaps.empty())
+        if (const Message snaps = snapMessage(m_deformer.statistics().snaps, Dim); !snaps.isEmpty())
             m_watch.notice(snaps);
         if (result.outcome == Outcome::Done || m_options.partial) {
             endIfStrict(false);
@@ -131,7 +131,7 @@ class Run {
   private:
     /// The same, and notices are kept for the report. Threads that paint may call it.
     RunWatch listening(RunWatch watch) {
-        watch.notice = [this, tell = std::move(watch.notice)](const std::string& text) {
+        watch.notice = [this, tell = std::move(watch.notice)](const Message& text) {
             const std::scoped_lock lock(m_noticing);
             m_notices.push_back(text);
             if (tell) tell(text);
@@ -742,9 +742,9 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
     requireNothingOutside(project, options);
     AnyShape shape = loadShape(project, folderOf(path), watch.stop);
-    std::vector<std::string> notices = std::visit([](const auto& one) { return one.notices; }, shape);
+    std::vector<Message> notices = std::visit([](const auto& one) { return one.notices; }, shape);
     if (const std::string note = fallsShort(project); !note.empty() && !options.at) notices.push_back(note);
-    for (const std::string& notice : notices)
+    for (const Message& notice : notices)
         if (watch.notice) watch.notice(notice);
     RunOptions heard = options;
     heard.notices.insert(heard.notices.end(), notices.begin(), notices.end());

@@ -13,6 +13,7 @@
 #include "app/document/project_fwd.h"
 #include "core/assembly/back_end.h"
 #include "core/mesh/mesh_write_options.h"
+#include "core/mesh/message.h"
 #include "core/mesh/used_vertices.h"
 #include "core/solver/iterative_solver.h"
 #include "warp/image.h"
@@ -137,7 +138,7 @@ struct RunWatch {
     /// Gets a description of the current work, and the fraction of it that is done, in [0, 1].
     std::function<void(const std::string& work, double fraction)> progress;
     /// Gets a sentence that the user should read, such as that a device failed and the processor continues.
-    std::function<void(const std::string& text)> notice;
+    std::function<void(const Message& text)> notice;
     std::stop_token stop;
     /// How it went, in one line, when all is written.
     std::function<void(const std::string& text)> summary = {};

@@ -120,12 +120,11 @@ void requireDrawing(const std::string& path, const Project& project, const std::
         throw InputError(path, "--outside clamp and original are for pictures of pixels");
 }
 
-SvgExport::SvgExport(const Project& project, std::string folder,
-                     std::function<void(const std::string&)> notice)
+SvgExport::SvgExport(const Project& project, std::string folder, std::function<void(const Message&)> notice)
     : m_domain(domainOf(project)), m_folder(std::move(folder)), m_notice(std::move(notice)) {}
 
-void SvgExport::tell(const std::string& text) {
-    if (std::ranges::find(m_told, text) != m_told.end()) return;
+void SvgExport::tell(const Message& text) {
+    if (std::ranges::find(m_told, text.text()) != m_told.end()) return;
     m_told.push_back(text);
     if (m_notice) m_notice(text);
 }
@@ -136,7 +135,7 @@ const VectorDrawing& SvgExport::drawingOf(const std::string& file, const std::st
     if (!isNew) return found->second;
     const bool isSized = m_domain.kind == DomainKind::Image;
     found->second = readVectors(path, layer, isSized ? m_domain.size : DrawnSize{});
-    for (const std::string& notice : found->second.notices) tell(path + ": " + notice);
+    for (const Message& notice : found->second.notices) tell(path + ": " + notice);
     return found->second;
 }
 
@@ -146,11 +145,12 @@ const VectorDrawing* SvgExport::drawingOf(const PicturePart& part) {
     const bool isCut =
         std::ranges::find(m_domain.parts, part.name, &PicturePart::cutFrom) != m_domain.parts.end();
     if (isCut || !part.cutFrom.empty()) {
-        tell("the part \"" + part.name + "\" is cut: it becomes a picture in the SVG file");
+        tell({sentence("Core", "the part \"%1\" is cut: it becomes a picture in the SVG file"), part.name});
         return nullptr;
     }
     if (isDrawing(pathIn(m_folder, part.path))) return &drawingOf(part.path, part.layer);
-    tell("the part \"" + part.name + "\" is no SVG drawing: it becomes a picture in the SVG file");
+    tell({sentence("Core", "the part \"%1\" is no SVG drawing: it becomes a picture in the SVG file"),
+          part.name});
     return nullptr;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/document/project_fwd.h"
 #include "app/session/shape/shape.h"
+#include "core/mesh/message.h"
 #include "warp/vector_drawing.h"
 #include "warp/warped_drawing.h"
 
@@ -33,7 +34,7 @@ void requireDrawing(const std::string& path, const Project& project, const std::
 class SvgExport {
   public:
     /// `notice` receives one line for everything that is not as it was.
-    SvgExport(const Project& project, std::string folder, std::function<void(const std::string&)> notice);
+    SvgExport(const Project& project, std::string folder, std::function<void(const Message&)> notice);
 
     /// Returns the file of a pose; `pixels` is inPixels(), `levels` are those of the parts (partLevels()).
     /// Throws InputError and Cancelled.
@@ -46,11 +47,11 @@ class SvgExport {
     const VectorDrawing& mainDrawing();
     Vec<2> shiftOf(const PicturePart& part);
     SvgPage pageOf(const Shape<2>& shape, const View& view, const WarpOptions& options);
-    void tell(const std::string& text);
+    void tell(const Message& text);
 
     const Domain& m_domain;
     std::string m_folder;
-    std::function<void(const std::string&)> m_notice;
+    std::function<void(const Message&)> m_notice;
     std::vector<std::string> m_told;
     std::map<std::pair<std::string, std::string>, VectorDrawing> m_drawings;  // by file and layer
 };

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/mesh/message.h"
 #include "core/meshing/closed_gaps.h"
 
 namespace wend {
@@ -19,7 +20,7 @@ struct GapOpener {
 
 /// The cage that carries a surface.
 struct CageFacts {
-    std::string why;                   // it was chosen by itself; empty: it was asked for
+    Message why;                       // it was chosen by itself; empty: it was asked for
     double edge = 0;                   // of its cubes
     int bodies = 0;                    // of the cage
     int parts = 0;                     // of the surface …

@@ -38,14 +38,21 @@ std::shared_ptr<const MeshFile> fileOf(const SimplicialMesh<3>& mesh) {
 }
 
 void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>& solid) {
-    if (cage.apart < cage.parts)
-        solid.notices.push_back(
-            "its " + std::to_string(cage.parts) + " parts share cells of the cage and move together as " +
-            std::to_string(cage.apart) + ": smaller cells keep more of them apart" +
-            (advice == Advice::Keys ? (domain.maxVolume > 0 ? " (`maxVolume`)" : " (`vertices`)") : ""));
+    if (cage.apart < cage.parts) {
+        const Message apart(
+            sentence("Core",
+                     "its %1 parts share cells of the cage and move together as %2: smaller cells keep "
+                     "more of them apart"),
+            cage.parts, cage.apart);
+        solid.notices.push_back(advice == Advice::Keys
+                                    ? apart + (domain.maxVolume > 0 ? " (`maxVolume`)" : " (`vertices`)")
+                                    : apart);
+    }
     if (cage.bodies > 1)
-        solid.notices.push_back("the cage consists of " + std::to_string(cage.bodies) +
-                                " bodies that are not connected: each needs a handle of its own to follow");
+        solid.notices.emplace_back(sentence("Core",
+                                            "the cage consists of %1 bodies that are not connected: each "
+                                            "needs a handle of its own to follow"),
+                                   cage.bodies);
 }
 
 std::string fourDigits(double value) {
@@ -80,43 +87,60 @@ std::string textOf(const Vec<3>& place) {
     return '(' + fourDigits(place.x()) + ", " + fourDigits(place.y()) + ", " + fourDigits(place.z()) + ')';
 }
 
-std::string textOf(const GapOpener& opener) {
+/// Returns what closes a gap, followed by what opens it.
+Message withOpener(const Message& gaps, const GapOpener& opener) {
     const std::string detail = fourDigits(opener.detail), volume = fourDigits(opener.maxVolume);
-    const std::string vertices = std::to_string(opener.vertices);
     const bool also = opener.detail > 0;
+    if (opener.maxVolume > 0 && also)
+        return {sentence("Core", "%1; a detail of %2 and cells of at most %3 open the widest"), gaps, detail,
+                volume};
     if (opener.maxVolume > 0)
-        return (also ? "; a detail of " + detail + " and cells of at most " : "; cells of at most ") +
-               volume + " open the widest";
+        return {sentence("Core", "%1; cells of at most %2 open the widest"), gaps, volume};
+    if (opener.vertices > 0 && also)
+        return {sentence("Core", "%1; a detail of %2 and about %3 vertices open the widest"), gaps, detail,
+                opener.vertices};
     if (opener.vertices > 0)
-        return (also ? "; a detail of " + detail + " and about " : "; about ") + vertices +
-               " vertices open the widest";
-    return also ? "; a detail of " + detail + " opens the widest" : "";
+        return {sentence("Core", "%1; about %2 vertices open the widest"), gaps, opener.vertices};
+    return also ? Message(sentence("Core", "%1; a detail of %2 opens the widest"), gaps, detail) : gaps;
 }
 
 void tellOfGaps(const Domain& domain, const Cage& cage, Shape<3>& solid) {
     if (cage.gaps.empty()) return;
     const ClosedGap& first = cage.gaps.front();
     const std::string size = fourDigits(first.width), place = textOf(first.place);
-    solid.notices.push_back(
-        (cage.gaps.size() == 1 ? "the cage closes a gap within one part, " + size + " wide near " + place
-                               : "the cage closes " + std::to_string(cage.gaps.size()) +
-                                     " gaps within one part, the narrowest " + size + " wide near " + place) +
-        ": what lies on both sides moves together" + textOf(openerOf(domain, cage)));
+    const Message gaps =
+        cage.gaps.size() == 1
+            ? Message(
+                  sentence(
+                      "Core",
+                      "the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves "
+                      "together"),
+                  size, place)
+            : Message(
+                  sentence(
+                      "Core",
+                      "the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on "
+                      "both sides moves together"),
+                  cage.gaps.size(), size, place);
+    solid.notices.push_back(withOpener(gaps, openerOf(domain, cage)));
 }
 
-void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, Advice advice,
-                Shape<3>& solid) {
-    const std::string size = std::to_string(cage.mesh.vertexCount()) + " vertices";
-    if (!why.empty())
-        solid.notices.push_back("the surface is embedded in a cage of " + size + ", since " + why);
-    if (!cage.aimMet)
-        solid.notices.push_back(
-            domain.maxVolume > 0
-                ? "the cells of the cage are larger than asked for: there is no memory for smaller ones"
-                : "the cage has " + size + ", where " + std::to_string(domain.vertices) +
-                      " were aimed at: whole cubes allow nothing nearer");
+void tellOfCage(const Domain& domain, const Cage& cage, const Message& why, Advice advice, Shape<3>& solid) {
+    const int count = cage.mesh.vertexCount();
+    if (!why.isEmpty())
+        solid.notices.emplace_back(
+            sentence("Core", "the surface is embedded in a cage of %1 vertices, since %2"), count, why);
+    if (!cage.aimMet && domain.maxVolume > 0)
+        solid.notices.emplace_back(sentence(
+            "Core", "the cells of the cage are larger than asked for: there is no memory for smaller ones"));
+    if (!cage.aimMet && domain.maxVolume <= 0)
+        solid.notices.emplace_back(
+            sentence("Core",
+                     "the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer"),
+            count, domain.vertices);
     if (!domain.sizes.empty() || !domain.sizesFile.empty())
-        solid.notices.push_back("sizes are for the exact surface: a cage has cells of one size");
+        solid.notices.emplace_back(
+            sentence("Core", "sizes are for the exact surface: a cage has cells of one size"));
     tellOfParts(domain, cage, advice, solid);
     tellOfGaps(domain, cage, solid);
 }
@@ -129,7 +153,7 @@ void GapOpener::applyTo(Domain& domain) const {
     if (vertices > 0) domain.vertices = vertices;
 }
 
-Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
+Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const Message& why,
                     std::stop_token stop, Advice advice) {
     CageOptions options;
     options.vertices = domain.vertices;
@@ -149,15 +173,14 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     return solid;
 }
 
-std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin) {
+Message tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin) {
     const auto byNumber = [](const Handle<3>& handle) {
         return std::holds_alternative<std::vector<int>>(handle.at);
     };
     if (domain.maxVolume > 0 || std::ranges::any_of(design.handles, byNumber)) return {};
     const int count = placeCount(skin);
     if (count <= kFarTooMany * domain.vertices) return {};
-    return "it has " + std::to_string(count) + " vertices, where " + std::to_string(domain.vertices) +
-           " were aimed at";
+    return {sentence("Core", "it has %1 vertices, where %2 were aimed at"), count, domain.vertices};
 }
 
 bool liesInAPlane(const Skin& skin) {

@@ -11,6 +11,7 @@
 #include "core/mesh/decompositions.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_cells.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
@@ -75,7 +76,7 @@ bool isInOutline(const Outline& outline, const Vec<2>& p) {
 }
 
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
-                                         std::vector<std::string>* notices) {
+                                         std::vector<Message>* notices) {
     if (!domain.parts.empty()) {
         const PartPictures pictures = loadParts(atRest(domain.parts), folder, {}, notices, domain.size);
         return std::make_shared<const Image>(flattened(pictures.sheets, pictures.width, pictures.height));
@@ -110,10 +111,11 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const
     return std::make_shared<const SimplicialMesh<2>>(meshOutline(outline, options));
 }
 
-void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<std::string>& notices) {
+void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<Message>& notices) {
     if (domain.edge > 0 || mesh.vertexCount() <= kPromised * domain.vertices) return;
-    notices.push_back("the mesh has " + std::to_string(mesh.vertexCount()) + " vertices, where " +
-                      std::to_string(domain.vertices) + " were aimed at: its outline needs them");
+    notices.emplace_back(
+        sentence("Core", "the mesh has %1 vertices, where %2 were aimed at: its outline needs them"),
+        mesh.vertexCount(), domain.vertices);
 }
 
 int restMarginOf(const Domain& domain) {

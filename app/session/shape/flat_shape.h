@@ -4,13 +4,14 @@
 
 #include "app/document/project_fwd.h"
 #include "app/session/shape/shape.h"
+#include "core/mesh/message.h"
 #include "core/meshing/outline.h"
 
 namespace wend {
 
 /// The picture of the domain, or null if it has none; with the notices of readImage().
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
-                                         std::vector<std::string>* notices = nullptr);
+                                         std::vector<Message>* notices = nullptr);
 
 /// Returns the outline of the deformed part of a picture.
 Outline domainOutline(const Domain& domain, const Image& picture);
@@ -23,7 +24,7 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const
                                                      const Outline& outline, std::stop_token stop = {});
 
 /// Tells of a mesh that has far more vertices than were aimed at.
-void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<std::string>& notices);
+void tellOfAim(const Domain& domain, const SimplicialMesh<2>& mesh, std::vector<Message>& notices);
 
 /// Returns the shape of a file's mesh in the plane, without material. Throws InputError that names the file.
 Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder);

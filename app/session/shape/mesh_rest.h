@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
@@ -13,15 +14,15 @@ namespace wend {
 /// `carried` are those that cells of the file use all the same.
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
-                                                      std::vector<std::string>& notices,
+                                                      std::vector<Message>& notices,
                                                       const std::vector<int>& carried = {});
 
 /// Returns a notice about parts that are connected by a single vertex or edge; empty if there are none.
 template <int Dim>
-std::string hangingNotice(const SimplicialMesh<Dim>& rest);
+Message hangingNotice(const SimplicialMesh<Dim>& rest);
 
 /// Tells it.
 template <int Dim>
-void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<std::string>& notices);
+void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<Message>& notices);
 
 }  // namespace wend

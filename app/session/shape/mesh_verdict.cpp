@@ -79,16 +79,27 @@ MeshVerdict verdictOn(const SimplicialMesh<3>& mesh, const Surface& surface, dou
     return verdict;
 }
 
-std::string MeshVerdict::text() const {
+Message MeshVerdict::text() const {
     if (got <= kUsual * asked) return {};
-    std::string text = "the worst cell has a ratio of radius to edge of " + rounded(got) + ", where " +
-                       rounded(asked) + " was asked for (" + std::to_string(cellsAbove) +
-                       (cellsAbove == 1 ? " cell is above it)" : " cells are above it)");
+    const Message worst(
+        cellsAbove == 1
+            ? sentence("Core",
+                       "the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 "
+                       "cell is above it)")
+            : sentence("Core",
+                       "the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 "
+                       "cells are above it)"),
+        rounded(got), rounded(asked), cellsAbove);
+    if (facets.empty()) return worst;
+    std::string named;
     for (std::size_t i = 0; i < std::min(kNamed, facets.size()); ++i)
-        text += (i == 0 ? ": the surface is kept as it is and forces it, at its triangles " : ", ") +
-                std::to_string(facets[i]);
-    if (facets.size() > kNamed) text += " and " + std::to_string(facets.size() - kNamed) + " more";
-    return text;
+        named += (i == 0 ? "" : ", ") + std::to_string(facets[i]);
+    if (facets.size() <= kNamed)
+        return {sentence("Core", "%1: the surface is kept as it is and forces it, at its triangles %2"),
+                worst, named};
+    return {
+        sentence("Core", "%1: the surface is kept as it is and forces it, at its triangles %2 and %3 more"),
+        worst, named, facets.size() - kNamed};
 }
 
 }  // namespace wend

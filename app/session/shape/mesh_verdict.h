@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/message.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/meshing/surface.h"
 
@@ -20,7 +21,7 @@ struct MeshVerdict {
     bool missed() const { return cellsAbove > 0; }
     /// Returns one line; empty for moderate deviations: up to eight times the ratio is common along a
     /// surface.
-    std::string text() const;
+    Message text() const;
 };
 
 MeshVerdict verdictOn(const SimplicialMesh<3>& mesh, const Surface& surface, double asked, bool kept);

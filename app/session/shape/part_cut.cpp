@@ -141,7 +141,7 @@ CutPictures cutFilled(const Sheet& from, const PixelBox& box, const std::vector<
 
 }  // namespace
 
-CutPictures cutOut(const PicturePart& part, const Sheet& from, std::vector<std::string>* notices,
+CutPictures cutOut(const PicturePart& part, const Sheet& from, std::vector<Message>* notices,
                    const std::stop_token& stop) {
     const PixelBox box = boxOf(part, from);
     if (box.width == 0 || box.height == 0) throw InputError("the cut is outside of \"" + part.cutFrom + '"');

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document/part.h"
+#include "core/mesh/message.h"
 #include "warp/atlas.h"
 
 namespace wend {
@@ -20,7 +21,7 @@ struct CutPictures {
 /// transparent. With it, the area that the part hides is inpainted, and the ground's colours are removed from
 /// the part's soft edge (see separated()); `notices` says if that is not possible. Throws InputError and
 /// Cancelled.
-CutPictures cutOut(const PicturePart& part, const Sheet& from, std::vector<std::string>* notices,
+CutPictures cutOut(const PicturePart& part, const Sheet& from, std::vector<Message>* notices,
                    const std::stop_token& stop);
 
 }  // namespace wend

@@ -25,7 +25,7 @@ struct LayersOfFile {
 /// Reads pictures of parts, each file's list of layers once.
 class PartReader {
   public:
-    PartReader(const std::string& folder, const DrawnSize& drawn, std::vector<std::string>* notices)
+    PartReader(const std::string& folder, const DrawnSize& drawn, std::vector<Message>* notices)
         : m_folder(folder), m_drawn(drawn), m_notices(notices) {}
 
     std::shared_ptr<const Image> read(const PicturePart& part) {
@@ -81,20 +81,23 @@ class PartReader {
         const auto read = [&](const std::string& layer) {
             return readLayer(path, layer, m_drawn, m_notices);
         };
-        std::vector<std::string> notices;
+        std::vector<Message> notices;
         Image picture = mergedPicture(file.layers, merged, read, &notices).picture;
         if (!m_notices) return picture;
         std::string names;
         for (const std::string& name : merged.merges) names += (names.empty() ? "\"" : ", \"") + name + '"';
         m_notices->push_back(path + ": the layers " + names + " are shown as one");
-        for (const std::string& notice : notices) m_notices->push_back(path + ": " + notice);
+        for (const Message& notice : notices) m_notices->push_back(path + ": " + notice);
         tellOf(merged.layer, path, hasOwnBlend);
         return picture;
     }
     void tellOf(const PictureLayer& layer, const std::string& path, bool hasOwnBlend) {
         const std::string which = path + ": the layer \"" + layer.name + "\" ";
         if (!hasOwnBlend && !blendNamed(layer.blend))
-            m_notices->push_back(which + "has the blend mode " + layer.blend + ": it is shown as normal");
+            m_notices->push_back(
+                path + ": " +
+                Message(sentence("Core", "the layer \"%1\" has the blend mode %2: it is shown as normal"),
+                        layer.name, layer.blend));
         if (layer.clipped) m_notices->push_back(which + "is clipped by the one below: it is shown whole");
         if (layer.atop && !layer.clipped)
             m_notices->push_back(which + "is shown without the alpha that it inherits from those below");
@@ -110,12 +113,12 @@ class PartReader {
 
     const std::string& m_folder;
     DrawnSize m_drawn;
-    std::vector<std::string>* m_notices;
+    std::vector<Message>* m_notices;
     std::map<std::string, LayersOfFile> m_files;
 };
 
 /// Adds a notice if colour profiles differ. Colours are compared and combined without conversion.
-void tellOfProfiles(const std::vector<Sheet>& sheets, std::vector<std::string>& notices) {
+void tellOfProfiles(const std::vector<Sheet>& sheets, std::vector<Message>& notices) {
     const auto colours = [](const Sheet& sheet) {
         const bool isOfExr = sheet.picture->metadata && sheet.picture->metadata->isOfExr;
         return std::pair(sheet.picture->iccProfile(), isOfExr);
@@ -154,7 +157,7 @@ void takeCanvas(PartReader& reader, const std::string& folder, PartPictures& pic
 class SheetMaker {
   public:
     SheetMaker(PartPictures& pictures, const PartPictures& known, PartReader& reader,
-               std::vector<std::string>* notices, std::stop_token stop)
+               std::vector<Message>* notices, std::stop_token stop)
         : m_pictures(pictures), m_known(known), m_reader(reader), m_notices(notices), m_stop(stop) {}
 
     void make() {
@@ -216,14 +219,14 @@ class SheetMaker {
     PartPictures& m_pictures;
     const PartPictures& m_known;
     PartReader& m_reader;
-    std::vector<std::string>* m_notices;
+    std::vector<Message>* m_notices;
     std::stop_token m_stop;
 };
 
 }  // namespace
 
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
-                       const PartPictures& known, std::vector<std::string>* notices, const DrawnSize& drawn,
+                       const PartPictures& known, std::vector<Message>* notices, const DrawnSize& drawn,
                        const std::stop_token& stop) {
     PartPictures pictures;
     pictures.parts = parts;

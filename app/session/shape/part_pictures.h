@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/shape/part_cut.h"
+#include "core/mesh/message.h"
 #include "warp/vector_drawing.h"
 
 namespace wend {
@@ -40,7 +41,7 @@ struct PartPictures {
 /// reading, and name blend modes that are not shown. Drawings are drawn in the size `drawn`. Throws
 /// InputError that names the file, and Cancelled.
 PartPictures loadParts(const std::vector<PicturePart>& parts, const std::string& folder,
-                       const PartPictures& known, std::vector<std::string>* notices, const DrawnSize& drawn,
+                       const PartPictures& known, std::vector<Message>* notices, const DrawnSize& drawn,
                        const std::stop_token& stop = {});
 
 /// Returns the parts without what takes time and is visible in motion only: the filled grounds behind cuts.

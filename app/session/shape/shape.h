@@ -11,6 +11,7 @@
 #include "app/session/shape/mesh_verdict.h"
 #include "core/energy/material.h"
 #include "core/mesh/embedding.h"
+#include "core/mesh/message.h"
 #include "core/mesh/plane_frame.h"
 #include "core/mesh/skin.h"
 #include "warp/atlas.h"
@@ -58,7 +59,7 @@ struct Shape {
     // of a mesh domain the input with its fields and uv, of a surface the generated mesh, of a picture
     // nothing
     std::shared_ptr<const MeshFile> source;
-    std::vector<std::string> notices;  // messages for the user
+    std::vector<Message> notices;  // messages for the user
     // 2D only.
     std::shared_ptr<const Image> picture;    // may be null
     PlaneFrame plane;                        // of a file's mesh

@@ -52,24 +52,31 @@ VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, c
 
 /// The result of a repair: what it did, and what it left undone regardless of the limit.
 struct Repairing {
-    std::string done, undone;
+    Message done, undone;
 };
 
 /// Suggests a higher limit for holes.
-std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
+Message largerHoles(const RepairReport& report, int limit, Advice advice) {
     if (report.largerHoles.empty()) return {};
     const int largest = report.largerHoles.back();
     const std::size_t count = report.largerHoles.size();
-    return (count == 1 ? "1 hole of " : std::to_string(count) + " holes of up to ") +
-           std::to_string(largest) + " edges stayed open, larger than the limit of " + std::to_string(limit) +
-           (advice == Advice::Keys ? ": `largestHole` or --largest-hole " + std::to_string(largest) +
-                                         (count == 1 ? " fills it" : " fills them")
-                                   : "");
+    const Message open =
+        count == 1
+            ? Message(sentence("Core", "1 hole of %1 edges stayed open, larger than the limit of %2"),
+                      largest, limit)
+            : Message(sentence("Core", "%1 holes of up to %2 edges stayed open, larger than the limit of %3"),
+                      count, largest, limit);
+    if (advice != Advice::Keys) return open;
+    return open + ": `largestHole` or --largest-hole " +
+           (std::to_string(largest) + (count == 1 ? " fills it" : " fills them"));
 }
 
-std::string weldText(const SeamWeld& weld) {
-    return (weld.vertices == 1 ? "1 vertex" : std::to_string(weld.vertices) + " vertices") +
-           " of open seams welded, the widest gap " + shortNumber(weld.tolerance);
+Message weldText(const SeamWeld& weld) {
+    if (weld.vertices == 0) return {};
+    const std::string gap = shortNumber(weld.tolerance);
+    if (weld.vertices == 1)
+        return {sentence("Core", "1 vertex of open seams welded, the widest gap %1"), gap};
+    return {sentence("Core", "%1 vertices of open seams welded, the widest gap %2"), weld.vertices, gap};
 }
 
 /// Single faults first, then seams, then as many as the simple repairs do.
@@ -83,11 +90,10 @@ Surface repaired(const Surface& surface, const Domain& domain, Shape<3>& solid, 
         better = repairSurface(better, domain.largestHole, report);
     }
     report.steps = static_cast<int>(domain.fixes.size());
-    repairing.done = weld.vertices > 0 ? weldText(weld) : "";
-    if (const std::string done = report.summary(); !done.empty())
-        repairing.done += (repairing.done.empty() ? "" : ", ") + done;
+    repairing.done = listed({weldText(weld), report.summary()});
     repairing.undone = largerHoles(report, domain.largestHole, advice);
-    if (!repairing.done.empty()) solid.notices.push_back("the surface was repaired: " + repairing.done);
+    if (!repairing.done.isEmpty())
+        solid.notices.emplace_back(sentence("Core", "the surface was repaired: %1"), repairing.done);
     return better;
 }
 
@@ -97,15 +103,17 @@ bool repairHelps(Surface surface, int largestHole) {
     return checkSurface(repairSurface(surface, largestHole, report)).boundsVolume();
 }
 
-std::string help(const Surface& surface, const Domain& domain, const Repairing& repairing, Advice advice) {
-    const std::string after = repairing.done.empty() ? "" : " (after the repair: " + repairing.done + ")";
+Message help(const Surface& surface, const Domain& domain, const Repairing& repairing, Advice advice) {
+    Message text;
+    if (!repairing.done.isEmpty()) text = {sentence("Core", " (after the repair: %1)"), repairing.done};
     if (!domain.repair) {
         if (advice == Advice::None) return {};
-        return after + "; `wend info` lists them" +
-               (repairHelps(surface, domain.largestHole) ? ", `repair` may help" : "");
+        return text += repairHelps(surface, domain.largestHole)
+                           ? "; `wend info` lists them, `repair` may help"
+                           : "; `wend info` lists them";
     }
-    return (after.empty() ? "; the repair found nothing that it could repair" : after) +
-           (repairing.undone.empty() ? "" : "; " + repairing.undone);
+    if (text.isEmpty()) text = sentence("Core", "; the repair found nothing that it could repair");
+    return repairing.undone.isEmpty() ? text : text + "; " + repairing.undone;
 }
 
 VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, const Domain& domain,
@@ -134,43 +142,53 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
                 Shape<3>& solid) {
     const bool keys = advice == Advice::Keys;
     if (!volume.aimMet) {
-        std::string why = "the quality asked for needs them";
-        if (!domain.refineSurface)
-            why = std::string("the surface is kept as it is") + (keys ? " (see `refineSurface`)" : "");
-        solid.notices.push_back("the mesh has " + std::to_string(volume.usedCount()) + " vertices, where " +
-                                std::to_string(domain.vertices) + " were aimed at: " + why);
+        const Message missed(
+            domain.refineSurface
+                ? sentence(
+                      "Core",
+                      "the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them")
+                : sentence("Core",
+                           "the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is"),
+            volume.usedCount(), domain.vertices);
+        solid.notices.push_back(keys && !domain.refineSurface ? missed + " (see `refineSurface`)" : missed);
     }
     const bool coarse = !domain.refineSurface && surfaceIsTooCoarse(surface, volume.mesh);
-    if (coarse)
-        solid.notices.push_back(
-            std::string("the surface's triangles are far larger than the cells inside and are kept as they "
-                        "are, which makes uneven cells") +
-            (keys ? ": `refineSurface` splits them" : ""));
-    if (const std::string text = solid.verdict->text(); !text.empty()) solid.notices.push_back(text);
+    if (coarse) {
+        const Message uneven = sentence(
+            "Core",
+            "the surface's triangles are far larger than the cells inside and are kept as they are, which "
+            "makes uneven cells");
+        solid.notices.push_back(keys ? uneven + ": `refineSurface` splits them" : uneven);
+    }
+    if (const Message text = solid.verdict->text(); !text.isEmpty()) solid.notices.push_back(text);
     solid.refineHelps = coarse || (!volume.aimMet && !domain.refineSurface && domain.vertices > 0 &&
                                    volume.usedCount() < domain.vertices);
 }
 
 /// Tells what several spaces are taken for, unless the project says it.
 void tellOfSpaces(const Domain& domain, const ShellSpaces& spaces, Advice advice, Shape<3>& solid) {
-    const std::string text = spaces.summary();
-    if (text.empty() || domain.shells != Shells::Automatic) return;
-    solid.notices.push_back(text + (advice == Advice::Keys
-                                        ? "; `shells`: \"regions\" fills all and labels their cells, "
-                                          "\"holes\" leaves every second one hollow"
-                                        : ""));
+    const Message text = spaces.summary();
+    if (text.isEmpty() || domain.shells != Shells::Automatic) return;
+    solid.notices.push_back(advice == Advice::Keys
+                                ? text +
+                                      "; `shells`: \"regions\" fills all and labels their cells, \"holes\" "
+                                      "leaves every second one hollow"
+                                : text);
 }
 
 void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
     const int spare = volume.mesh.vertexCount() - volume.usedCount();
     if (spare == 1)
-        solid.notices.push_back(
+        solid.notices.emplace_back(sentence(
+            "Core",
             "1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, "
-            "so that later vertices have other numbers");
+            "so that later vertices have other numbers"));
     if (spare > 1)
-        solid.notices.push_back(std::to_string(spare) +
-                                " vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
-                                "written without them, so that later vertices have other numbers");
+        solid.notices.emplace_back(sentence("Core",
+                                            "%1 vertices of the surface belong to no tetrahedron: meshes of "
+                                            "tetrahedra are written without "
+                                            "them, so that later vertices have other numbers"),
+                                   spare);
 }
 
 Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
@@ -181,7 +199,7 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     if (domain.repair || !domain.fixes.empty()) surface = repaired(surface, domain, solid, repairing, advice);
     const VolumeMesh volume = meshed(surface, options, domain, repairing, advice);
     solid.verdict =
-        verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && repairing.done.empty());
+        verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && repairing.done.isEmpty());
     tellOfMesh(domain, surface, volume, advice, solid);
     tellOfSpares(volume, solid);
     tellOfSpaces(domain, volume.spaces, advice, solid);
@@ -202,9 +220,9 @@ Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::s
     // Painted sizes belong to the vertices as the file has them.
     VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);
     options.labelNames = skin->labelNames;
-    if (domain.fit == Fit::Cage) return cagedSolid(domain, skin, "", stop, advice);
+    if (domain.fit == Fit::Cage) return cagedSolid(domain, skin, {}, stop, advice);
     if (domain.fit == Fit::Exact) return exactSolid(domain, skin, options, advice);
-    if (const std::string why = tooManyVertices(domain, design, *skin); !why.empty())
+    if (const Message why = tooManyVertices(domain, design, *skin); !why.isEmpty())
         return cagedSolid(domain, skin, why, stop, advice);
     try {
         return exactSolid(domain, skin, options, advice);
@@ -214,7 +232,9 @@ Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::s
         if (!canBeCaged(*skin)) throw;
         if (liesInAPlane(*skin))
             throw InputError(error.message() + (advice == Advice::Keys ? "; `cage` makes a slab of it" : ""));
-        return cagedSolid(domain, skin, "it cannot be meshed as it is: " + error.reason(), stop, advice);
+        return cagedSolid(domain, skin,
+                          {sentence("Core", "it cannot be meshed as it is: %1"), error.message()}, stop,
+                          advice);
     }
 }
 
@@ -245,8 +265,10 @@ void embed(Shape<3>& solid) {
 void tellOfOutside(const Domain& domain, Shape<3>& solid) {
     const int outside = solid.exportedEmbedding().outside(), all = solid.exported().vertexCount();
     if (!domain.detail.empty() && 2 * outside > all)
-        solid.notices.push_back(domain.detail + ": " + std::to_string(outside) + " of " +
-                                std::to_string(all) + " vertices lie outside the solid that carries them");
+        solid.notices.push_back(
+            domain.detail + ": " +
+            Message(sentence("Core", "%1 of %2 vertices lie outside the solid that carries them"), outside,
+                    all));
 }
 
 }  // namespace

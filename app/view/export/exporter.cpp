@@ -249,7 +249,7 @@ void Exporter::run(const QString& what, const QString& path, double deforming, J
     const auto work = [job = std::move(job), show, source]() -> Result {
         std::string remark;
         QStringList notices;
-        const auto hear = [&notices](const std::string& text) { notices << QString::fromStdString(text); };
+        const auto hear = [&notices](const Message& text) { notices << said(text); };
         try {
             job({show, hear, source->get_token()}, remark);
             return {{}, QString::fromStdString(remark), source->stop_requested(), notices};

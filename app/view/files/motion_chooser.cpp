@@ -57,7 +57,7 @@ void MotionChooser::apply(const QString& path) {
         }
         m_document.change(tr("Apply motion of %1").arg(QFileInfo(path).fileName()), outcome.motion.project);
         QStringList remarks;
-        for (const std::string& notice : outcome.motion.notices) remarks << said(notice);
+        for (const Message& notice : outcome.motion.notices) remarks << said(notice);
         emit applied(remarks.join('\n'));
     });
 }

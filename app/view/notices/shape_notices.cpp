@@ -47,12 +47,12 @@ void ShapeNotices::tell() {
     QStringList lines;
     QList<InfoBanner::Remedy> remedies;
     const auto& notices = frame->built->notices;
-    const std::string hanging = notices.empty() ? std::string() : hangingNotice<Dim>(*frame->rest);
-    for (const std::string& notice : notices) {
-        lines << (notice == hanging ? hangingText<Dim>() : sentence(said(notice)));
-        if (notice == hanging) remedies = {{tr("Pin It"), [this] { pinHanging<Dim>(); }}};
+    const Message hanging = notices.empty() ? Message() : hangingNotice<Dim>(*frame->rest);
+    for (const Message& notice : notices) {
+        lines << (notice == hanging.text() ? hangingText<Dim>() : sentence(said(notice)));
+        if (notice == hanging.text()) remedies = {{tr("Pin It"), [this] { pinHanging<Dim>(); }}};
     }
-    if (frame->built->cage && !frame->built->cage->why.empty())
+    if (frame->built->cage && !frame->built->cage->why.isEmpty())
         remedies << InfoBanner::Remedy{tr("See Why"), [this] { emit reasonWanted(); }};
     if (frame->built->hasSpaces && m_session.document().domain().shells == Shells::Automatic) {
         const auto choose = [this](Shells shells) {

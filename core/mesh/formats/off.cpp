@@ -53,10 +53,15 @@ OffHeader readHeader(Scanner& scanner) {
             *has = true;
         }
     if (word == "4OFF" || word == "nOFF")
-        scanner.fail(inQuotes(whole) +
-                     (word == "4OFF" ? ": its points have four coordinates"
-                                     : ": its points have any number of coordinates") +
-                     "; only points in space, which have three, are read");
+        scanner.fail(
+            {word == "4OFF"
+                 ? sentence("Core",
+                            "%1: its points have four coordinates; only points in space, which have three, "
+                            "are read")
+                 : sentence("Core",
+                            "%1: its points have any number of coordinates; only points in space, which "
+                            "have three, are read"),
+             inQuotes(whole)});
     if (word != "OFF") scanner.fail("begins with " + inQuotes(whole) + " instead of OFF: no OFF file");
     if (scanner.nextIs("BINARY")) scanner.fail("a binary OFF file is not read");
     return header;

@@ -171,7 +171,7 @@ std::string Scanner::placeOf(std::size_t offset) const {
     return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
 }
 
-void Scanner::fail(const std::string& what) const {
+void Scanner::fail(const Message& what) const {
     throw InputError(place() + ": " + what);
 }
 

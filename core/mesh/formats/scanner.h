@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/formats/scalar_type.h"
+#include "core/mesh/message.h"
 
 namespace wend::formats {
 
@@ -61,7 +62,7 @@ class Scanner {
     /// Returns the place, as it is in errors, of what begins at an offset.
     std::string placeOf(std::size_t offset) const;
     /// Throws InputError with the place of what was taken last.
-    [[noreturn]] void fail(const std::string& what) const;
+    [[noreturn]] void fail(const Message& what) const;
 
   private:
     void skipBlanks();

@@ -120,7 +120,7 @@ void TestMeshTrust::partsThatHangAreTold() {
 void TestMeshTrust::solidsThatHangAreTold() {
     const Surface corner = test::joined(kBar, test::box({3, 1, 1}, {4, 2, 2}, 2));
     test::writeSurface(file("corner.obj"), corner);
-    QVERIFY(anyContains(solid("'surface': 'corner.obj', 'vertices': 300").notices,
+    QVERIFY(anyContains(textsOf(solid("'surface': 'corner.obj', 'vertices': 300").notices),
                         " near (3, 1, 1): what turns freely there"));
     const auto inspection = inspectFile(file("corner.obj"));
     QVERIFY(std::ranges::any_of(inspection.problems, [](const MeshProblem& problem) {
@@ -128,7 +128,8 @@ void TestMeshTrust::solidsThatHangAreTold() {
     }));
     const Surface edge = test::joined(kBar, test::box({3, 1, 0}, {4, 2, 1}, 4));
     test::writeSurface(file("edge.obj"), edge);
-    QVERIFY(anyContains(solid("'surface': 'edge.obj', 'vertices': 300").notices, "hangs only on the edge "));
+    QVERIFY(anyContains(textsOf(solid("'surface': 'edge.obj', 'vertices': 300").notices),
+                        "hangs only on the edge "));
 }
 
 /// A box of any size that squares and volumes can be told of; beyond that nothing is made up.
@@ -157,7 +158,7 @@ void TestMeshTrust::oneSpareVertexIsToldAsOne() {
     spare.points.conservativeResize(Eigen::NoChange, spare.vertexCount() + 1);
     spare.points.rightCols(1) << 1, 0.5, 0.5;
     test::writeSurface(file("one.obj"), spare);
-    QVERIFY(anyContains(solid("'surface': 'one.obj', 'vertices': 300").notices,
+    QVERIFY(anyContains(textsOf(solid("'surface': 'one.obj', 'vertices': 300").notices),
                         "1 vertex of the surface belongs to no tetrahedron"));
 }
 
@@ -183,8 +184,8 @@ void TestMeshTrust::missedQualityIsTold() {
     QVERIFY(verdict.cellsAbove > 0 && verdict.cellsAbove <= plate.rest->cellCount());
     QVERIFY(!verdict.facets.empty());
     for (const int facet : verdict.facets) QVERIFY(facet >= 0 && facet < 12);
-    QVERIFY(anyContains(plate.notices, "where 2 was asked for"));
-    QVERIFY(anyContains(plate.notices, "at its triangles "));
+    QVERIFY(anyContains(textsOf(plate.notices), "where 2 was asked for"));
+    QVERIFY(anyContains(textsOf(plate.notices), "at its triangles "));
     const auto report = nlohmann::json::parse(verdictJson(verdict));
     QCOMPARE(report["facets"].size(), verdict.facets.size());
     QCOMPARE(report["got"].get<double>(), verdict.got);
@@ -193,7 +194,7 @@ void TestMeshTrust::missedQualityIsTold() {
 void TestMeshTrust::goodQualityIsNot() {
     test::writeSurface(file("cube.obj"), test::box({0, 0, 0}, {1, 1, 1}, 5));
     const Shape<3> bar = solid("'surface': 'cube.obj', 'vertices': 300");
-    QVERIFY(!anyContains(bar.notices, "was asked for"));
+    QVERIFY(!anyContains(textsOf(bar.notices), "was asked for"));
     QVERIFY(bar.verdict->got > 0.6 && !bar.verdict->missed());  // a regular tetrahedron's is 0.61
 }
 

@@ -114,7 +114,7 @@ class TestParts : public QObject {
         options.at = time;
         options.backEnd = BackEndKind::Cpu;
         const AdvanceResult result = runProject(*loaded.project, at("project.wend").toStdString(), options);
-        if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
+        if (result.outcome != Outcome::Done) qWarning("%s", result.message.text().c_str());
         return QImage(at(name));
     }
 

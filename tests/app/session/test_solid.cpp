@@ -145,7 +145,7 @@ void TestSolid::repairIsAsked() {
     try {
         const Shape<3> bar = solid(domain.toStdString() + ", 'vertices': 300, 'cage': false");
         QVERIFY(reason.isEmpty());
-        QCOMPARE(bar.notices[0], std::string("the surface was repaired: 1 hole filled"));
+        QCOMPARE(bar.notices[0].text(), std::string("the surface was repaired: 1 hole filled"));
     } catch (const SurfaceError& error) {
         QVERIFY2(!reason.isEmpty() && QString(error.what()).contains(reason), error.what());
         QVERIFY(!error.problems.triangles(kBar).empty());
@@ -225,7 +225,7 @@ void TestSolid::cageCarriesTheSurface() {
     for (const char* file : {"crossing.obj", "holed.obj", "fine.ply"}) {
         const Shape<3> one =
             solid("'surface': '" + std::string(file) + "', 'vertices': 700, 'cage': {'detail': 2}");
-        QVERIFY(one.cage && one.cage->why.empty());
+        QVERIFY(one.cage && one.cage->why.isEmpty());
         QCOMPARE(one.embedding->outside(), 0);
         QVERIFY(one.embedding->carry(*one.rest, one.rest->points) == one.skin->points);
         Mat<3> A;
@@ -243,7 +243,7 @@ void TestSolid::partsThatShareACageAreTold() {
         std::string all;
         for (const auto& notice :
              solid("'surface': '" + std::string(file) + "', 'vertices': 500, 'cage': true").notices)
-            all += notice + "\n";
+            all += notice.text() + "\n";
         return QString::fromStdString(all);
     };
     const QString near = told("near.obj"), apart = told("apart.obj");

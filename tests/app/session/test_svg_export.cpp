@@ -110,7 +110,7 @@ class TestSvgExport : public QObject {
         watch.notice = [this](const std::string& text) { m_notices << QString::fromStdString(text); };
         const AdvanceResult result =
             runProject(*loaded.project, at("project.wend").toStdString(), options, watch);
-        QVERIFY2(result.outcome == Outcome::Done, result.message.c_str());
+        QVERIFY2(result.outcome == Outcome::Done, result.message.text().c_str());
     }
     pugi::xml_document parsed(const QString& name) const {
         pugi::xml_document document;

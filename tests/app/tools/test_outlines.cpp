@@ -78,7 +78,7 @@ double roughnessOf(const std::string& sample, SmoothingKind kind, int vertices) 
     const auto shape = std::get<Shape<2>>(loadShape(*project, folder));
     Deformer<2> deformer(shape.rest, shape.material, heldHandles(*project, shape), options);
     const AdvanceResult result = deformer.advance(endOf(*project));
-    if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
+    if (result.outcome != Outcome::Done) qWarning("%s", result.message.text().c_str());
     return result.outcome == Outcome::Done ? roughness(*shape.rest, deformer.state().points) : NAN;
 }
 
