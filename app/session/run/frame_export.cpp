@@ -189,7 +189,9 @@ void FrameExport::writeFrames(ExportKind kind, const std::string& path, const Ru
                               const RunWatch& watch) const {
     RunOptions all = options;
     (kind == ExportKind::Film ? all.outputs.films : all.outputs.frames) = {path};
-    const AdvanceResult result = runProject(*m_project, m_name, all, watch);
+    const AdvanceResult result = dimension() == 3
+                                     ? runShape(*m_project, m_name, *posed<3>(m_frame)->built, all, watch)
+                                     : runShape(*m_project, m_name, *posed<2>(m_frame)->built, all, watch);
     if (result.outcome != Outcome::Done) throw InputError(result.message);
 }
 

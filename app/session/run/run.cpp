@@ -11,11 +11,9 @@
 #include "app/document/file/text_file.h"
 #include "app/document/options/options.h"
 #include "app/document/project.h"
-#include "app/session/run/film_outputs.h"
-#include "app/session/run/layer_export.h"
+#include "app/session/run/mapped_points.h"
 #include "app/session/run/output_set.h"
-#include "app/session/run/point_file.h"
-#include "app/session/run/pose_file.h"
+#include "app/session/run/picture_output.h"
 #include "app/session/run/report.h"
 #include "app/session/run/rig.h"
 #include "app/session/run/rig_files.h"
@@ -23,9 +21,7 @@
 #include "app/session/run/run_states.h"
 #include "app/session/run/shape_file.h"
 #include "app/session/run/svg_export.h"
-#include "app/session/shape/depth.h"
 #include "app/session/shape/held_border.h"
-#include "app/session/shape/material_picture.h"
 #include "app/session/shape/pose_faults.h"
 #include "app/session/shape/shape_builder.h"
 #include "core/energy/distortion.h"
@@ -39,10 +35,7 @@
 #include "kernels/back_end_choice.h"
 #include "warp/film_format.h"
 #include "warp/image_formats.h"
-#include "warp/layered_exr.h"
 #include "warp/picture_library.h"
-#include "warp/warp.h"
-#include "warp/warped_picture.h"
 
 namespace wend {
 namespace {
@@ -93,7 +86,12 @@ class Run {
               backEndFactory<Dim>(options.backEnd, {}, m_watch.notice, m_device), options.solvers.of<Dim>()) {
         for (const FileNames* names : {&options.outputs.mesh, &options.outputs.frames})
             for (const std::string& name : *names) requireHeldBy<Dim>(name, m_shape);
-        readPoints();
+        if constexpr (Dim == 2)
+            m_pictures.emplace(m_project, m_path, m_shape, m_options, m_watch, m_device, m_files,
+                               filmOptions());
+        m_points.emplace(
+            m_shape, m_options, m_watch.notice,
+            [this](double time) -> const std::vector<float>& { return m_pictures->depths(time); });
     }
 
     AdvanceResult run() {
@@ -116,8 +114,7 @@ class Run {
             if (!isFaulty) writeAll();
             endIfStrict(isFaulty);
         } else {
-            m_films.discard();
-            m_files.discard();
+            discard();
         }
         writeReports();
         m_files.commit();
@@ -229,20 +226,24 @@ class Run {
             throw InputError(m_options.from, "holds the states up to time " +
                                                  shortNumber(m_known->reached()) +
                                                  " only: go on with them first (--from and --states)");
-        m_painted = {begin, end};
+        if (m_pictures) m_pictures->setShare(begin, end);
         AdvanceResult result = m_deformer.advance(until, watchFor(first, last));
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
-        if constexpr (Dim == 2) writeWaitingFrames();
+        if (m_pictures) m_pictures->writeWaitingFrames();
         if (begin == 0) writeCollections();
         m_files.commit();
         return result;
     }
 
+    void discard() {
+        if (m_pictures) m_pictures->discardFilms();
+        m_files.discard();
+    }
+
     /// Ends the run at the first notice with --strict. The report stays if the deformed shape is the reason.
     void endIfStrict(bool ofShape) {
         if (!m_options.strict || m_notices.empty()) return;
-        m_films.discard();
-        m_files.discard();
+        discard();
         if (ofShape) writeReports();
         m_files.commit();
         throw NoticeError(m_notices, ofShape);
@@ -258,12 +259,13 @@ class Run {
         const Points<Dim> pose = m_deformer.state().points;
         for (const std::string& path : outputs.velocity) writeVelocity(path, pose);
         for (const std::string& path : outputs.mesh) writeMesh(path, pose);
-        writePoints(pose);
+        const double time = m_deformer.state().time;
+        m_points->write(time, pose, m_files);
         if constexpr (Dim == 2) {
-            writePictures(pose);
-            writeMaterial();
-            writeWaitingFrames();
-            writeFilms();
+            m_pictures->write(time, pose);
+            m_pictures->writeMaterial();
+            m_pictures->writeWaitingFrames();
+            m_pictures->writeFilms();
         }
         writeAnimations();
         writeCollections();
@@ -288,9 +290,11 @@ class Run {
             m_watch.notice(turned);
     }
 
+    std::optional<View> canvas() const { return m_pictures ? m_pictures->canvas() : std::nullopt; }
+
     void tellOfCanvas() const {
-        if (m_watch.summary && m_canvas && m_options.canvas.kind != Canvas::Picture)
-            m_watch.summary(canvasText(*m_canvas));
+        if (m_watch.summary && canvas() && m_options.canvas.kind != Canvas::Picture)
+            m_watch.summary(canvasText(*canvas()));
     }
 
     /// No format drops a colour profile without a word.
@@ -360,174 +364,6 @@ class Run {
         });
     }
 
-    // --- Points ---
-
-    /// Reads them, and finds their places at rest unless the map is the inverse one.
-    void readPoints() {
-        for (const PointsOutput& one : m_options.outputs.points) {
-            const PointFile& file = m_pointFiles.emplace_back(one.in, pointDimension());
-            file.requireHeldBy(one.out);
-            if (const std::string lost = file.lostIn(one.out, m_options.meshes); !lost.empty())
-                m_watch.notice(one.out + ": " + lost);
-            if (!m_options.inverse) m_pointMaps.push_back(pointMap(file, *carrier(), 0));
-        }
-    }
-
-    /// Points of a flat mesh in another plane than that of x and y have three coordinates.
-    int pointDimension() const {
-        if constexpr (Dim == 2) return m_shape.plane.isXy() ? 2 : 3;
-        return Dim;
-    }
-
-    /// Returns the mesh that carries points, with the attached parts of a picture.
-    std::shared_ptr<const SimplicialMesh<Dim>> carrier() const {
-        if constexpr (Dim == 2) return drawnRest(m_shape);
-        return m_shape.rest;
-    }
-    Points<Dim> carrierIn(const Points<Dim>& pose) const {
-        if constexpr (Dim == 2)
-            if (m_shape.texture) return m_shape.texture->withRiders(pose);
-        return pose;
-    }
-
-    PointMap<Dim> pointMap(const PointFile& file, const SimplicialMesh<Dim>& from, double time) {
-        std::vector<float> order;
-        if constexpr (Dim == 2) order = depths(time);
-        PointMap<Dim> map(from, order, ownCoordinates(m_shape, file.points()));
-        const auto tellOf = [&](int count, const std::string& where) {
-            if (count > 0)
-                m_watch.notice(file.path() + ": " + std::to_string(count) + " of " +
-                               std::to_string(file.points().cols()) + " points " +
-                               (count == 1 ? "lies " : "lie ") + where);
-        };
-        tellOf(
-            map.outside(),
-            "outside the shape: such points follow the nearest place of its border, as the shape turns and "
-            "stretches there");
-        tellOf(map.covered(), std::string("where the shape covers itself: ") +
-                                  (Dim == 2 ? "the front counts" : "the last cell there counts"));
-        return map;
-    }
-
-    void writePoints(const Points<Dim>& pose) {
-        const auto rest = carrier();
-        const Points<Dim> bent = carrierIn(pose);
-        for (std::size_t k = 0; k < m_pointFiles.size(); ++k) {
-            const PointFile& file = m_pointFiles[k];
-            Points<Dim> own;
-            if (m_options.inverse) {
-                SimplicialMesh<Dim> from = *rest;
-                from.points = bent;
-                own = pointMap(file, from, m_deformer.state().time).mapped(rest->points);
-            } else {
-                own = m_pointMaps[k].mapped(bent);
-            }
-            const Points<3> points = inSpace(m_shape, file.points(), own);
-            m_files.add(m_options.outputs.points[k].out, ".csv",
-                        [&](const std::string& to) { file.write(to, points, m_options.meshes); });
-        }
-    }
-
-    const std::vector<float>& depths(double time) {
-        const auto mesh = drawnRest(m_shape);
-        return *m_depths.of(depthOf(m_project), mesh, partLevels(domainOf(m_project).parts, *mesh, time));
-    }
-
-    WarpOptions warpOptions(double time, const std::function<void(double)>& progress) {
-        if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
-        WarpOptions options = warpOptionsOf(m_project, m_options);
-        options.depth = depths(time);
-        if constexpr (Dim == 2)
-            if (m_shape.texture) options.blends = m_shape.texture->blends();
-        const auto [width, height] = canvasSize(m_shape);
-        options.frameWidth = width, options.frameHeight = height;
-        options.makePainter = m_painters;
-        options.stop = m_watch.stop;
-        options.progress = progress;
-        return options;
-    }
-
-    /// Returns the picture at a time in the pixels of `view`.
-    WarpedPicture warped(double time, const Points<2>& pixels, const View& view,
-                         const std::function<void(double)>& progress) {
-        WarpOptions options = warpOptions(time, progress);
-        if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
-        return {*m_shape.picture, restInPixels(m_shape), pixels, view, options};
-    }
-
-    void writeLayers(const std::string& file, double time, const Points<2>& pixels, const View& view) {
-        const WarpOptions options = warpOptions(time, {});
-        const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
-        const auto layers = warpedLayers(m_shape, pixels, levels, view, options);
-        const Image merged = warpImage(*m_shape.picture, restInPixels(m_shape), pixels, view, options);
-        if (isLayeredFile(file))
-            writeOpenRaster(file, layers, merged);
-        else
-            writeLayeredExr(file, merged, layers, m_options.depth);
-    }
-
-    void writeSvg(const std::string& file, double time, const Points<2>& pixels, const View& view) {
-        if (!m_svg) m_svg.emplace(m_project, folderOf(m_path), m_watch.notice);
-        const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
-        writeTextFile(file, m_svg->text(m_shape, pixels, levels, view, warpOptions(time, {})));
-    }
-
-    /// Throws Cancelled.
-    void writePicture(const std::string& file, const WarpedPicture& picture) const {
-        writeWarped(file, picture, m_options.depth, m_options.lossy);
-    }
-
-    /// Tells what is between the fractions `from` and `to` of the warping.
-    std::function<void(double)> warping(double from, double to) const {
-        if (!m_watch.progress) return {};
-        return [this, from, to](double done) { m_watch.progress("warping", from + (to - from) * done); };
-    }
-
-    Extent<2> extent(const Points<2>& pixels) const {
-        return extentOf<2>(pixels, restInPixels(m_shape).cells);
-    }
-
-    void writePictures(const Points<2>& pose) {
-        const RunOutputs& outputs = m_options.outputs;
-        if (outputs.image.empty() && outputs.stMap.empty()) return;
-        const Points<2> pixels = inPixels(m_shape, pose);
-        const auto size = canvasSize(m_shape);
-        const View view = canvasView(size, extent(pixels), m_options.canvas);
-        const double time = m_deformer.state().time;
-        m_canvas = view;
-        const double count = static_cast<double>(outputs.image.size());
-        for (std::size_t k = 0; k < outputs.image.size(); ++k) {
-            const double done = static_cast<double>(k);
-            m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
-                if (isSvgFile(file)) return writeSvg(file, time, pixels, view);
-                if (isLayeredFile(file) || getsPartChannels(file, m_shape))
-                    return writeLayers(file, time, pixels, view);
-                writePicture(file, warped(time, pixels, view, warping(done / count, (done + 1) / count)));
-            });
-        }
-        for (const std::string& path : outputs.stMap)
-            m_files.add(path, ".exr", [&](const std::string& file) {
-                const Image map = stMap(sourceRest(m_shape), pixels, view, size[0], size[1], depths(time));
-                if (!getsPartChannels(file, m_shape)) return writeImage(file, map);
-                writeLayeredExr(file, map, stMapsOfParts(m_shape, pixels, view, depths(time)), map.type);
-            });
-    }
-
-    void writeMaterial() {
-        const bool isPicture = domainOf(m_project).kind == DomainKind::Image;
-        const auto size = isPicture ? canvasSize(m_shape) : std::array{0, 0};
-        for (const MaterialPart part : kMaterialParts)
-            for (const std::string& path : m_options.outputs.material[static_cast<std::size_t>(part)])
-                m_files.add(path, ".png", [&](const std::string& file) {
-                    const PictureFrame frame = pictureFrame(size[0], size[1], *m_shape.rest);
-                    writeImage(file, materialPicture(part, frame, *m_shape.rest, *m_shape.material));
-                });
-    }
-
-    bool isPainted(int frame) const {
-        return !m_painted || (frame >= m_painted->first && frame < m_painted->second);
-    }
-
     void takeFrame(const State<Dim>& state) {
         const int number = m_frame++;
         bool hasPictures = !m_options.outputs.films.empty(), hasAnimations = false;
@@ -540,7 +376,7 @@ class Run {
                 takeMeshFrame(pattern, number, state);
         }
         if constexpr (Dim == 2)
-            if (hasPictures) takePictureFrame(number, inPixels(m_shape, state.points));
+            if (hasPictures) m_pictures->takeFrame(number, frameTime(number), state.points);
         if (hasAnimations) m_animation.push_back(state.points);
     }
 
@@ -590,59 +426,10 @@ class Run {
         const auto mesh = drawnRest(m_shape);
         for (std::size_t k = 0; k < m_animation.size(); ++k)
             levels.push_back(partLevels(domainOf(m_project).parts, *mesh, frameTime(static_cast<int>(k))));
-        const Rig rig = makeRig(m_shape, m_animation, depths(0), levels, m_options.outputs.framesPerSecond);
+        const Rig rig =
+            makeRig(m_shape, m_animation, m_pictures->depths(0), levels, m_options.outputs.framesPerSecond);
         if (const std::string lost = lostInRig(path, rig); !lost.empty()) m_watch.notice(path + ": " + lost);
         writeRig(path, rig, m_files);
-    }
-
-    /// A canvas that fits is known only when all frames are.
-    void takePictureFrame(int number, const Points<2>& pixels) {
-        const Extent<2> shape = extent(pixels);
-        if (m_options.canvas.kind != Canvas::Fit)
-            return writePictureFrames(
-                number, pixels, canvasView(canvasSize(m_shape), shape, m_options.canvas.forFrames()), {});
-        if (!m_waiting) {
-            const FileNames films = m_options.outputs.filmFiles();
-            m_waiting.emplace(films.empty() ? m_options.outputs.numberedFrames().front() : films.front());
-            m_allFrames = shape;
-        }
-        m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
-        m_allFrames.high = m_allFrames.high.cwiseMax(shape.high);
-        m_waiting->add(pixels);
-    }
-
-    void writeWaitingFrames() {
-        if (!m_waiting) return;
-        const View view = canvasView(canvasSize(m_shape), m_allFrames, m_options.canvas.forFrames());
-        const double count = m_waiting->count();
-        for (int k = 0; k < m_waiting->count(); ++k) {
-            if (!isPainted(k)) continue;
-            tell("warping", k / count);
-            writePictureFrames(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
-        }
-    }
-
-    void writePictureFrames(int number, const Points<2>& pixels, const View& view,
-                            const std::function<void(double)>& progress) {
-        m_canvas = view;
-        const FileNames numbered = m_options.outputs.numberedFrames();
-        for (const std::string& pattern : numbered)
-            if (isSvgFile(pattern))
-                m_files.add(frameName(pattern, number), "", [&](const std::string& file) {
-                    writeSvg(file, frameTime(number), pixels, view);
-                });
-        if (m_options.outputs.filmFiles().empty() && std::ranges::none_of(numbered, canWriteImage)) return;
-        const WarpedPicture picture = warped(frameTime(number), pixels, view, progress);
-        for (const std::string& pattern : numbered)
-            if (canWriteImage(pattern))
-                m_files.add(frameName(pattern, number), "",
-                            [&](const std::string& file) { writePicture(file, picture); });
-        m_films.add(m_options.outputs.filmFiles(), picture);
-    }
-
-    void writeFilms() {
-        if (m_films.any()) tell("encoding", 0);
-        m_films.finish();
     }
 
     FilmOptions filmOptions() const {
@@ -675,7 +462,7 @@ class Run {
             qualityJson<Dim>(*m_shape.rest, pose),
             m_shape.verdict,
             m_shape.cage,
-            m_canvas,
+            canvas(),
             reachedAt(designOf(m_project), m_deformer.state().time),
             m_notices};
         const std::string text = reportJson(figures);
@@ -693,24 +480,16 @@ class Run {
     Clock::time_point m_start;
     SharedDevice m_device;
     Deformer<Dim> m_deformer;
-    CellDepths m_depths;                // of pictures
-    std::optional<View> m_canvas;       // of the last picture
-    MakeCellPainter m_painters;         // made with the first picture
-    int m_frame = 0;                    // number of the next
-    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
-    Extent<2> m_allFrames;              // around those that wait
+    int m_frame = 0;  // number of the next
     std::vector<Points<Dim>> m_animation;
-    std::deque<PointFile> m_pointFiles;
-    std::vector<PointMap<Dim>> m_pointMaps;  // from the rest
     std::optional<StatesReader<Dim>> m_known;
-    std::deque<StatesWriter<Dim>> m_states;        // with the same states
-    std::optional<State<Dim>> m_atTime;            // the shape that is wanted, within the states
-    std::optional<std::pair<int, int>> m_painted;  // of the frames; none: all
+    std::deque<StatesWriter<Dim>> m_states;  // with the same states
+    std::optional<State<Dim>> m_atTime;      // the shape that is wanted, within the states
     Points<Dim> m_velocity;
     PoseFaults<Dim> m_faults;  // of the pose at the end
     OutputSet m_files;
-    FilmOutputs m_films{m_files, filmOptions()};
-    std::optional<SvgExport> m_svg;  // made with the first SVG file
+    std::optional<PictureOutput> m_pictures;  // of a picture
+    std::optional<MappedPoints<Dim>> m_points;
 };
 
 /// A shape that ends before its cycle has none of its frames.
@@ -726,11 +505,8 @@ bool writesPictures(const RunOutputs& outputs) {
            std::ranges::any_of(outputs.frames, canWriteImage);
 }
 
-}  // namespace
-
-AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
-                         const RunWatch& watch) try {
-    const Clock::time_point start = Clock::now();
+/// Throws InputError for what cannot be made of the project, before anything is read.
+void requireOutputs(const Project& project, const std::string& path, const RunOptions& options) {
     requirePossible(project, options.outputs);
     requireSpan(project, options);
     for (const FileNames* pictures : {&options.outputs.image, &options.outputs.frames})
@@ -738,27 +514,62 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
             requireDepth(file, options);
             requireDrawing(file, project, folderOf(path), options);
         }
-    if (watch.progress) watch.progress("reading", 0);
-    const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
     requireNothingOutside(project, options);
-    AnyShape shape = loadShape(project, folderOf(path), watch.stop);
-    std::vector<Message> notices = std::visit([](const auto& one) { return one.notices; }, shape);
+}
+
+template <int Dim>
+AdvanceResult runOf(const Project& project, const std::string& path, const Shape<Dim>& shape,
+                    const RunOptions& options, const RunWatch& watch, Clock::time_point start) {
+    std::vector<Message> notices = shape.notices;
     if (const std::string note = fallsShort(project); !note.empty() && !options.at) notices.push_back(note);
     for (const Message& notice : notices)
         if (watch.notice) watch.notice(notice);
     RunOptions heard = options;
     heard.notices.insert(heard.notices.end(), notices.begin(), notices.end());
     if (options.strict && !heard.notices.empty()) throw NoticeError(heard.notices, false);
-    return std::visit(
-        [&]<int Dim>(Shape<Dim>& one) {
-            return Run<Dim>(project, path, std::move(one), heard, watch, start).run();
-        },
-        shape);
+    return Run<Dim>(project, path, shape, heard, watch, start).run();
+}
+
+/// Names the project's file in errors that name none, and advises where memory does not suffice.
+template <class Work>
+AdvanceResult withNamedErrors(const Project& project, const std::string& path, const Work& work) try {
+    return work();
 } catch (const InputError& error) {
     if (!error.file().empty()) throw;
     throw error.named(path);
 } catch (const NotEnoughMemory& error) {
     throw OutOfMemory(path, std::string(error.what()) + ": " + adviceOnMemory(project));
 }
+
+}  // namespace
+
+AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
+                         const RunWatch& watch) {
+    const Clock::time_point start = Clock::now();
+    return withNamedErrors(project, path, [&] {
+        requireOutputs(project, path, options);
+        if (watch.progress) watch.progress("reading", 0);
+        const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
+        const AnyShape shape = loadShape(project, folderOf(path), watch.stop);
+        return std::visit([&](const auto& one) { return runOf(project, path, one, options, watch, start); },
+                          shape);
+    });
+}
+
+template <int Dim>
+AdvanceResult runShape(const Project& project, const std::string& path, const Shape<Dim>& shape,
+                       const RunOptions& options, const RunWatch& watch) {
+    const Clock::time_point start = Clock::now();
+    return withNamedErrors(project, path, [&] {
+        requireOutputs(project, path, options);
+        const std::jthread loading = writesPictures(options.outputs) ? loadPictureLibrary() : std::jthread();
+        return runOf(project, path, shape, options, watch, start);
+    });
+}
+
+template AdvanceResult runShape<2>(const Project&, const std::string&, const Shape<2>&, const RunOptions&,
+                                   const RunWatch&);
+template AdvanceResult runShape<3>(const Project&, const std::string&, const Shape<3>&, const RunOptions&,
+                                   const RunWatch&);
 
 }  // namespace wend

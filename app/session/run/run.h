@@ -22,6 +22,8 @@
 namespace wend {
 
 struct AdvanceResult;
+template <int Dim>
+struct Shape;
 
 using FileNames = std::vector<std::string>;
 
@@ -156,6 +158,10 @@ void requirePossible(const Project& project, const RunOutputs& outputs);
 /// nevertheless, else nothing is.
 AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
                          const RunWatch& watch = {});
+/// Does the same with the project's shape, which is neither read nor meshed again.
+template <int Dim>
+AdvanceResult runShape(const Project& project, const std::string& path, const Shape<Dim>& shape,
+                       const RunOptions& options, const RunWatch& watch = {});
 
 /// Returns whether the frames are written to one file: a .webp of pictures, a .glb of a solid, without a
 /// place for the number.

@@ -45,6 +45,7 @@ class TestExportDialog : public QObject {
     void softEdgesAtRestAreTheSourcesOwn();
     void framesFollowTheirRate();
     void filmIsOneFile();
+    void framesAreOfTheShapeThatIsThere();
     void exportIsTheMainButton();
 
   private:
@@ -378,6 +379,23 @@ void TestExportDialog::framesAreNumbered() {
     QVERIFY(written(ExportKind::Frames, file("film.png"), with("--count", "3")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("film*")}),
              QStringList({"film_0000.png", "film_0001.png", "film_0002.png"}));
+}
+
+/// The picture is neither read nor meshed again.
+void TestExportDialog::framesAreOfTheShapeThatIsThere() {
+    const QString picture = writeCutOut(*m_folder);
+    open(picture);
+    bend(-10, 25);
+    QVERIFY(written(ExportKind::Frames, file("a_#.png"), with("--count", "3")));
+    QVERIFY(QFile::remove(picture));
+    QVERIFY(written(ExportKind::Frames, file("b_#.png"), with("--count", "3")));
+    for (int k = 0; k < 3; ++k) {
+        QFile before(file(qPrintable(QString("a_%1.png").arg(k)))),
+            after(file(qPrintable(QString("b_%1.png").arg(k))));
+        QVERIFY(before.open(QIODevice::ReadOnly) && after.open(QIODevice::ReadOnly));
+        QVERIFY(before.size() > 100);
+        QCOMPARE(after.readAll(), before.readAll());
+    }
 }
 
 /// Of a picture: as long as the motion, without what the format does not hold; its frames are the sequence's.
