@@ -1,5 +1,5 @@
 # Precompiled headers: most of the time that a file takes to compile goes into the same headers of Eigen, Qt and the standard
-# library. Three sets, since what links Qt is compiled with other options. -DWEND_PCH=OFF builds without them, and so finds a
+# library. Three sets, since what links Qt is compiled with other options, and one for what is optimized most (WEND_HOT). -DWEND_PCH=OFF builds without them, and so finds a
 # file that forgot an include.
 option(WEND_PCH "Compile the headers that most files include once" ON)
 
@@ -21,13 +21,18 @@ function(wend_precompile name)
 endfunction()
 
 if(WEND_PCH)
-    wend_precompile(wend_pch_core)
-    target_precompile_headers(wend_pch_core PRIVATE ${WEND_PCH_STANDARD})
-    wend_hide_symbols(wend_pch_core)  # a set is compiled with the options of the files that take it
+    foreach(set hot core)
+        wend_precompile(wend_pch_${set})
+        target_precompile_headers(wend_pch_${set} PRIVATE ${WEND_PCH_STANDARD})
+        wend_hide_symbols(wend_pch_${set})  # a set is compiled with the options of the files that take it
+    endforeach()
     wend_precompile(wend_pch_qt Qt6::Core)
     target_precompile_headers(wend_pch_qt PRIVATE ${WEND_PCH_QT})
     wend_precompile(wend_pch_widgets Qt6::Widgets)
     target_precompile_headers(wend_pch_widgets PRIVATE ${WEND_PCH_WIDGETS})
+    foreach(set core qt widgets)
+        target_compile_options(wend_pch_${set} PRIVATE ${WEND_USUAL})
+    endforeach()
 endif()
 
 # wend_pch_kind(result LIBRARIES…): core, qt or widgets, the set that fits what a target links.
@@ -41,11 +46,15 @@ function(wend_pch_kind result)
     set(${result} ${kind} PARENT_SCOPE)
 endfunction()
 
+# wend_reuse_pch(target SET)
+function(wend_reuse_pch target set)
+    if(WEND_PCH)
+        target_precompile_headers(${target} REUSE_FROM wend_pch_${set})
+    endif()
+endfunction()
+
 # wend_use_pch(target LIBRARIES…)
 function(wend_use_pch target)
-    if(NOT WEND_PCH)
-        return()
-    endif()
     wend_pch_kind(kind ${ARGN})
-    target_precompile_headers(${target} REUSE_FROM wend_pch_${kind})
+    wend_reuse_pch(${target} ${kind})
 endfunction()

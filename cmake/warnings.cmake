@@ -12,6 +12,10 @@ if(WEND_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # There every file counts as a header, whose classes should not have members from an anonymous namespace.
     target_compile_options(wend_options INTERFACE -Wno-subobject-linkage)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # The compiler collects its garbage less often than by default, which takes a tenth of its time; at most so many kilobytes more.
+    target_compile_options(wend_options INTERFACE --param=ggc-min-heapsize=400000)
+endif()
 target_compile_options(wend_options INTERFACE $<$<BOOL:${WEND_WERROR}>:-Werror>)
 if(WEND_SANITIZE)
     # Not where a target says UNSANITIZED: sanitizers need more address space than a limited process gets.

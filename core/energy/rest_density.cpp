@@ -2,10 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 namespace {
@@ -47,8 +48,8 @@ Stretch<2> stretchOf(const Mat<2>& F) {
 }
 
 Stretch<3> stretchOf(const Mat<3>& F) {
-    const Eigen::JacobiSVD<Mat<3>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return {svd.matrixU(), svd.matrixV(), svd.singularValues()};
+    const auto svd = singularValueDecomposition<3>(F);
+    return {svd.U, svd.V, svd.sigma};
 }
 
 template <int Dim>
@@ -72,7 +73,7 @@ RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
         for (int j = 0; j < Dim; ++j)
             bySigma(i, j) = (i == j ? a - b / (sigma[i] * sigma[i]) : 0) + c / (sigma[i] * sigma[j]) -
                             2 * a / Dim * (sigma[i] / sigma[j] + sigma[j] / sigma[i]);
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> stretches(bySigma);
+    const PrincipalAxes<Dim> stretches = principalAxes<Dim>(bySigma);
     RestModes<Dim> result;
     int m = 0;
     const auto add = [&](double value, const Mat<Dim>& inner) {
@@ -81,7 +82,7 @@ RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
         result.modes.col(m++) = flat<Dim>(mode);
     };
     for (int i = 0; i < Dim; ++i)
-        add(stretches.eigenvalues()[i], stretches.eigenvectors().col(i).asDiagonal());
+        add(stretches.values[i], stretches.axes.col(i).asDiagonal());
     for (int i = 0; i < Dim; ++i)
         for (int j = i + 1; j < Dim; ++j)
             for (const double sign : {-1.0, 1.0}) {  // a twist, a flip

@@ -55,7 +55,7 @@ double shortestEdge(const Points<Dim>& points, const Cell<Dim>& cell) {
 template <int Dim>
 double circumradius(const Mat<Dim>& edges) {
     const Vec<Dim> squares = edges.colwise().squaredNorm().transpose() / 2;
-    return edges.transpose().fullPivLu().solve(squares).norm();
+    return (edges.inverse().transpose() * squares).norm();
 }
 
 }  // namespace
